@@ -1,0 +1,46 @@
+// One moment of the simulation, as the picture needs it. Immutable once made; handed over by
+// shared_ptr<const Frame>, read by any thread.
+//
+// Geometry, in the elastomer's frame: material point i rests at x_i = i * spacing, 0 <= i < n, one
+// period. Heights are measured upwards from the undeformed surface of the elastomer, which fills
+// everything below `surfaceHeight` (u <= 0); the rigid body fills everything above `lineHeight`
+// (z - d). For v > 0 the rigid line moves towards +x. Both arrays are periodic.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/friction/curve_point.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+struct Frame {
+  std::shared_ptr<const Scene> scene;  // the scene that made it; labels come from here
+  std::uint64_t sceneNumber = 0;       // of the scene, as returned by Runner::post
+  std::uint64_t step = 0;              // time steps made since the scene was reset
+  double time = 0;                     // s simulated
+  double distance = 0;                 // m slid
+  double timeScale = 0;                // simulated seconds per second on screen
+
+  double length = 0;                   // m, period
+  double spacing = 0;                  // m between points
+  std::vector<double> lineHeight;      // m, z - d
+  std::vector<double> surfaceHeight;   // m, u
+  std::vector<double> pressure;        // N/m, line load p >= 0; 0 where not in contact
+
+  double indentation = 0;              // m, d above the line's lowest point
+  double normalForce = 0;              // N
+  double tangentialForce = 0;          // N, magnitude along the motion
+  double contactFraction = 0;
+  double rmsHeight = 0, rmsSlope = 0;  // of the line
+
+  /// Of the time march over the steps since the last frame; NaN while the step is too long to
+  /// resolve the relaxation (v dt > 2 v tau) or nothing moves.
+  double muMarch = kNotApplicable;
+  /// Of the steady state of this very line and scene, from the steady pass; NaN where none exists.
+  double muSteady = kNotApplicable;
+};
+
+}  // namespace asperity

@@ -1,0 +1,74 @@
+// Runs scenes in the background for the window: one thread marches the present scene in time and
+// makes frames, another averages its friction curve. Commands go in, immutable values come out.
+//
+// Threading: every member may be called from any thread and returns at once. Newest scene wins;
+// work for an older one is dropped within a step. Nobody holds a lock while computing.
+// Failure: a scene that cannot run (unreadable profile, no balance) becomes an entry of
+// takeMessages(); the runner goes on with the next scene.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/run/frame.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// A friction curve as far as it is averaged; points with 0 realizations are not known yet.
+struct CurveUpdate {
+  std::shared_ptr<const Scene> scene;
+  std::uint64_t sceneNumber = 0;
+  std::int64_t realizationsDone = 0;
+  std::int64_t realizationsTotal = 0;
+  std::vector<CurvePoint> points;
+};
+
+struct RunnerMessage {
+  std::uint64_t sceneNumber = 0;
+  std::string key;   // the parameter it is about, may be empty
+  std::string text;  // one sentence
+};
+
+struct RunnerOptions {
+  int threads = 0;              // for the curve; 0: as many as the machine has
+  double framesPerSecond = 60;  // frames made at most
+  double secondsPerPeriod = 12; // on screen, for the line to pass by once
+};
+
+class Runner {
+ public:
+  explicit Runner(RunnerOptions options = {});
+  ~Runner();  // stops and joins
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  /// Makes this the present scene and returns its number (1, 2, ...). The animation goes on from
+  /// the present shape of the elastomer where length and elements are unchanged.
+  std::uint64_t post(Scene scene);
+
+  void play();
+  void pause();
+  bool isPlaying() const;
+  /// While paused: one time step, one frame.
+  void singleStep();
+  /// Back to the scene's steady state at time 0.
+  void reset();
+
+  /// The newest frame, or null before the first. The same pointer until a newer one exists.
+  std::shared_ptr<const Frame> newestFrame() const;
+
+  /// All curve updates since the last call, oldest first. None is lost, except that updates of
+  /// scenes older than the present one may be dropped.
+  std::vector<CurveUpdate> takeCurveUpdates();
+
+  std::vector<RunnerMessage> takeMessages();
+
+ private:
+  struct Body;
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace asperity

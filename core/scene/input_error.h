@@ -1,0 +1,39 @@
+// The one error type for bad input: what a user gave and can mend. The command line prints it as
+// one line and exits 2; the window shows it beside the control.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace asperity {
+
+class InputError : public std::runtime_error {
+ public:
+  /// file and key may be empty. message says what is wrong and what is allowed.
+  InputError(std::string file, std::string key, std::string message)
+      : std::runtime_error(join(file, key, message)),
+        file_(std::move(file)),
+        key_(std::move(key)),
+        message_(std::move(message)) {}
+
+  const std::string& file() const { return file_; }
+  const std::string& key() const { return key_; }
+  const std::string& message() const { return message_; }
+
+  /// The same error, said of this file.
+  InputError in(const std::string& file) const { return {file, key_, message_}; }
+
+ private:
+  static std::string join(const std::string& file, const std::string& key,
+                          const std::string& message) {
+    std::string text;
+    for (const std::string* part : {&file, &key})
+      if (!part->empty()) text += *part + ": ";
+    return text + message;
+  }
+
+  std::string file_, key_, message_;
+};
+
+}  // namespace asperity

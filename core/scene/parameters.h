@@ -1,0 +1,98 @@
+// The one table of parameters: every scene key is declared in one row of parameters.cpp, and the
+// scene file, --set, the sliders, --help and the README's table all read that row.
+// The table is constant; any thread may read it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+enum class Scale { Linear, Logarithmic };
+
+/// A real number in [minimum, maximum]; sliders cover [sliderFrom, sliderTo] on the given scale.
+struct RealField {
+  double& (*member)(Scene&);
+  double minimum, maximum;
+  double sliderFrom, sliderTo;
+  Scale scale;
+};
+
+/// A whole number in [minimum, maximum]; sliders cover [sliderFrom, sliderTo] on the given scale.
+struct IntegerField {
+  std::int64_t& (*member)(Scene&);
+  std::int64_t minimum, maximum;
+  std::int64_t sliderFrom, sliderTo;
+  Scale scale;
+};
+
+/// One of a few words; `member` reads and writes the enumerator's number, which indexes `choices`.
+struct ChoiceField {
+  int (*read)(const Scene&);
+  void (*write)(Scene&, int);
+  std::span<const std::string_view> choices;
+};
+
+struct TextField {
+  std::string& (*member)(Scene&);
+};
+
+/// What a change asks of a running simulation: go on with the new value, or a new line.
+enum class Change { Live, Rebuild };
+
+/// Row applies only where the choice of key `choiceKey` is one of `words` (separated by spaces).
+/// An empty choiceKey: it always applies.
+struct Applicability {
+  std::string_view choiceKey;
+  std::string_view words;
+};
+
+struct Parameter {
+  std::string_view key;       // "surface.rms_height"
+  std::string_view label;     // "rms height"
+  std::string_view symbol;    // "h"
+  std::string_view unit;      // "m"; empty for a pure number
+  std::string_view sentence;  // one sentence for a user
+  Change change;
+  Applicability applies;
+  std::variant<RealField, IntegerField, ChoiceField, TextField> field;
+};
+
+using ParameterValue = std::variant<double, std::int64_t, std::string>;
+
+/// All rows, in the order in which a scene file is written.
+std::span<const Parameter> parameters();
+
+/// The row of a key, or null.
+const Parameter* findParameter(std::string_view key);
+
+/// The known key nearest to `key` by edit distance.
+std::string_view nearestKey(std::string_view key);
+
+/// Whether the row has a meaning in this scene (a wedge has no Hurst exponent).
+bool isApplicable(const Parameter& parameter, const Scene& scene);
+
+/// The value in the scene; choices as their word.
+ParameterValue valueOf(const Parameter& parameter, const Scene& scene);
+
+/// The value that a new scene has.
+ParameterValue defaultOf(const Parameter& parameter);
+
+/// Sets one value. Throws InputError (core/scene/input_error.h) with the key and what is allowed
+/// where the value is of the wrong type, outside its range or not finite.
+void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
+
+/// The same, from text as a person types it ("1e7", "cubic").
+void setFromText(const Parameter& parameter, Scene& scene, std::string_view text);
+
+/// "0 to 1", "one of nodal, linear, cubic", "text".
+std::string allowedText(const Parameter& parameter);
+
+}  // namespace asperity

@@ -1,0 +1,28 @@
+// Scene files: JSON, UTF-8, "schema": "asperity-scene/1". Reads and writes through the table of
+// parameters; holds no state. Bad input throws InputError naming file, key and what is allowed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// Reads a scene file and applies `assignments` ("load.normal_force=0.1") over it.
+/// An assignment that changes a kind drops the file's keys that have no meaning for the new kind.
+Scene readSceneFile(const std::filesystem::path& file,
+                    const std::vector<std::string>& assignments = {});
+
+/// The same from text; `name` stands for the file in errors, `folder` resolves surface.file.
+Scene readScene(std::string_view json, const std::string& name,
+                const std::filesystem::path& folder = {},
+                const std::vector<std::string>& assignments = {});
+
+/// The canonical text: every applicable key, in the table's order, numbers in shortest form that
+/// reads back to the same value. readScene(writeScene(s)) == s up to the folder.
+std::string writeScene(const Scene& scene);
+
+}  // namespace asperity
