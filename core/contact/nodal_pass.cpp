@@ -1,0 +1,103 @@
+#include "core/contact/nodal_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+class NodalPass {
+ public:
+  NodalPass(const TravelLine& line, double depth, double memory, NodeShape* shape)
+      : line_(line),
+        depth_(depth),
+        memory_(memory),
+        spacing_(line.spacing),
+        decay_(memory > 0 ? std::exp(-line.spacing / memory) : 0),
+        shape_(shape) {}
+
+  NodalState run() {
+    if (depth_ < 0) return empty();
+    state_.threshold = -1;
+    free_ = 0;  // the lowest node comes first: nothing reaches deeper
+    for (std::size_t i = 0; i < line_.segments(); ++i) node(i);
+    closeArc(depth_);
+    return state_;
+  }
+
+ private:
+  NodalState empty() {
+    if (shape_) {
+      shape_->depth.assign(line_.segments(), 0);
+      shape_->pressure.assign(line_.segments(), 0);
+    }
+    return state_;
+  }
+
+  void node(std::size_t i) {
+    const double deep = depth_ - line_.rise[i];
+    const bool touching = deep >= free_;
+    double pressure = 0;
+    if (touching) {
+      pressure = deep - memory_ * line_.slopeIn[i];
+      closeArc(free_);
+      if (pressure > 0) load(i, pressure);
+      lastTouch_ = i;
+      decaySinceTouch_ = 1;
+    }
+    const double here = touching ? deep : free_;
+    state_.sums.depth += here * spacing_;
+    if (shape_) {
+      shape_->depth.push_back(here);
+      shape_->pressure.push_back(std::max(pressure, 0.0));
+    }
+    if (touching) arcStart_ = deep;
+    free_ = here * decay_;
+    decaySinceTouch_ *= decay_;
+  }
+
+  /// An element carries load: Eqs. (2) to (4).
+  void load(std::size_t i, double pressure) {
+    const double slope = -line_.slopeIn[i];  // w' = z'
+    StateSums& sums = state_.sums;
+    sums.stiffness += spacing_;
+    sums.pressure += pressure * spacing_;
+    sums.work += pressure * slope * spacing_;
+    sums.dissipation += memory_ * slope * slope * spacing_;
+    sums.contactLength += spacing_;
+    sums.slopeSquared += slope * slope * spacing_;
+    sums.absoluteSlope += std::abs(slope) * spacing_;
+    state_.threshold = std::max(state_.threshold, thresholdOf(i));
+  }
+
+  /// The indentation at which this element is reached by the line and pressed.
+  double thresholdOf(std::size_t i) const {
+    const double pressed = line_.rise[i] + memory_ * line_.slopeIn[i];
+    double reached = 0;
+    if (i > 0)
+      reached = (line_.rise[i] - line_.rise[lastTouch_] * decaySinceTouch_) / (1 - decaySinceTouch_);
+    return std::max({pressed, reached, 0.0});
+  }
+
+  /// Energy given off since the last element that touched: from depth arcStart_ to `end`.
+  void closeArc(double end) {
+    state_.sums.dissipation += 0.5 * std::max(arcStart_ * arcStart_ - end * end, 0.0);
+    arcStart_ = 0;
+  }
+
+  const TravelLine& line_;
+  double depth_, memory_, spacing_, decay_;
+  NodeShape* shape_;
+  NodalState state_;
+  double free_ = 0, arcStart_ = 0, decaySinceTouch_ = 1;
+  std::size_t lastTouch_ = 0;
+};
+
+}  // namespace
+
+NodalState nodalStateAt(const TravelLine& line, double depth, double memoryLength,
+                        NodeShape* shape) {
+  return NodalPass(line, depth, memoryLength, shape).run();
+}
+
+}  // namespace asperity

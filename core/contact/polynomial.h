@@ -1,0 +1,98 @@
+// Cubic polynomials on [0, 1] and the bracketed roots the contact kernels need. Pure functions.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asperity {
+
+/// c0 + c1 t + c2 t^2 + c3 t^3.
+struct Cubic {
+  double c0 = 0, c1 = 0, c2 = 0, c3 = 0;
+
+  double operator()(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
+  double derivative(double t) const { return c1 + t * (2 * c2 + t * 3 * c3); }
+
+  /// The same polynomial in t - origin: differences over short pieces do not cancel.
+  Cubic about(double origin) const {
+    return {(*this)(origin), derivative(origin), c2 + 3 * c3 * origin, c3};
+  }
+  /// Integral from 0 to t.
+  double integral(double t) const { return t * (c0 + t * (c1 / 2 + t * (c2 / 3 + t * c3 / 4))); }
+  /// Integral of the derivative squared from 0 to t.
+  double integralOfSlopeSquared(double t) const {
+    const double b = 2 * c2, c = 3 * c3;
+    return t * (c1 * c1 +
+                t * (c1 * b + t * ((b * b + 2 * c1 * c) / 3 + t * (b * c / 2 + t * c * c / 5))));
+  }
+};
+
+/// A few ascending numbers.
+template <int Capacity>
+struct Few {
+  std::array<double, Capacity> values{};
+  int count = 0;
+  void add(double value) { values[static_cast<std::size_t>(count++)] = value; }
+  const double* begin() const { return values.data(); }
+  const double* end() const { return values.data() + count; }
+};
+
+/// Zeros of the derivative of `cubic` inside (0, 1), ascending.
+inline Few<2> stationaryPoints(const Cubic& cubic) {
+  const double a = 3 * cubic.c3, b = cubic.c2, c = cubic.c1;  // a t^2 + 2 b t + c
+  Few<2> points;
+  const auto addInside = [&points](double t) {
+    if (t > 0 && t < 1) points.add(t);
+  };
+  const double discriminant = b * b - a * c;
+  if (discriminant < 0) return points;
+  // The sum without cancellation gives one zero by division by a, the other from their product.
+  const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+  const double first = a != 0 ? q / a : 2.0, second = q != 0 ? c / q : 2.0;
+  addInside(std::min(first, second));
+  if (first != second) addInside(std::max(first, second));
+  return points;
+}
+
+/// The zero of a function between `low` and `high`, where its values have different signs: Newton
+/// where that stays inside and shrinks fast enough, bisection where not. `value(t, &derivative)`.
+template <class Function>
+double zeroBetween(double low, double high, double valueLow, const Function& value) {
+  const bool rising = valueLow < 0;
+  double t = 0.5 * (low + high), derivative = 0, lastStep = high - low;
+  for (int i = 0; i < 200; ++i) {
+    const double f = value(t, derivative);
+    if (f == 0) return t;
+    (((f < 0) == rising) ? low : high) = t;
+    double next = t - f / derivative;
+    const bool inside = next > low && next < high;
+    if (!inside || std::abs(next - t) > 0.5 * std::abs(lastStep)) next = 0.5 * (low + high);
+    if (next == t || next == low || next == high) return next;
+    lastStep = next - t;
+    t = next;
+    if (std::abs(lastStep) <= 2e-16 * std::abs(t)) return t;
+  }
+  return t;
+}
+
+/// Zeros of `cubic` inside (0, 1), ascending; a zero it only touches may be left out.
+inline Few<3> zerosInside(const Cubic& cubic) {
+  Few<3> zeros;
+  double from = 0, valueFrom = cubic.c0;
+  const auto search = [&](double to) {
+    const double valueTo = cubic(to);
+    if ((valueFrom < 0) != (valueTo < 0))
+      zeros.add(zeroBetween(from, to, valueFrom, [&cubic](double t, double& derivative) {
+        derivative = cubic.derivative(t);
+        return cubic(t);
+      }));
+    from = to;
+    valueFrom = valueTo;
+  };
+  for (const double point : stationaryPoints(cubic)) search(point);
+  search(1);
+  return zeros;
+}
+
+}  // namespace asperity

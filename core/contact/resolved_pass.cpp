@@ -1,0 +1,228 @@
+#include "core/contact/resolved_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+/// A free arc of the elastomer: it left the line `depth` deep at `position`.
+struct FreeArc {
+  double depth, position;
+};
+
+/// Sums for the force balance only.
+class ForceGatherer {
+ public:
+  ForceGatherer(double memory, double inverse) : memory_(memory), inverse_(inverse) {}
+
+  void wholeSegment(const SegmentBounds& bounds, const Cubic&, double depth, double length) {
+    sums.depth += depth * length - bounds.riseIntegral;
+    sums.stiffness += length;
+  }
+  /// Contact over t in [0, extent] of `rise`, a segment of this length, about its start.
+  void contact(const Cubic& rise, double extent, double depth, double length) {
+    sums.depth += length * (depth * extent - rise.integral(extent));
+    sums.stiffness += length * extent;
+  }
+  void arc(const FreeArc& from, double to) {
+    const double forgotten = -memory_ * std::expm1(-(to - from.position) * inverse_);
+    sums.depth += from.depth * forgotten;
+    sums.stiffness += forgotten;
+  }
+
+  ForceSums sums;
+
+ protected:
+  double memory_, inverse_;
+};
+
+/// All sums. Energy in by p w', out by c y'^2, are gathered independently of one another.
+class StateGatherer {
+ public:
+  StateGatherer(double memory, double inverse) : force_(memory, inverse), memory_(memory),
+                                                 inverse_(inverse) {}
+
+  void wholeSegment(const SegmentBounds& bounds, const Cubic& rise, double depth, double length) {
+    force_.wholeSegment(bounds, rise, depth, length);
+    addContact(rise, 1, depth, length);
+  }
+  void contact(const Cubic& rise, double extent, double depth, double length) {
+    force_.contact(rise, extent, depth, length);
+    addContact(rise, extent, depth, length);
+  }
+  void arc(const FreeArc& from, double to) {
+    force_.arc(from, to);
+    const double fraction = -std::expm1(-2 * (to - from.position) * inverse_);
+    sums_.dissipation += 0.5 * from.depth * from.depth * fraction;
+  }
+
+  StateSums total() const {
+    StateSums total = sums_;
+    total.depth = force_.sums.depth;
+    total.stiffness = force_.sums.stiffness;
+    return total;
+  }
+
+ private:
+  void addContact(const Cubic& rise, double extent, double depth, double length) {
+    const double slopeSquared = rise.integralOfSlopeSquared(extent) / length;
+    const double climb = -extent * (rise.c1 + extent * (rise.c2 + extent * rise.c3));  // of w
+    const double start = depth - rise.c0;
+    sums_.pressure += length * (depth * extent - rise.integral(extent)) + memory_ * climb;
+    sums_.work += climb * (start + 0.5 * climb) + memory_ * slopeSquared;
+    sums_.dissipation += memory_ * slopeSquared;
+    sums_.contactLength += length * extent;
+    sums_.slopeSquared += slopeSquared;
+    sums_.absoluteSlope += variation(rise, extent);
+  }
+  /// Integral of |d rise / dt| over [0, extent].
+  static double variation(const Cubic& rise, double extent) {
+    double sum = 0, last = rise.c0;
+    for (const double t : stationaryPoints(rise)) {
+      if (t >= extent) break;
+      sum += std::abs(rise(t) - last);
+      last = rise(t);
+    }
+    return sum + std::abs(rise(extent) - last);
+  }
+
+  ForceGatherer force_;
+  StateSums sums_;
+  double memory_, inverse_;
+};
+
+template <class Gatherer>
+class Pass {
+ public:
+  Pass(const TravelLine& line, double depth, double memory, NodeShape* shape)
+      : line_(line),
+        depth_(depth),
+        memory_(memory),
+        // Without memory the free surface comes back at once: exp(-s * large) is 0 for any s > 0.
+        inverse_(memory > 0 ? std::min(1 / memory, 1e300) : 1e300),
+        decay_(std::exp(-line.spacing * inverse_)),
+        shape_(shape),
+        gatherer(memory, inverse_) {}
+
+  void run() {
+    here_ = depth_;
+    touching_ = true;
+    for (std::size_t i = 0; i < line_.segments(); ++i) {
+      record(i);
+      segment(i);
+    }
+    // The lowest point of the next period takes over, always in contact.
+    if (!touching_) gatherer.arc(arc_, line_.length);
+  }
+
+ private:
+  void segment(std::size_t i) {
+    const SegmentBounds& bounds = line_.bounds[i];
+    if (!touching_) {
+      const double far = here_ * decayOver(i);
+      if (depth_ - bounds.lowest <= far) {
+        here_ = far;
+        return;
+      }
+    } else if (depth_ - bounds.highest - memory_ * bounds.steepest > 0) {
+      gatherer.wholeSegment(bounds, line_.segment(i), depth_, line_.segmentLength(i));
+      here_ = depth_ - line_.rise[i + 1];
+      return;
+    }
+    lookInside(i);
+  }
+
+  double decayOver(std::size_t i) const {
+    const bool whole = i > 0 && i + 1 < line_.segments();
+    return whole || !line_.startsInsideSegment ? decay_
+                                               : std::exp(-line_.segmentLength(i) * inverse_);
+  }
+
+  double freeDepth(double position) const {
+    return arc_.depth * std::exp(-(position - arc_.position) * inverse_);
+  }
+
+  /// Splits the segment where p changes sign; w e^(s/c) is monotone on each piece.
+  void lookInside(std::size_t i) {
+    const Cubic rise = line_.segment(i);
+    const double length = line_.segmentLength(i), k = memory_ / length;
+    const Cubic pressure{depth_ - rise.c0 - k * rise.c1, -rise.c1 - 2 * k * rise.c2,
+                         -rise.c2 - 3 * k * rise.c3, -rise.c3};
+    double from = 0;
+    const auto piece = [&](double to) {
+      if (pressure(0.5 * (from + to)) > 0)
+        pressedPiece(i, rise, from, to, length);
+      else if (touching_)
+        leave(rise, line_.position[i] + from * length, from);
+      from = to;
+    };
+    for (const double zero : zerosInside(pressure)) piece(zero);
+    piece(1);
+    here_ = touching_ ? depth_ - line_.rise[i + 1] : freeDepth(line_.position[i + 1]);
+  }
+
+  void leave(const Cubic& rise, double position, double t) {
+    arc_ = {depth_ - rise(t), position};
+    touching_ = false;
+  }
+
+  void pressedPiece(std::size_t i, const Cubic& rise, double from, double to, double length) {
+    const double start = line_.position[i];
+    double entry = from;
+    if (!touching_) {
+      if (!(depth_ - rise(to) > freeDepth(start + to * length))) return;
+      entry = entryBetween(rise, from, to, start, length);
+      gatherer.arc(arc_, start + entry * length);
+      touching_ = true;
+    }
+    gatherer.contact(rise.about(entry), to - entry, depth_, length);
+  }
+
+  /// Where the line catches up with the relaxing surface.
+  double entryBetween(const Cubic& rise, double from, double to, double start,
+                      double length) const {
+    const auto gap = [&](double t, double& derivative) {
+      const double free = freeDepth(start + t * length);
+      derivative = -rise.derivative(t) + length * inverse_ * free;
+      return depth_ - rise(t) - free;
+    };
+    double ignored = 0;
+    const double first = gap(from, ignored);
+    return first >= 0 ? from : zeroBetween(from, to, first, gap);
+  }
+
+  void record(std::size_t i) {
+    if (!shape_) return;
+    shape_->depth.push_back(here_);
+    const double slope = line_.slopeIn[i];
+    const double p = touching_ ? depth_ - line_.rise[i] - memory_ * slope : 0;
+    shape_->pressure.push_back(std::max(p, 0.0));
+  }
+
+  const TravelLine& line_;
+  double depth_, memory_, inverse_, decay_;
+  NodeShape* shape_;
+  bool touching_ = true;
+  double here_ = 0;  // m, y at the start of the segment
+  FreeArc arc_{};
+
+ public:
+  Gatherer gatherer;
+};
+
+}  // namespace
+
+ForceSums forceAt(const TravelLine& line, double depth, double memoryLength) {
+  Pass<ForceGatherer> pass(line, depth, memoryLength, nullptr);
+  pass.run();
+  return pass.gatherer.sums;
+}
+
+StateSums stateAt(const TravelLine& line, double depth, double memoryLength, NodeShape* shape) {
+  Pass<StateGatherer> pass(line, depth, memoryLength, shape);
+  pass.run();
+  return pass.gatherer.total();
+}
+
+}  // namespace asperity

@@ -1,0 +1,83 @@
+#include "core/contact/steady_sliding.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/contact/force_balance.h"
+#include "core/contact/nodal_pass.h"
+#include "core/contact/resolved_pass.h"
+
+namespace asperity {
+namespace {
+
+double memoryOf(const SlidingConditions& conditions) {
+  return conditions.velocity * conditions.relaxationTime;
+}
+
+SteadyResult resultOf(const TravelLine& line, const SlidingConditions& conditions, double depth,
+                      const StateSums& sums) {
+  const double stiffness = 4 * conditions.shearModulus;
+  const bool nodal = line.scheme == Scheme::Nodal;
+  SteadyResult result;
+  result.indentation = depth;
+  result.normalForce = stiffness * (nodal ? sums.pressure : sums.depth);
+  // Of the two ways to the tangential force the dissipation has only positive terms, so it keeps
+  // its digits where friction is small. The paper's nodes have Eq. (4) alone.
+  result.tangentialForce = stiffness * (nodal ? sums.work : sums.dissipation);
+  result.mu = result.tangentialForce / result.normalForce;
+  result.contactFraction = sums.contactLength / line.length;
+  result.rmsSlopeContact = sums.contactLength > 0
+                               ? std::sqrt(sums.slopeSquared / sums.contactLength)
+                               : std::numeric_limits<double>::quiet_NaN();
+  result.powerIn = stiffness * sums.work * conditions.velocity;
+  result.powerDissipated = stiffness * sums.dissipation * conditions.velocity;
+  result.forceFromDepth = stiffness * sums.depth;
+  return result;
+}
+
+void addBalance(SteadyResult& result, const Balance& balance) {
+  result.status = balance.isMet() ? SteadyStatus::Balanced : SteadyStatus::NotBalanced;
+  result.passes = balance.passes;
+  result.residual = balance.residual;
+}
+
+StateSums sumsAt(const TravelLine& line, double depth, double memory, NodeShape* shape = nullptr) {
+  return line.scheme == Scheme::Nodal ? nodalStateAt(line, depth, memory, shape).sums
+                                      : stateAt(line, depth, memory, shape);
+}
+
+}  // namespace
+
+SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& conditions,
+                          double normalForce, double guess) {
+  const double memory = memoryOf(conditions);
+  const double load = normalForce / (4 * conditions.shearModulus);
+  if (line.scheme == Scheme::Nodal) {
+    const NodalBalance nodal = balanceNodal(line, memory, load);
+    SteadyResult result = resultOf(line, conditions, nodal.balance.depth, nodal.state.sums);
+    addBalance(result, nodal.balance);
+    result.marginalShare = nodal.marginalShare;
+    return result;
+  }
+  const Balance balance = balanceResolved(line, memory, load, guess);
+  SteadyResult result =
+      resultOf(line, conditions, balance.depth, stateAt(line, balance.depth, memory));
+  addBalance(result, balance);
+  return result;
+}
+
+SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& conditions,
+                          double depth) {
+  SteadyResult result =
+      resultOf(line, conditions, depth, sumsAt(line, depth, memoryOf(conditions)));
+  result.passes = 1;
+  return result;
+}
+
+NodeShape shapeAt(const TravelLine& line, const SlidingConditions& conditions, double depth) {
+  NodeShape shape;
+  sumsAt(line, depth, memoryOf(conditions), &shape);
+  return shape;
+}
+
+}  // namespace asperity

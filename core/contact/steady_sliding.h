@@ -1,0 +1,48 @@
+// Steady sliding of one line at one velocity: the answer in SI units.
+// Kelvin elements with stiffness 4G and damping 4 eta per length (Li et al. 2013, Eqs. 1 to 4).
+// Threading: functions of their arguments; a TravelLine is shared freely.
+// Failure: no exception; `status` says whether the balance was met, `residual` how far.
+#pragma once
+
+#include "core/contact/pass_sums.h"
+#include "core/contact/travel_line.h"
+
+namespace asperity {
+
+enum class SteadyStatus { Balanced, NotBalanced };
+
+struct SlidingConditions {
+  double shearModulus = 0;    // Pa, G
+  double relaxationTime = 0;  // s, tau; 0: elastic
+  double velocity = 0;        // m/s, >= 0; the direction is the TravelLine's
+};
+
+struct SteadyResult {
+  SteadyStatus status = SteadyStatus::Balanced;
+  double indentation = 0;        // m, from the lowest point of the line
+  double normalForce = 0;        // N
+  double tangentialForce = 0;    // N; resolved lines: from the power dissipated; nodal: Eq. (4)
+  double mu = 0;                 // tangential over normal force
+  double contactFraction = 0;    // L_cont / L
+  double rmsSlopeContact = 0;    // NaN without contact
+  double powerIn = 0;            // W, pressure times the line's slope times v, over contact
+  double powerDissipated = 0;    // W, 4 eta v^2 integral u'^2 over all elements
+  double forceFromDepth = 0;     // N, -4G integral u over all elements: F_N once more
+  double marginalShare = 1;      // nodal: load share of the element on the edge; 1: none
+  int passes = 0;
+  double residual = 0;           // |F_N - wanted| / wanted
+};
+
+/// At a constant normal force (N, > 0). guess: indentation nearby (m), or 0; it changes the cost,
+/// not the answer beyond the residual.
+SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& conditions,
+                          double normalForce, double guess = 0);
+
+/// At a constant indentation (m, > 0).
+SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& conditions,
+                          double depth);
+
+/// Shape of the elastomer at that indentation, at the line's nodes in travel order.
+NodeShape shapeAt(const TravelLine& line, const SlidingConditions& conditions, double depth);
+
+}  // namespace asperity

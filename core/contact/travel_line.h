@@ -1,0 +1,52 @@
+// A line made ready for contact: its segments in the order in which material meets them, starting
+// at the lowest point, where contact is certain and the period therefore closes in one pass.
+// Made once per line, scheme and direction; then read by any number of threads.
+//
+// s is the distance travelled by the material under the line (m), rise = z - z_lowest >= 0, and a
+// point of the line at indentation d presses the material w = d - rise deep.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/contact/polynomial.h"
+#include "core/scene/scene.h"
+#include "core/surface/line.h"
+
+namespace asperity {
+
+enum class Direction { Forward, Backward };  // sliding towards +x or -x
+
+/// What a pass needs to know of a whole segment to decide without looking inside.
+struct SegmentBounds {
+  double lowest, highest;  // m, extremes of the rise
+  double steepest;         // largest d rise / d s: pressure is lowest there
+  double riseIntegral;     // m^2
+  double slopeSquared;     // m, integral of (d rise / ds)^2
+};
+
+struct TravelLine {
+  Scheme scheme = Scheme::Cubic;
+  double length = 0;                // m, period
+  double spacing = 0;               // m, of all segments but perhaps the first and the last
+  std::vector<double> position;     // m, s of the nodes, n + 1
+  std::vector<double> rise;         // m, n + 1; first and last are the lowest point: 0
+  std::vector<double> slopeIn;      // d rise / ds at the start of each segment, n (nodal: at nodes)
+  std::vector<double> slopeOut;     // at its end, n; empty for nodal
+  std::vector<SegmentBounds> bounds;  // n; empty for nodal
+  double lowestHeight = 0;          // m, z of the lowest point, where rise is 0
+  double meanRise = 0;              // m, of the line as the scheme sees it
+  double rmsHeight = 0, rmsSlope = 0;  // of the line itself
+
+  std::size_t firstNode = 0;        // node of the Line at or just before s = 0, in travel order
+  bool startsInsideSegment = false; // the lowest point is not a node: first and last are parts
+
+  std::size_t segments() const { return slopeIn.size(); }
+  double segmentLength(std::size_t i) const { return position[i + 1] - position[i]; }
+  /// The rise over segment i as a function of t = (s - s_i) / segmentLength(i).
+  Cubic segment(std::size_t i) const;
+};
+
+TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction = Direction::Forward);
+
+}  // namespace asperity

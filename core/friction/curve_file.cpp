@@ -1,0 +1,71 @@
+#include "core/friction/curve_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/scene/scene_file.h"
+
+namespace asperity {
+namespace {
+
+struct Column {
+  const char* name;
+  double CurvePoint::*member;
+};
+
+constexpr std::array<Column, 10> kColumns{{
+    {"velocity", &CurvePoint::velocity},
+    {"mu", &CurvePoint::mu},
+    {"mu_standard_error", &CurvePoint::muStandardError},
+    {"mu_law", &CurvePoint::muLaw},
+    {"contact_fraction", &CurvePoint::contactFraction},
+    {"rms_slope_contact", &CurvePoint::rmsSlopeContact},
+    {"indentation", &CurvePoint::indentation},
+    {"normalized_mu", &CurvePoint::normalizedMu},
+    {"dimensionless_velocity", &CurvePoint::dimensionlessVelocity},
+    {"dimensionless_force", &CurvePoint::dimensionlessForce},
+}};
+constexpr const char* kRealizations = "realizations";
+
+}  // namespace
+
+std::string curveCsv(const std::vector<CurvePoint>& points) {
+  std::string text;
+  for (const Column& column : kColumns) text += fmt::format("{},", column.name);
+  text += fmt::format("{}\n", kRealizations);
+  for (const CurvePoint& point : points) {
+    for (const Column& column : kColumns) {
+      const double value = point.*column.member;
+      text += std::isfinite(value) ? fmt::format("{},", value) : std::string(",");
+    }
+    text += fmt::format("{}\n", point.realizations);
+  }
+  return text;
+}
+
+std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene) {
+  using Json = nlohmann::ordered_json;
+  Json rows = Json::array();
+  for (const CurvePoint& point : points) {
+    Json row;
+    for (const Column& column : kColumns) {
+      const double value = point.*column.member;
+      row[column.name] = std::isfinite(value) ? Json(value) : Json(nullptr);
+    }
+    row[kRealizations] = point.realizations;
+    rows.push_back(std::move(row));
+  }
+  Json root;
+  root["schema"] = "asperity-curve/1";
+  root["verb"] = "curve";
+  root["version"] = ASPERITY_VERSION;
+  root["seed"] = scene.surface.kind == SurfaceKind::SelfAffine ? Json(scene.surface.seed) : Json();
+  root["scene"] = Json::parse(writeScene(scene));
+  root["points"] = std::move(rows);
+  return root.dump(2) + "\n";
+}
+
+}  // namespace asperity

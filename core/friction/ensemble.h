@@ -1,0 +1,43 @@
+// The friction curve of a scene: every velocity of the sweep on every realization of the line,
+// averaged. Realizations run on all threads; they are summed in their own order, so the result has
+// the same bits for any number of threads.
+// Failure: InputError for a scene that cannot run; std::runtime_error where a force balance is not
+// met. Cancelling ends the work within one solve.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "core/friction/curve_point.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+struct CurveProgress {
+  std::int64_t realizationsDone = 0;
+  std::int64_t realizationsTotal = 0;
+  const std::vector<CurvePoint>& points;  // averaged over those done
+};
+
+struct CurveOptions {
+  int threads = 0;       // 0: as many as the machine has
+  std::stop_token stop;
+  std::function<void(const CurveProgress&)> progress;  // from one thread at a time; may be empty
+};
+
+struct Curve {
+  std::vector<CurvePoint> points;
+  bool isComplete = false;           // false: cancelled, and the points are those of the part done
+  double largestResidual = 0;        // of all force balances
+  double meanPasses = 0;             // over the line, per force balance
+  double marginalFraction = 0;       // nodal: part of the solves with a partly loaded element
+};
+
+Curve frictionCurve(const Scene& scene, const CurveOptions& options = {});
+
+/// v_i = from (to / from)^(i / (points - 1)), m/s.
+std::vector<double> sweepVelocities(const Sweep& sweep);
+
+}  // namespace asperity

@@ -1,0 +1,74 @@
+#include "core/friction/law.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+namespace {
+
+/// beta at H = 0, 0.1, ... 1.
+constexpr std::array<double, 11> kBeta{2.70, 2.17, 1.92, 1.80, 1.75, 1.72,
+                                       1.70, 1.66, 1.60, 1.48, 1.28};
+
+double squared(double value) { return value * value; }
+
+}  // namespace
+
+double lowVelocityFriction(const LawInput& in, double alpha, double beta) {
+  return beta * in.relaxationTime * in.velocity * squared(in.rmsSlope) / in.rmsHeight *
+         std::pow(1 / dimensionlessForce(in), alpha);
+}
+
+double contactFriction(const LawInput& in, double contactLength, double rmsSlopeContact) {
+  const double viscosity = in.shearModulus * in.relaxationTime;
+  return 4 * contactLength * viscosity * squared(rmsSlopeContact) / in.normalForce * in.velocity;
+}
+
+double forceExponent(double hurst) { return hurst / (1 + hurst); }
+
+double fullContactFriction(const LawInput& in) {
+  return contactFriction(in, in.length, in.rmsSlope);
+}
+
+double plateauFriction(double rmsSlopeContact) { return std::numbers::sqrt2 * rmsSlopeContact; }
+
+double onesidedFriction(std::span<const double> slopesInContact) {
+  double squares = 0, magnitudes = 0;
+  for (const double slope : slopesInContact) {
+    squares += slope * slope;
+    magnitudes += std::abs(slope);
+  }
+  return squares / magnitudes;
+}
+
+double frictionLaw(const LawInput& in, double beta) {
+  if (in.velocity == 0 || in.relaxationTime == 0) return 0;
+  const double slow = lowVelocityFriction(in, forceExponent(in.hurst), beta);
+  return 1 / std::hypot(1 / plateauFriction(in.rmsSlope), 1 / fullContactFriction(in), 1 / slow);
+}
+
+double frictionLaw(const LawInput& in) { return frictionLaw(in, betaOf(in.hurst)); }
+
+double dimensionlessFriction(double velocity, double force, double hurst) {
+  const double resistance = squared(force / 4) + std::pow(force, 2 * forceExponent(hurst));
+  return 1 / std::sqrt(1 + resistance / squared(velocity));
+}
+
+double dimensionlessVelocity(const LawInput& in) {
+  return in.relaxationTime * in.velocity * in.rmsSlope / (std::numbers::sqrt2 * in.rmsHeight);
+}
+
+double dimensionlessForce(const LawInput& in) {
+  return in.normalForce / (in.shearModulus * in.rmsHeight * in.length);
+}
+
+double betaOf(double hurst) {
+  const double place = std::clamp(hurst, 0.0, 1.0) * (kBeta.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(place), kBeta.size() - 2);
+  const double part = place - static_cast<double>(below);
+  return kBeta[below] + part * (kBeta[below + 1] - kBeta[below]);
+}
+
+}  // namespace asperity

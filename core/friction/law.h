@@ -1,0 +1,62 @@
+// The analytical law of friction: Eqs. (5) to (14) of Li et al., PRL 111, 034301 (2013), each as
+// one function under its number. Pure; SI units; slopes are root mean squares.
+//
+// Where the paper's text and its own derivation differ, the derivation is taken: Eq. (10)'s second
+// line lacks the square root of L_cont, and sqrt(2) in Eq. (9) assumes exponentially distributed
+// slopes (random phases give Gaussian ones). Eq. (12) silently sets beta = 1; it is kept as printed
+// and is up to 1.95 times below Eq. (11).
+#pragma once
+
+#include <span>
+
+namespace asperity {
+
+struct LawInput {
+  double shearModulus = 0;    // Pa, G
+  double relaxationTime = 0;  // s, tau = eta / G
+  double length = 0;          // m, L
+  double rmsHeight = 0;       // m, h
+  double rmsSlope = 0;        // of the line, or of the line in contact where that is known
+  double hurst = 0;           // H
+  double normalForce = 0;     // N
+  double velocity = 0;        // m/s
+};
+
+/// Eq. (5): mu = beta tau v grad^2 / h (G h L / F_N)^alpha, at low velocities and partial contact.
+double lowVelocityFriction(const LawInput& in, double alpha, double beta);
+
+/// Eq. (6): mu = 4 L_cont eta grad_cont^2 v / F_N; contactLength in m, slope of the line in contact.
+double contactFriction(const LawInput& in, double contactLength, double rmsSlopeContact);
+
+/// Eq. (7): alpha = H / (1 + H).
+double forceExponent(double hurst);
+
+/// Eq. (8): Eq. (6) with the whole line in contact.
+double fullContactFriction(const LawInput& in);
+
+/// Eq. (9): mu = sqrt(2) grad_cont.
+double plateauFriction(double rmsSlopeContact);
+
+/// Eq. (10): integral of z'^2 over integral of |z'|, over the contact; equal weights for samples.
+double onesidedFriction(std::span<const double> slopesInContact);
+
+/// Eq. (11) with alpha from Eq. (7).
+double frictionLaw(const LawInput& in, double beta);
+
+/// Eq. (11) with the measured beta(H) of betaOf.
+double frictionLaw(const LawInput& in);
+
+/// Eq. (12): mu / (sqrt(2) grad_cont) from Eqs. (13) and (14); beta = 1.
+double dimensionlessFriction(double dimensionlessVelocity, double dimensionlessForce, double hurst);
+
+/// Eq. (13): tau v grad / (sqrt(2) h).
+double dimensionlessVelocity(const LawInput& in);
+
+/// Eq. (14): F_N / (G h L).
+double dimensionlessForce(const LawInput& in);
+
+/// The prefactor beta of Eq. (5) with alpha = H / (1 + H), as measured on the resolved line
+/// (N = 5000, 200 lines, logarithm of the mean, 1e-3 <= F_N / G h L <= 1), interpolated in H.
+double betaOf(double hurst);
+
+}  // namespace asperity

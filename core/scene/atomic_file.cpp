@@ -1,0 +1,105 @@
+#include "core/scene/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <memory>
+
+#include "core/scene/input_error.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file beside the final one, removed again unless it is renamed.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const fs::path& target)
+      : target_(target),
+        path_((target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(),
+                                                  ::getpid()))
+                  .string()),
+        descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) fail();
+  }
+  ~TemporaryFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!renamed_) ::unlink(path_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  void write(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail();
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+  void finish() {
+    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail();
+    const int closed = ::close(descriptor_);
+    descriptor_ = -1;
+    if (closed != 0 || ::rename(path_.c_str(), target_.c_str()) != 0) fail();
+    renamed_ = true;
+  }
+
+ private:
+  [[noreturn]] void fail() {
+    const std::string why = std::strerror(errno);
+    throw std::runtime_error(fmt::format("{}: cannot be written: {}", target_.string(), why));
+  }
+
+  fs::path target_;
+  std::string path_;
+  int descriptor_;
+  bool renamed_ = false;
+};
+
+}  // namespace
+
+void checkWritable(const fs::path& file) {
+  std::error_code ignored;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!file.has_filename() || fs::is_directory(file, ignored))
+    throw InputError(file.string(), "", "is a folder; a file name is needed");
+  if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
+    throw InputError(file.string(), "", "is not a plain file and would be replaced");
+  if (!fs::is_directory(folder, ignored))
+    throw InputError(file.string(), "", fmt::format("folder {} does not exist", folder.string()));
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw InputError(file.string(), "", fmt::format("folder {} cannot be written to", folder.string()));
+}
+
+void writeFileAtomically(const fs::path& file, std::string_view bytes) {
+  TemporaryFile temporary(file);
+  temporary.write(bytes);
+  temporary.finish();
+}
+
+std::string readWholeFile(const fs::path& file, std::size_t limit) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) throw InputError(file.string(), "", "is a folder, not a file");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> handle(std::fopen(file.c_str(), "rb"),
+                                                               &std::fclose);
+  if (!handle) throw InputError(file.string(), "", fmt::format("cannot be opened: {}", std::strerror(errno)));
+  std::string bytes;
+  char buffer[1 << 16];
+  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, handle.get())) {
+    bytes.append(buffer, count);
+    if (bytes.size() > limit)
+      throw InputError(file.string(), "", fmt::format("is larger than the {} bytes allowed", limit));
+  }
+  if (std::ferror(handle.get())) throw InputError(file.string(), "", "cannot be read");
+  return bytes;
+}
+
+}  // namespace asperity

@@ -1,0 +1,174 @@
+// Values in and out of a scene through the rows of the table.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/scene/input_error.h"
+#include "core/scene/parameters.h"
+
+namespace asperity {
+namespace {
+
+template <class... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+template <class... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
+std::string joined(std::span<const std::string_view> words) {
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+bool containsWord(std::string_view words, std::string_view word) {
+  while (!words.empty()) {
+    const std::size_t space = words.find(' ');
+    if (words.substr(0, space) == word) return true;
+    if (space == std::string_view::npos) return false;
+    words.remove_prefix(space + 1);
+  }
+  return false;
+}
+
+/// The accessors take a Scene&; reading through them leaves the scene as it is.
+Scene& readable(const Scene& scene) { return const_cast<Scene&>(scene); }
+
+[[noreturn]] void refuse(const Parameter& parameter, std::string message) {
+  throw InputError("", std::string(parameter.key), std::move(message));
+}
+
+/// Zero stands for "as the profile's file says".
+bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number) {
+  return number == 0 && scene.surface.kind == SurfaceKind::Profile &&
+         (parameter.key == "surface.length" || parameter.key == "surface.elements");
+}
+
+double numberFrom(const Parameter& parameter, const ParameterValue& value) {
+  const double number = std::visit(
+      Overloaded{[](double real) { return real; },
+                 [](std::int64_t integer) { return static_cast<double>(integer); },
+                 [&](const std::string& text) -> double {
+                   refuse(parameter, fmt::format("'{}' is not a number; allowed is {}", text,
+                                                 allowedText(parameter)));
+                 }},
+      value);
+  if (!std::isfinite(number))
+    refuse(parameter, fmt::format("{} is not a finite number; allowed is {}", number,
+                                  allowedText(parameter)));
+  return number;
+}
+
+void checkRange(const Parameter& parameter, const Scene& scene, double number, double minimum,
+                double maximum) {
+  if ((number < minimum || number > maximum) && !isLeftToProfile(parameter, scene, number))
+    refuse(parameter, fmt::format("{} is outside {}", number, allowedText(parameter)));
+}
+
+void setReal(const Parameter& parameter, const RealField& field, Scene& scene,
+             const ParameterValue& value) {
+  const double number = numberFrom(parameter, value);
+  checkRange(parameter, scene, number, field.minimum, field.maximum);
+  field.member(scene) = number;
+}
+
+void setInteger(const Parameter& parameter, const IntegerField& field, Scene& scene,
+                const ParameterValue& value) {
+  const double number = numberFrom(parameter, value);
+  if (number != std::floor(number))
+    refuse(parameter, fmt::format("{} is not a whole number; allowed is {}", number,
+                                  allowedText(parameter)));
+  checkRange(parameter, scene, number, static_cast<double>(field.minimum),
+             static_cast<double>(field.maximum));
+  field.member(scene) = static_cast<std::int64_t>(number);
+}
+
+void setChoice(const Parameter& parameter, const ChoiceField& field, Scene& scene,
+               const ParameterValue& value) {
+  const auto* word = std::get_if<std::string>(&value);
+  const auto found = word ? std::find(field.choices.begin(), field.choices.end(), *word)
+                          : field.choices.end();
+  if (found == field.choices.end()) {
+    const std::string given = word ? fmt::format("'{}'", *word) : std::string("a number");
+    refuse(parameter, fmt::format("{} is not {}", given, allowedText(parameter)));
+  }
+  field.write(scene, static_cast<int>(found - field.choices.begin()));
+}
+
+void setText(const Parameter& parameter, const TextField& field, Scene& scene,
+             const ParameterValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text) refuse(parameter, "a number is not a text");
+  field.member(scene) = *text;
+}
+
+}  // namespace
+
+bool isApplicable(const Parameter& parameter, const Scene& scene) {
+  if (parameter.applies.choiceKey.empty()) return true;
+  const Parameter* choice = findParameter(parameter.applies.choiceKey);
+  return containsWord(parameter.applies.words, std::get<std::string>(valueOf(*choice, scene)));
+}
+
+ParameterValue valueOf(const Parameter& parameter, const Scene& scene) {
+  return std::visit(
+      Overloaded{[&](const RealField& field) -> ParameterValue {
+                   return field.member(readable(scene));
+                 },
+                 [&](const IntegerField& field) -> ParameterValue {
+                   return field.member(readable(scene));
+                 },
+                 [&](const ChoiceField& field) -> ParameterValue {
+                   return std::string(field.choices[static_cast<std::size_t>(field.read(scene))]);
+                 },
+                 [&](const TextField& field) -> ParameterValue {
+                   return field.member(readable(scene));
+                 }},
+      parameter.field);
+}
+
+ParameterValue defaultOf(const Parameter& parameter) { return valueOf(parameter, Scene{}); }
+
+void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& value) {
+  std::visit(Overloaded{[&](const RealField& field) { setReal(parameter, field, scene, value); },
+                        [&](const IntegerField& field) {
+                          setInteger(parameter, field, scene, value);
+                        },
+                        [&](const ChoiceField& field) {
+                          setChoice(parameter, field, scene, value);
+                        },
+                        [&](const TextField& field) { setText(parameter, field, scene, value); }},
+             parameter.field);
+}
+
+void setFromText(const Parameter& parameter, Scene& scene, std::string_view text) {
+  const bool isNumber = std::holds_alternative<RealField>(parameter.field) ||
+                        std::holds_alternative<IntegerField>(parameter.field);
+  if (!isNumber) return setValue(parameter, scene, std::string(text));
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc::result_out_of_range)
+    refuse(parameter, fmt::format("{} is beyond what a number can hold; allowed is {}", text,
+                                  allowedText(parameter)));
+  if (error != std::errc{} || end != text.data() + text.size())
+    return setValue(parameter, scene, std::string(text));
+  setValue(parameter, scene, number);
+}
+
+std::string allowedText(const Parameter& parameter) {
+  return std::visit(
+      Overloaded{[](const RealField& field) {
+                   return fmt::format("{} to {}", field.minimum, field.maximum);
+                 },
+                 [](const IntegerField& field) {
+                   return fmt::format("{} to {}", field.minimum, field.maximum);
+                 },
+                 [](const ChoiceField& field) {
+                   return (field.choices.size() > 1 ? "one of " : "") + joined(field.choices);
+                 },
+                 [](const TextField&) { return std::string("text"); }},
+      parameter.field);
+}
+
+}  // namespace asperity

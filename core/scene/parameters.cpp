@@ -1,0 +1,133 @@
+#include "core/scene/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+constexpr std::array<std::string_view, 5> kSurfaceKinds{"self_affine", "sine", "wedge", "parabola",
+                                                        "profile"};
+constexpr std::array<std::string_view, 2> kRheologies{"elastic", "kelvin"};
+constexpr std::array<std::string_view, 2> kLoadKinds{"force", "indentation"};
+constexpr std::array<std::string_view, 1> kSlidingKinds{"steady"};
+constexpr std::array<std::string_view, 3> kSchemes{"nodal", "linear", "cubic"};
+
+constexpr Scale kLog = Scale::Logarithmic;
+constexpr Scale kLin = Scale::Linear;
+constexpr Change kLive = Change::Live;
+constexpr Change kRebuild = Change::Rebuild;
+constexpr std::int64_t kLargestInteger = (std::int64_t{1} << 53) - 1;  // exact in JSON
+
+/// A field that reads and writes `scene.section.member`.
+#define ASPERITY_MEMBER(section, member) \
+  +[](Scene& scene) -> auto& { return scene.section.member; }
+#define ASPERITY_CHOICE(section, member, words)                                         \
+  ChoiceField {                                                                         \
+    [](const Scene& scene) { return static_cast<int>(scene.section.member); },          \
+        [](Scene& scene, int index) {                                                   \
+          scene.section.member = static_cast<decltype(scene.section.member)>(index);    \
+        },                                                                              \
+        words                                                                           \
+  }
+
+// clang-format off
+const std::array kTable{
+    Parameter{"title", "title", "", "", "A name for the scene, shown above its pictures.", kLive, {},
+              TextField{+[](Scene& scene) -> auto& { return scene.title; }}},
+
+    Parameter{"surface.kind", "kind of line", "", "", "The shape of the rigid line.", kRebuild, {},
+              ASPERITY_CHOICE(surface, kind, kSurfaceKinds)},
+    Parameter{"surface.length", "length", "L", "m", "The period of the line; a profile without it is as long as its file says.", kRebuild, {},
+              RealField{ASPERITY_MEMBER(surface, length), 1e-9, 1e3, 1e-4, 1, kLog}},
+    Parameter{"surface.elements", "elements", "N", "", "Elements per period: the shortest wave of a random line is two of them long; a profile without it has one for each row.", kRebuild, {},
+              IntegerField{ASPERITY_MEMBER(surface, elements), 3, std::int64_t{1} << 24, 50, 200000, kLog}},
+    Parameter{"surface.hurst", "Hurst exponent", "H", "", "How the roughness grows with length: 0 is rough at every scale alike, 1 is smooth at short ones.", kRebuild, {"surface.kind", "self_affine"},
+              RealField{ASPERITY_MEMBER(surface, hurst), 0, 1, 0, 1, kLin}},
+    Parameter{"surface.rms_height", "rms height", "h", "m", "Root mean square of the height (ISO Rq), set by the long waves.", kRebuild, {"surface.kind", "self_affine"},
+              RealField{ASPERITY_MEMBER(surface, rmsHeight), 0, 1, 1e-9, 1e-4, kLog}},
+    Parameter{"surface.seed", "seed", "", "", "Picks the random phases of the line.", kRebuild, {"surface.kind", "self_affine"},
+              IntegerField{ASPERITY_MEMBER(surface, seed), 0, kLargestInteger, 1, 100, kLin}},
+    Parameter{"surface.amplitude", "amplitude", "A", "m", "Height of the sine's crests above its mean.", kRebuild, {"surface.kind", "sine"},
+              RealField{ASPERITY_MEMBER(surface, amplitude), 0, 1, 1e-9, 1e-4, kLog}},
+    Parameter{"surface.waves", "waves", "", "", "Sine waves in one period of the line.", kRebuild, {"surface.kind", "sine"},
+              IntegerField{ASPERITY_MEMBER(surface, waves), 1, 1000000, 1, 100, kLog}},
+    Parameter{"surface.slope", "slope", "", "", "Slope of the wedge's two sides.", kRebuild, {"surface.kind", "wedge"},
+              RealField{ASPERITY_MEMBER(surface, slope), 1e-12, 1e3, 1e-5, 1, kLog}},
+    Parameter{"surface.radius", "radius", "R", "m", "Radius of curvature at the parabola's vertex.", kRebuild, {"surface.kind", "parabola"},
+              RealField{ASPERITY_MEMBER(surface, radius), 1e-12, 1e9, 1e-4, 1e2, kLog}},
+    Parameter{"surface.file", "profile", "", "", "CSV file of position and height, or of heights alone; its path is relative to the scene.", kRebuild, {"surface.kind", "profile"},
+              TextField{ASPERITY_MEMBER(surface, file)}},
+
+    Parameter{"elastomer.rheology", "rheology", "", "", "How the elastomer answers to deformation.", kLive, {},
+              ASPERITY_CHOICE(elastomer, rheology, kRheologies)},
+    Parameter{"elastomer.shear_modulus", "shear modulus", "G", "Pa", "Static shear modulus of the elastomer.", kLive, {},
+              RealField{ASPERITY_MEMBER(elastomer, shearModulus), 1e-6, 1e15, 1e3, 1e9, kLog}},
+    Parameter{"elastomer.relaxation_time", "relaxation time", "tau", "s", "Viscosity over shear modulus: how long the free surface takes to come back.", kLive, {"elastomer.rheology", "kelvin"},
+              RealField{ASPERITY_MEMBER(elastomer, relaxationTime), 0, 1e12, 1e-7, 10, kLog}},
+
+    Parameter{"load.kind", "load", "", "", "What is held constant: the normal force or the indentation.", kLive, {},
+              ASPERITY_CHOICE(load, kind, kLoadKinds)},
+    Parameter{"load.normal_force", "normal force", "F_N", "N", "Force that presses one period of the line into the elastomer.", kLive, {"load.kind", "force"},
+              RealField{ASPERITY_MEMBER(load, normalForce), 1e-30, 1e30, 1e-4, 1e3, kLog}},
+    Parameter{"load.depth", "indentation", "d", "m", "Indentation, measured from the lowest point of the line.", kLive, {"load.kind", "indentation"},
+              RealField{ASPERITY_MEMBER(load, depth), 1e-30, 1e6, 1e-9, 1e-3, kLog}},
+
+    Parameter{"sliding.kind", "motion", "", "", "How the line moves.", kLive, {},
+              ASPERITY_CHOICE(sliding, kind, kSlidingKinds)},
+    Parameter{"sliding.velocity", "velocity", "v", "m/s", "Sliding velocity of the line.", kLive, {"sliding.kind", "steady"},
+              RealField{ASPERITY_MEMBER(sliding, velocity), 0, 1e12, 1e-6, 1e4, kLog}},
+
+    Parameter{"sweep.velocity_from", "slowest", "", "m/s", "First velocity of the friction curve.", kLive, {},
+              RealField{ASPERITY_MEMBER(sweep, velocityFrom), 1e-30, 1e12, 1e-6, 1e4, kLog}},
+    Parameter{"sweep.velocity_to", "fastest", "", "m/s", "Last velocity of the friction curve.", kLive, {},
+              RealField{ASPERITY_MEMBER(sweep, velocityTo), 1e-30, 1e12, 1e-6, 1e4, kLog}},
+    Parameter{"sweep.points", "points", "", "", "Velocities of the friction curve, evenly spaced in their logarithm.", kLive, {},
+              IntegerField{ASPERITY_MEMBER(sweep, points), 1, 100000, 5, 201, kLin}},
+
+    Parameter{"ensemble.realizations", "realizations", "", "", "Random lines that the friction curve is averaged over.", kLive, {},
+              IntegerField{ASPERITY_MEMBER(ensemble, realizations), 1, 1000000, 1, 1000, kLog}},
+
+    Parameter{"accuracy.scheme", "scheme", "", "", "How the line is resolved: the paper's single elements (nodal), straight segments (linear) or smooth ones (cubic).", kLive, {},
+              ASPERITY_CHOICE(accuracy, scheme, kSchemes)},
+    Parameter{"accuracy.oversampling", "oversampling", "", "", "Points that resolve the line per element.", kLive, {},
+              IntegerField{ASPERITY_MEMBER(accuracy, oversampling), 1, 64, 1, 16, kLog}},
+};
+// clang-format on
+
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::span<const Parameter> parameters() { return kTable; }
+
+const Parameter* findParameter(std::string_view key) {
+  const auto row = std::find_if(kTable.begin(), kTable.end(),
+                                [key](const Parameter& parameter) { return parameter.key == key; });
+  return row == kTable.end() ? nullptr : &*row;
+}
+
+std::string_view nearestKey(std::string_view key) {
+  const std::string_view shortened = key.substr(0, 100);
+  return std::min_element(kTable.begin(), kTable.end(),
+                          [shortened](const Parameter& a, const Parameter& b) {
+                            return editDistance(shortened, a.key) < editDistance(shortened, b.key);
+                          })
+      ->key;
+}
+
+}  // namespace asperity

@@ -1,0 +1,207 @@
+#include "core/scene/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/scene/atomic_file.h"
+#include "core/scene/input_error.h"
+#include "core/scene/parameters.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kSchema = "asperity-scene/1";
+constexpr std::size_t kLargestScene = 1 << 20;
+
+/// A value of the file or of --set, on its way to its row.
+struct Assignment {
+  std::string key;
+  ParameterValue value;
+  bool typed = true;       // false: text from --set, still to be read as a number
+  bool fromFile = true;
+};
+
+/// Refuses a key that stands twice in one object; the parser would keep the last in silence.
+class DuplicateKeys {
+ public:
+  bool operator()(int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) seen_.emplace_back();
+    if (event == Json::parse_event_t::object_end) seen_.pop_back();
+    if (event == Json::parse_event_t::key && !seen_.back().insert(parsed.get<std::string>()).second)
+      throw InputError("", parsed.get<std::string>(), "stands twice in the same object");
+    return true;
+  }
+
+ private:
+  std::vector<std::set<std::string>> seen_;
+};
+
+/// The parser's message without its own name in front.
+std::string parserMessage(const std::exception& error) {
+  const std::string text = error.what();
+  const std::size_t bracket = text.find("] ");
+  return "is not valid JSON: " + (bracket == std::string::npos ? text : text.substr(bracket + 2));
+}
+
+Json parseJson(std::string_view text) {
+  try {
+    return Json::parse(text, DuplicateKeys());
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError("", "", parserMessage(error));
+  }
+}
+
+const Parameter& rowOf(const std::string& key) {
+  if (const Parameter* row = findParameter(key)) return *row;
+  throw InputError("", key, fmt::format("unknown key; the nearest known one is {}", nearestKey(key)));
+}
+
+ParameterValue valueFrom(const std::string& key, const Json& json) {
+  const Parameter& row = rowOf(key);
+  if (json.is_number_unsigned() && json.get<std::uint64_t>() > std::uint64_t{1} << 62)
+    return json.get<double>();
+  if (json.is_number_integer()) return json.get<std::int64_t>();
+  if (json.is_number()) return json.get<double>();
+  if (json.is_string()) return json.get<std::string>();
+  throw InputError("", key, fmt::format("{} is not allowed here; allowed is {}",
+                                        json.is_object()  ? "an object"
+                                        : json.is_array() ? "a list"
+                                                          : json.dump(),
+                                        allowedText(row)));
+}
+
+void checkSchema(const Json& schema) {
+  if (!schema.is_string() || schema.get<std::string>() != kSchema)
+    throw InputError("", "schema", fmt::format("{} is not {}", schema.dump(), kSchema));
+}
+
+std::vector<Assignment> flatten(const Json& root) {
+  if (!root.is_object()) throw InputError("", "", "a scene is one JSON object");
+  std::vector<Assignment> assignments;
+  for (const auto& [name, value] : root.items()) {
+    if (name == "schema") {
+      checkSchema(value);
+    } else if (value.is_object()) {
+      for (const auto& [member, inner] : value.items()) {
+        const std::string key = name + "." + member;
+        assignments.push_back({key, valueFrom(key, inner)});
+      }
+    } else {
+      assignments.push_back({name, valueFrom(name, value)});
+    }
+  }
+  return assignments;
+}
+
+Assignment parseAssignment(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw InputError("", "", fmt::format("--set {}: KEY=VALUE is needed", text));
+  Assignment assignment{text.substr(0, equals), text.substr(equals + 1), false, false};
+  rowOf(assignment.key);
+  return assignment;
+}
+
+bool isChoice(const Assignment& assignment) {
+  return std::holds_alternative<ChoiceField>(rowOf(assignment.key).field);
+}
+
+void apply(const Assignment& assignment, Scene& scene) {
+  const Parameter& row = rowOf(assignment.key);
+  if (assignment.typed)
+    setValue(row, scene, assignment.value);
+  else
+    setFromText(row, scene, std::get<std::string>(assignment.value));
+}
+
+void refuseOtherKind(const Parameter& row, const Scene& scene) {
+  const Parameter& choice = *findParameter(row.applies.choiceKey);
+  throw InputError("", std::string(row.key),
+                   fmt::format("has no meaning for {} {}; it belongs to {}", choice.key,
+                               std::get<std::string>(valueOf(choice, scene)), row.applies.words));
+}
+
+/// Kinds come first, because they decide which other keys have a meaning.
+Scene build(const std::vector<Assignment>& assignments) {
+  Scene scene;
+  std::set<std::string_view> changedKinds;  // by --set, away from what the file says
+  for (const Assignment& assignment : assignments) {
+    if (!isChoice(assignment)) continue;
+    if (!assignment.fromFile) changedKinds.insert(rowOf(assignment.key).key);
+    apply(assignment, scene);
+  }
+  // Left to the profile's file unless the scene says otherwise.
+  if (scene.surface.kind == SurfaceKind::Profile) {
+    scene.surface.length = 0;
+    scene.surface.elements = 0;
+  }
+  for (const Assignment& assignment : assignments) {
+    if (isChoice(assignment)) continue;
+    const Parameter& row = rowOf(assignment.key);
+    if (isApplicable(row, scene))
+      apply(assignment, scene);
+    else if (!assignment.fromFile || !changedKinds.contains(row.applies.choiceKey))
+      refuseOtherKind(row, scene);
+  }
+  return scene;
+}
+
+void checkWhole(const Scene& scene) {
+  if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
+    throw InputError("", "surface.file", "is missing; a profile needs a file");
+  if (scene.sweep.velocityFrom > scene.sweep.velocityTo)
+    throw InputError("", "sweep.velocity_from",
+                     fmt::format("{} is above sweep.velocity_to, {}", scene.sweep.velocityFrom,
+                                 scene.sweep.velocityTo));
+}
+
+Json jsonOf(const ParameterValue& value) {
+  return std::visit([](const auto& held) { return Json(held); }, value);
+}
+
+}  // namespace
+
+Scene readScene(std::string_view json, const std::string& name, const std::filesystem::path& folder,
+                const std::vector<std::string>& assignments) {
+  try {
+    std::vector<Assignment> all = flatten(parseJson(json));
+    for (const std::string& text : assignments) all.push_back(parseAssignment(text));
+    Scene scene = build(all);
+    checkWhole(scene);
+    scene.folder = folder;
+    return scene;
+  } catch (const InputError& error) {
+    throw error.in(name);
+  }
+}
+
+Scene readSceneFile(const std::filesystem::path& file,
+                    const std::vector<std::string>& assignments) {
+  return readScene(readWholeFile(file, kLargestScene), file.string(), file.parent_path(),
+                   assignments);
+}
+
+std::string writeScene(const Scene& scene) {
+  Json root;
+  root["schema"] = kSchema;
+  for (const Parameter& row : parameters()) {
+    if (!isApplicable(row, scene)) continue;
+    const ParameterValue value = valueOf(row, scene);
+    const bool profile = scene.surface.kind == SurfaceKind::Profile;
+    if (profile && row.key == "surface.length" && scene.surface.length == 0) continue;
+    if (profile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
+    const std::string key(row.key);
+    const std::size_t dot = key.find('.');
+    if (dot == std::string::npos)
+      root[key] = jsonOf(value);
+    else
+      root[key.substr(0, dot)][key.substr(dot + 1)] = jsonOf(value);
+  }
+  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace asperity

@@ -1,0 +1,88 @@
+#include "core/surface/line_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/input_error.h"
+#include "core/surface/profile_file.h"
+#include "core/surface/random_phase.h"
+#include "core/surface/shapes.h"
+#include "core/surface/spectrum.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::int64_t kMostNodes = std::int64_t{1} << 26;
+
+}  // namespace
+
+LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
+    : surface_(scene.surface), length_(surface_.length), elements_(surface_.elements) {
+  if (surface_.kind == SurfaceKind::Profile) readProfileOf(scene);
+  if (elements_ * oversampling > kMostNodes)
+    throw InputError("", "surface.elements",
+                     fmt::format("{} times oversampling {} is more than {} points", elements_,
+                                 oversampling, kMostNodes));
+  nodes_ = static_cast<std::size_t>(elements_ * oversampling);
+  if (surface_.kind == SurfaceKind::Sine && surface_.waves > (elements_ - 1) / 2)
+    throw InputError("", "surface.waves",
+                     fmt::format("{} is outside 1 to {}, what {} elements carry", surface_.waves,
+                                 (elements_ - 1) / 2, elements_));
+  if (surface_.kind == SurfaceKind::SelfAffine)
+    amplitudes_ = selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst,
+                                       surface_.rmsHeight);
+  if (surface_.kind == SurfaceKind::SelfAffine || surface_.kind == SurfaceKind::Profile)
+    transform_.emplace(nodes_);
+  const Line line = make(0);
+  statistics_ = {line.rmsHeight, line.rmsSlope};
+}
+
+void LineSource::readProfileOf(const Scene& scene) {
+  const Profile profile = readProfile(scene.folder / surface_.file);
+  if (length_ == 0) length_ = profile.length;
+  if (length_ == 0)
+    throw InputError("", "surface.length", "is missing; the profile has heights without positions");
+  if (elements_ == 0) elements_ = static_cast<std::int64_t>(profile.height.size());
+  profile_ = FourierTransform(profile.height.size()).analyse(profile.height, length_);
+  const std::size_t most = modesOf(static_cast<std::size_t>(elements_));
+  if (profile_.coefficients.size() > most) profile_.coefficients.resize(most);
+}
+
+FourierLine LineSource::spectrum(std::int64_t number) const {
+  if (!isRandom()) return profile_;
+  FourierLine line{length_, std::vector<std::complex<double>>(amplitudes_.size())};
+  const auto seed = static_cast<std::uint64_t>(surface_.seed);
+  for (std::size_t mode = 0; mode <= amplitudes_.size(); mode += 2) {
+    const PhasePair phases = randomPhases(seed, static_cast<std::uint64_t>(number), mode / 2);
+    if (mode > 0) line.coefficients[mode - 1] = std::polar(amplitudes_[mode - 1] / 2, phases.even);
+    if (mode < amplitudes_.size())
+      line.coefficients[mode] = std::polar(amplitudes_[mode] / 2, phases.odd);
+  }
+  return line;
+}
+
+Line LineSource::make(std::int64_t number) const {
+  switch (surface_.kind) {
+    case SurfaceKind::Sine:
+      return sineLine(length_, nodes_, surface_.amplitude, surface_.waves);
+    case SurfaceKind::Wedge:
+      return wedgeLine(length_, nodes_, surface_.slope);
+    case SurfaceKind::Parabola:
+      return parabolaLine(length_, nodes_, surface_.radius);
+    case SurfaceKind::SelfAffine:
+    case SurfaceKind::Profile:
+      break;
+  }
+  const FourierLine modes = spectrum(number);
+  Line line;
+  line.length = length_;
+  line.spacing = length_ / static_cast<double>(nodes_);
+  transform_->evaluate(modes, line.height, line.slopeAfter);
+  line.rmsHeight = rmsHeightOf(modes);
+  line.rmsSlope = rmsSlopeOf(modes);
+  return line;
+}
+
+}  // namespace asperity

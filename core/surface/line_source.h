@@ -1,0 +1,53 @@
+// The lines of a scene: reads its profile once, plans its transforms once, then makes any
+// realization. Threading: make() may be called by several threads at once.
+// Failure: the constructor throws InputError (unreadable profile, waves beyond the elements).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/scene/scene.h"
+#include "core/surface/fourier.h"
+#include "core/surface/line.h"
+
+namespace asperity {
+
+/// The same for every realization, because amplitudes are not random.
+struct LineStatistics {
+  double rmsHeight = 0;  // m
+  double rmsSlope = 0;
+};
+
+class LineSource {
+ public:
+  /// Lines with elements * oversampling nodes.
+  LineSource(const Scene& scene, std::int64_t oversampling);
+
+  /// Realization 0, 1, ... ; the same line for the same scene and number, always.
+  Line make(std::int64_t realization) const;
+
+  /// Whether realizations differ at all.
+  bool isRandom() const { return surface_.kind == SurfaceKind::SelfAffine; }
+
+  const LineStatistics& statistics() const { return statistics_; }
+  /// The modes of a realization; empty for lines given by a formula.
+  FourierLine spectrum(std::int64_t realization) const;
+
+  double length() const { return length_; }             // m
+  std::int64_t elements() const { return elements_; }   // per period, without oversampling
+
+ private:
+  void readProfileOf(const Scene& scene);
+
+  Surface surface_;
+  double length_;
+  std::int64_t elements_;
+  std::size_t nodes_ = 0;
+  std::vector<double> amplitudes_;              // of a self-affine line
+  FourierLine profile_;
+  LineStatistics statistics_;
+  std::optional<FourierTransform> transform_;   // for lines that have a spectrum
+};
+
+}  // namespace asperity

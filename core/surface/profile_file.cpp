@@ -1,0 +1,120 @@
+#include "core/surface/profile_file.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "core/scene/atomic_file.h"
+#include "core/scene/input_error.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::size_t kLargestProfile = std::size_t{1} << 28;  // bytes
+constexpr std::size_t kMostRows = std::size_t{1} << 24;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n\"";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// The line's fields, split at commas, semicolons or tabs.
+std::vector<std::string_view> fieldsOf(std::string_view line) {
+  std::vector<std::string_view> fields;
+  while (true) {
+    const std::size_t end = line.find_first_of(",;\t");
+    fields.push_back(trimmed(line.substr(0, end)));
+    if (end == std::string_view::npos) return fields;
+    line.remove_prefix(end + 1);
+  }
+}
+
+bool readNumber(std::string_view text, double& number) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+class Reader {
+ public:
+  Reader(std::string_view text, const std::string& name) : rest_(text), name_(name) {
+    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+  }
+
+  Profile read() {
+    while (!rest_.empty()) takeLine();
+    if (height_.size() < 3)
+      fail(fmt::format("has {} rows of numbers; at least 3 are needed", height_.size()));
+    return {position_.empty() ? 0 : lengthOfPositions(), std::move(height_)};
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw InputError(name_, "", message);
+  }
+
+  void takeLine() {
+    ++row_;
+    const std::size_t end = rest_.find('\n');
+    const std::string_view line = trimmed(rest_.substr(0, end));
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    if (!line.empty() && line.front() != '#') takeFields(fieldsOf(line));
+  }
+
+  void takeFields(const std::vector<std::string_view>& fields) {
+    std::vector<double> numbers;
+    for (const std::string_view field : fields) {
+      double number = 0;
+      if (!readNumber(field, number)) return takeHeader(field);
+      if (!std::isfinite(number)) fail(fmt::format("row {}: {} is not a finite number", row_, field));
+      numbers.push_back(number);
+    }
+    if (height_.empty()) columns_ = numbers.size();
+    if (numbers.size() != columns_ || columns_ > 2)
+      fail(fmt::format("row {}: has {} columns; position and height, or height alone, are needed",
+                       row_, numbers.size()));
+    if (height_.size() == kMostRows) fail(fmt::format("has more than {} rows", kMostRows));
+    if (columns_ == 2) position_.push_back(numbers.front());
+    height_.push_back(numbers.back());
+  }
+
+  void takeHeader(std::string_view field) {
+    if (!height_.empty() || sawHeader_)
+      fail(fmt::format("row {}: '{}' is not a number", row_, field.substr(0, 40)));
+    sawHeader_ = true;
+  }
+
+  double lengthOfPositions() const {
+    const double rows = static_cast<double>(position_.size());
+    const double spacing = (position_.back() - position_.front()) / (rows - 1);
+    if (!(spacing > 0)) fail("positions must increase");
+    for (std::size_t i = 1; i < position_.size(); ++i) {
+      const double step = position_[i] - position_[i - 1];
+      if (std::abs(step - spacing) > 1e-6 * spacing + 4e-16 * std::abs(position_[i]))
+        fail(fmt::format("spacing {} after data row {} differs from {}; positions must be uniform to 1e-6",
+                         step, i, spacing));
+    }
+    return spacing * rows;
+  }
+
+  std::string_view rest_;
+  std::string name_;
+  std::size_t row_ = 0, columns_ = 0;
+  bool sawHeader_ = false;
+  std::vector<double> position_, height_;
+};
+
+}  // namespace
+
+Profile parseProfile(std::string_view text, const std::string& name) {
+  return Reader(text, name).read();
+}
+
+Profile readProfile(const std::filesystem::path& file) {
+  return parseProfile(readWholeFile(file, kLargestProfile), file.string());
+}
+
+}  // namespace asperity

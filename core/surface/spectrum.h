@@ -1,0 +1,28 @@
+// Spectra of self-affine lines. Pure functions.
+// Convention: C(q) is the two-sided one-dimensional power spectral density with
+// h^2 = 2 integral C dq and grad^2 = 2 integral C q^2 dq (Li et al. 2013).
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace asperity {
+
+/// Band-limited line z(x) = 2 Re sum_{k>=1} c_k exp(i q_k x), q_k = 2 pi k / length; its mean is 0.
+struct FourierLine {
+  double length = 0;                               // m
+  std::vector<std::complex<double>> coefficients;  // m; entry j is c_{j+1}
+};
+
+/// Modes that N elements carry: 1 to below N/2, the Nyquist mode dropped.
+std::size_t modesOf(std::size_t elements);
+
+/// Amplitudes a_k (m) of z = sum a_k cos(q_k x + phase_k), k = 1 ... modesOf(elements), with
+/// C(q) ~ q^(-2H-1) and sum a_k^2 / 2 = rmsHeight^2 exactly.
+std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, double rmsHeight);
+
+double rmsHeightOf(const FourierLine& line);  // m
+double rmsSlopeOf(const FourierLine& line);
+
+}  // namespace asperity
