@@ -74,6 +74,17 @@ SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& condi
   return result;
 }
 
+SlidingConditions conditionsOf(const Scene& scene, double velocity) {
+  const bool viscous = scene.elastomer.rheology == Rheology::Kelvin;
+  return {scene.elastomer.shearModulus, viscous ? scene.elastomer.relaxationTime : 0, velocity};
+}
+
+SteadyResult slideAtLoad(const TravelLine& line, const SlidingConditions& conditions,
+                         const Load& load, double guess) {
+  return load.kind == LoadKind::Force ? slideAtForce(line, conditions, load.normalForce, guess)
+                                      : slideAtDepth(line, conditions, load.depth);
+}
+
 NodeShape shapeAt(const TravelLine& line, const SlidingConditions& conditions, double depth) {
   NodeShape shape;
   sumsAt(line, depth, memoryOf(conditions), &shape);

@@ -6,6 +6,7 @@
 
 #include "core/contact/pass_sums.h"
 #include "core/contact/travel_line.h"
+#include "core/scene/scene.h"
 
 namespace asperity {
 
@@ -41,6 +42,13 @@ SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& condi
 /// At a constant indentation (m, > 0).
 SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& conditions,
                           double depth);
+
+/// What the scene says of the elastomer, at this velocity.
+SlidingConditions conditionsOf(const Scene& scene, double velocity);
+
+/// At the scene's load, whichever it is.
+SteadyResult slideAtLoad(const TravelLine& line, const SlidingConditions& conditions,
+                         const Load& load, double guess = 0);
 
 /// Shape of the elastomer at that indentation, at the line's nodes in travel order.
 NodeShape shapeAt(const TravelLine& line, const SlidingConditions& conditions, double depth);

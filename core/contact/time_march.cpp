@@ -21,6 +21,15 @@ void TimeMarch::setState(std::span<const double> depth, double indentation) {
   indentation_ = indentation;
 }
 
+void TimeMarch::setDistance(double distance) {
+  distance_ = distance;
+  placeLine();
+}
+
+void TimeMarch::setPressure(std::span<const double> pressure) {
+  std::copy(pressure.begin(), pressure.end(), pressure_.begin());
+}
+
 /// The line over the elements, moved by distance_: on nodes exactly, between them by its cubics.
 void TimeMarch::placeLine() {
   const std::size_t count = line_->nodes();

@@ -46,6 +46,10 @@ class TimeMarch {
   /// Depths y = -u >= 0 (m) of all elements, and the indentation they belong to.
   void setState(std::span<const double> depth, double indentation);
 
+  /// The line's place (m slid so far), and pressures (N/m) to show before the first step.
+  void setDistance(double distance);
+  void setPressure(std::span<const double> pressure);
+
   /// Moves the line by `distance` (m, either sign) in the time dt (s, > 0).
   MarchStep step(const MarchConditions& conditions, double dt, double distance);
 

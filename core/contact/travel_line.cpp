@@ -157,6 +157,21 @@ Cubic TravelLine::segment(std::size_t i) const {
   return hermite(rise[i], rise[i + 1], slopeIn[i] * h, slopeOut[i] * h);
 }
 
+std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<double>& values,
+                                Direction direction) {
+  const std::size_t skipped = travel.startsInsideSegment ? 1 : 0;  // the lowest point is no node
+  const std::size_t count = values.size() - skipped;
+  std::vector<double> ordered(count);
+  for (std::size_t k = skipped; k < values.size(); ++k) {
+    const std::size_t away = k % count;
+    const std::size_t node = direction == Direction::Forward
+                                 ? (travel.firstNode + count - away) % count
+                                 : (travel.firstNode + away) % count;
+    ordered[node] = values[k];
+  }
+  return ordered;
+}
+
 TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction) {
   TravelLine travel;
   travel.scheme = scheme;

@@ -47,6 +47,10 @@ struct TravelLine {
   Cubic segment(std::size_t i) const;
 };
 
+/// Values at the segments' starts (NodeShape) as values at the Line's nodes, in the order of x.
+std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<double>& values,
+                                Direction direction = Direction::Forward);
+
 TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction = Direction::Forward);
 
 }  // namespace asperity

@@ -42,9 +42,9 @@ struct VelocityAverage {
 /// One realization: a result for each velocity done.
 using Row = std::vector<SteadyResult>;
 
-class Ensemble {
+class Averaging {
  public:
-  Ensemble(const Scene& scene, const CurveOptions& options)
+  Averaging(const Scene& scene, const CurveOptions& options)
       : scene_(scene),
         options_(options),
         source_(scene, scene.accuracy.oversampling),
@@ -92,7 +92,7 @@ class Ensemble {
     double guess = 0;
     for (const double velocity : velocities_) {
       if (stopped()) break;
-      row.push_back(slide(line, velocity, guess));
+      row.push_back(slideAtLoad(line, conditionsOf(scene_, velocity), scene_.load, guess));
       guess = row.back().indentation;
       if (row.back().status != SteadyStatus::Balanced)
         throw std::runtime_error(fmt::format(
@@ -100,16 +100,6 @@ class Ensemble {
             velocity, realization, row.back().residual));
     }
     return row;
-  }
-
-  SteadyResult slide(const TravelLine& line, double velocity, double guess) const {
-    const SlidingConditions conditions{
-        scene_.elastomer.shearModulus,
-        scene_.elastomer.rheology == Rheology::Kelvin ? scene_.elastomer.relaxationTime : 0,
-        velocity};
-    return scene_.load.kind == LoadKind::Force
-               ? slideAtForce(line, conditions, scene_.load.normalForce, guess)
-               : slideAtDepth(line, conditions, scene_.load.depth);
   }
 
   void add(const Row& row) {
@@ -152,23 +142,17 @@ class Ensemble {
   }
 
   void addLaw(CurvePoint& point, double normalForce) const {
-    const LineStatistics& line = statistics();
-    LawInput in{scene_.elastomer.shearModulus,
-                scene_.elastomer.rheology == Rheology::Kelvin ? scene_.elastomer.relaxationTime : 0,
-                source_.length(),
-                line.rmsHeight,
-                line.rmsSlope,
-                scene_.surface.hurst,
-                normalForce,
-                point.velocity};
+    const LineStatistics& line = source_.statistics();
+    const SlidingConditions conditions = conditionsOf(scene_, point.velocity);
+    const LawInput in{conditions.shearModulus, conditions.relaxationTime, source_.length(),
+                      line.rmsHeight,          line.rmsSlope,             scene_.surface.hurst,
+                      normalForce,             point.velocity};
     if (!(line.rmsHeight > 0)) return;
     point.normalizedMu = point.mu / line.rmsSlope;
     point.dimensionlessVelocity = dimensionlessVelocity(in);
     point.dimensionlessForce = dimensionlessForce(in);
     if (source_.isRandom()) point.muLaw = frictionLaw(in);
   }
-
-  const LineStatistics& statistics() const { return source_.statistics(); }
 
   const Scene& scene_;
   const CurveOptions& options_;
@@ -195,7 +179,7 @@ std::vector<double> sweepVelocities(const Sweep& sweep) {
 }
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options) {
-  return Ensemble(scene, options).run();
+  return Averaging(scene, options).run();
 }
 
 }  // namespace asperity

@@ -1,0 +1,249 @@
+#include "core/run/runner.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+
+#include "core/friction/ensemble.h"
+#include "core/run/simulation.h"
+#include "core/scene/input_error.h"
+
+namespace asperity {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Posted {
+  std::shared_ptr<const Scene> scene;
+  std::uint64_t number = 0;
+};
+
+/// The part of a scene that its friction curve depends on.
+Scene curveKey(Scene scene) {
+  scene.title.clear();
+  scene.sliding = {};
+  return scene;
+}
+
+}  // namespace
+
+struct Runner::Body {
+  explicit Body(RunnerOptions wanted)
+      : options(wanted),
+        marchThread([this](std::stop_token stop) { march(stop); }),
+        curveThread([this](std::stop_token stop) { average(stop); }) {}
+
+  ~Body() {
+    marchThread.request_stop();
+    curveThread.request_stop();
+    {
+      const std::lock_guard guard(lock);
+      curveWork.request_stop();
+    }
+    changed.notify_all();
+  }
+
+  // ---- the march -------------------------------------------------------------------------------
+
+  struct Orders {
+    std::optional<Posted> scene;
+    bool reset = false;
+    bool play = false;
+    int steps = 0;
+    bool any() const { return scene || reset || steps > 0; }
+  };
+
+  void march(std::stop_token stop) {
+    std::optional<Simulation> simulation;
+    Clock::time_point next = Clock::now();
+    while (!stop.stop_requested()) {
+      const Orders orders = takeOrders(stop, next, simulation.has_value());
+      if (stop.stop_requested()) return;
+      try {
+        obey(orders, simulation, next);
+      } catch (const InputError& error) {
+        say(orders.scene ? orders.scene->number : 0, error.key(), error.message());
+      } catch (const std::exception& error) {
+        say(orders.scene ? orders.scene->number : 0, "", error.what());
+      }
+    }
+  }
+
+  /// Waits for orders, or for the time of the next frame while playing.
+  Orders takeOrders(std::stop_token stop, Clock::time_point next, bool running) {
+    std::unique_lock guard(lock);
+    const auto ordered = [this] { return waiting.any(); };
+    if (running && playing)
+      changed.wait_until(guard, stop, next, ordered);
+    else
+      changed.wait(guard, stop, [&] { return ordered() || (running && playing); });
+    Orders orders = std::move(waiting);
+    waiting = {};
+    orders.play = playing;
+    return orders;
+  }
+
+  void obey(const Orders& orders, std::optional<Simulation>& simulation, Clock::time_point& next) {
+    if (orders.scene) {
+      if (simulation)
+        simulation->update(orders.scene->scene, orders.scene->number);
+      else
+        simulation.emplace(orders.scene->scene, orders.scene->number);
+    }
+    if (!simulation) return;
+    if (orders.reset) simulation->reset();
+    for (int i = 0; i < orders.steps; ++i) simulation->singleStep();
+    const auto interval = std::chrono::duration<double>(1 / options.framesPerSecond);
+    const bool due = orders.play && Clock::now() >= next;
+    if (due) {
+      simulation->advance(interval.count() / options.secondsPerPeriod, interval.count());
+      next = std::max(next + std::chrono::duration_cast<Clock::duration>(interval), Clock::now());
+    }
+    if (due || orders.any()) publish(simulation->frame());
+  }
+
+  void publish(Frame&& frame) {
+    auto shared = std::make_shared<const Frame>(std::move(frame));
+    const std::lock_guard guard(lock);
+    newest = std::move(shared);
+  }
+
+  // ---- the friction curve ----------------------------------------------------------------------
+
+  void average(std::stop_token stop) {
+    std::uint64_t done = 0;
+    while (true) {
+      Posted work;
+      CurveOptions curveOptions;
+      {
+        std::unique_lock guard(lock);
+        changed.wait(guard, stop, [&] { return curveNumber != done; });
+        if (stop.stop_requested()) return;
+        done = curveNumber;
+        work = curveScene;
+        curveWork = std::stop_source();
+        curveOptions.stop = curveWork.get_token();
+      }
+      curveOptions.threads = options.threads;
+      curveOptions.progress = [&](const CurveProgress& progress) { offer(done, progress); };
+      run(work, curveOptions);
+    }
+  }
+
+  void run(const Posted& work, const CurveOptions& curveOptions) {
+    try {
+      frictionCurve(*work.scene, curveOptions);
+    } catch (const InputError& error) {
+      say(work.number, error.key(), error.message());
+    } catch (const std::exception& error) {
+      say(work.number, "", error.what());
+    }
+  }
+
+  /// Hands an average on, under the number of the newest scene that has this curve.
+  void offer(std::uint64_t curve, const CurveProgress& progress) {
+    const std::lock_guard guard(lock);
+    if (curve != curveNumber) return;
+    lastUpdate = {present.scene, present.number, progress.realizationsDone,
+                  progress.realizationsTotal, progress.points};
+    updates.push_back(*lastUpdate);
+  }
+
+  /// Called under the lock when a scene is posted.
+  void orderCurve(const Scene& scene) {
+    const bool same = curveScene.scene && curveKey(scene) == curveKey(*curveScene.scene);
+    updates.clear();
+    if (same) {
+      if (!lastUpdate) return;
+      lastUpdate->scene = present.scene;
+      lastUpdate->sceneNumber = present.number;
+      updates.push_back(*lastUpdate);
+      return;
+    }
+    curveWork.request_stop();
+    lastUpdate.reset();
+    curveScene = present;
+    ++curveNumber;
+  }
+
+  void say(std::uint64_t number, const std::string& key, const std::string& text) {
+    const std::lock_guard guard(lock);
+    messages.push_back({number, key, text});
+  }
+
+  const RunnerOptions options;
+  std::mutex lock;  // of everything down to the threads; never held while computing
+  std::condition_variable_any changed;
+  bool playing = true;
+  Orders waiting;
+  Posted present;
+  std::shared_ptr<const Frame> newest;
+  Posted curveScene;
+  std::uint64_t curveNumber = 0;
+  std::stop_source curveWork;
+  std::optional<CurveUpdate> lastUpdate;
+  std::vector<CurveUpdate> updates;
+  std::vector<RunnerMessage> messages;
+  std::jthread marchThread, curveThread;  // last: they use all of the above
+};
+
+Runner::Runner(RunnerOptions options) : body_(std::make_unique<Body>(options)) {}
+Runner::~Runner() = default;
+
+std::uint64_t Runner::post(Scene scene) {
+  auto shared = std::make_shared<const Scene>(std::move(scene));
+  const std::lock_guard guard(body_->lock);
+  body_->present = {shared, body_->present.number + 1};
+  body_->waiting.scene = body_->present;
+  body_->orderCurve(*shared);
+  body_->changed.notify_all();
+  return body_->present.number;
+}
+
+void Runner::play() {
+  const std::lock_guard guard(body_->lock);
+  body_->playing = true;
+  body_->changed.notify_all();
+}
+
+void Runner::pause() {
+  const std::lock_guard guard(body_->lock);
+  body_->playing = false;
+}
+
+bool Runner::isPlaying() const {
+  const std::lock_guard guard(body_->lock);
+  return body_->playing;
+}
+
+void Runner::singleStep() {
+  const std::lock_guard guard(body_->lock);
+  ++body_->waiting.steps;
+  body_->changed.notify_all();
+}
+
+void Runner::reset() {
+  const std::lock_guard guard(body_->lock);
+  body_->waiting.reset = true;
+  body_->changed.notify_all();
+}
+
+std::shared_ptr<const Frame> Runner::newestFrame() const {
+  const std::lock_guard guard(body_->lock);
+  return body_->newest;
+}
+
+std::vector<CurveUpdate> Runner::takeCurveUpdates() {
+  const std::lock_guard guard(body_->lock);
+  return std::exchange(body_->updates, {});
+}
+
+std::vector<RunnerMessage> Runner::takeMessages() {
+  const std::lock_guard guard(body_->lock);
+  return std::exchange(body_->messages, {});
+}
+
+}  // namespace asperity

@@ -1,0 +1,152 @@
+#include "core/run/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/surface/line_source.h"
+
+namespace asperity {
+namespace {
+
+/// Element-steps spent on one frame, at most: counted, so that frames do not depend on a clock.
+constexpr double kStepsPerFrame = 4e5;
+
+std::int64_t oversamplingOf(const Scene& scene) {
+  return scene.accuracy.scheme == Scheme::Nodal ? 1 : scene.accuracy.oversampling;
+}
+
+}  // namespace
+
+struct Simulation::Ready {
+  Ready(std::shared_ptr<const Scene> wanted, std::uint64_t itsNumber)
+      : scene(std::move(wanted)),
+        number(itsNumber),
+        line(std::make_shared<Line>(LineSource(*scene, oversamplingOf(*scene)).make(0))),
+        travel(prepareTravel(*line, scene->accuracy.scheme)),
+        conditions(conditionsOf(*scene, scene->sliding.velocity)),
+        steady(slideAtLoad(travel, conditions, scene->load)) {}
+
+  MarchConditions marchConditions() const {
+    return {conditions.shearModulus, conditions.relaxationTime, scene->load.kind,
+            scene->load.normalForce, scene->load.depth};
+  }
+
+  std::shared_ptr<const Scene> scene;
+  std::uint64_t number;
+  std::shared_ptr<const Line> line;
+  TravelLine travel;
+  SlidingConditions conditions;
+  SteadyResult steady;
+};
+
+Simulation::Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number)
+    : ready_(std::make_shared<Ready>(std::move(scene), number)) {
+  reset();
+}
+
+void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number) {
+  const auto next = std::make_shared<Ready>(std::move(scene), number);
+  const bool sameElements = next->line->nodes() == ready_->line->nodes() &&
+                            next->line->length == ready_->line->length;
+  ready_ = next;
+  if (!sameElements) return reset();
+  TimeMarch march(ready_->line, ready_->travel.lowestHeight);
+  march.setState(march_->depth(), march_->indentation());
+  march.setDistance(march_->distance());
+  march_ = std::move(march);
+  clearReading();
+}
+
+void Simulation::reset() {
+  march_.emplace(ready_->line, ready_->travel.lowestHeight);
+  const NodeShape shape = shapeAt(ready_->travel, ready_->conditions, ready_->steady.indentation);
+  march_->setState(inLineOrder(ready_->travel, shape.depth), ready_->steady.indentation);
+  std::vector<double> pressure = inLineOrder(ready_->travel, shape.pressure);
+  for (double& p : pressure) p *= 4 * ready_->conditions.shearModulus;
+  march_->setPressure(pressure);
+  last_ = {};
+  last_.indentation = ready_->steady.indentation;
+  last_.normalForce = ready_->steady.normalForce;
+  last_.contactLength = ready_->steady.contactFraction * ready_->line->length;
+  steps_ = 0;
+  time_ = 0;
+  clearReading();
+}
+
+void Simulation::clearReading() {
+  slidingWork_ = normalWork_ = 0;
+  resolves_ = false;
+}
+
+/// The line moves by one node at most, and by less where that resolves the relaxation.
+double Simulation::naturalStep() const {
+  const double memory = ready_->conditions.velocity * ready_->conditions.relaxationTime;
+  const double spacing = ready_->line->spacing;
+  return memory > 0 ? std::clamp(memory / 2, spacing / 8, spacing) : spacing;
+}
+
+void Simulation::stepOnce(double dt, double distance) {
+  last_ = march_->step(ready_->marchConditions(), dt, distance);
+  slidingWork_ += last_.slidingWork;
+  normalWork_ += last_.normalForce * distance;
+  resolves_ = distance > 0 && distance <= 2 * ready_->conditions.velocity *
+                                             ready_->conditions.relaxationTime;
+  time_ += dt;
+  ++steps_;
+}
+
+void Simulation::advance(double part, double wallSeconds) {
+  clearReading();
+  const double velocity = ready_->conditions.velocity;
+  const double before = time_;
+  if (velocity > 0) {
+    const double most = std::max(1.0, std::floor(kStepsPerFrame /
+                                                 static_cast<double>(ready_->line->nodes())));
+    const double wanted = part * ready_->line->length;
+    const double finest = std::ceil(wanted / naturalStep());
+    // Where the budget binds, steps grow up to one node; only then the line slows down.
+    const double steps = std::min(finest, most);
+    const double distance = std::min(wanted / steps, ready_->line->spacing);
+    for (double i = 0; i < steps; ++i) stepOnce(distance / velocity, distance);
+  } else {
+    const double rest = std::max(ready_->conditions.relaxationTime, 1e-6) / 30;
+    stepOnce(rest, 0);
+  }
+  timeScale_ = (time_ - before) / wallSeconds;
+}
+
+void Simulation::singleStep() {
+  clearReading();
+  const double velocity = ready_->conditions.velocity;
+  if (velocity > 0)
+    stepOnce(naturalStep() / velocity, naturalStep());
+  else
+    stepOnce(std::max(ready_->conditions.relaxationTime, 1e-6) / 30, 0);
+}
+
+Frame Simulation::frame() const {
+  Frame frame;
+  frame.scene = ready_->scene;
+  frame.sceneNumber = ready_->number;
+  frame.step = steps_;
+  frame.time = time_;
+  frame.distance = march_->distance();
+  frame.timeScale = timeScale_;
+  frame.length = ready_->line->length;
+  frame.spacing = ready_->line->spacing;
+  frame.pressure = march_->pressure();
+  frame.indentation = last_.indentation;
+  for (const double depth : march_->depth()) frame.surfaceHeight.push_back(-depth);
+  for (const double rise : march_->rise()) frame.lineHeight.push_back(rise - last_.indentation);
+  frame.normalForce = last_.normalForce;
+  frame.contactFraction = last_.contactLength / frame.length;
+  frame.rmsHeight = ready_->line->rmsHeight;
+  frame.rmsSlope = ready_->line->rmsSlope;
+  if (resolves_ && normalWork_ > 0) frame.muMarch = slidingWork_ / normalWork_;
+  if (ready_->steady.status == SteadyStatus::Balanced) frame.muSteady = ready_->steady.mu;
+  const double mu = std::isfinite(frame.muMarch) ? frame.muMarch : frame.muSteady;
+  frame.tangentialForce = mu * frame.normalForce;
+  return frame;
+}
+
+}  // namespace asperity

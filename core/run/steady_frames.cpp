@@ -1,0 +1,84 @@
+#include "core/run/steady_frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/surface/line_source.h"
+
+namespace asperity {
+namespace {
+
+/// Points at which a picture is drawn, at least: a frame's shift is rounded to one of them.
+constexpr std::int64_t kPicturePoints = 8192;
+
+SteadyResult solve(const TravelLine& line, const Scene& scene) {
+  SteadyResult result =
+      slideAtLoad(line, conditionsOf(scene, scene.sliding.velocity), scene.load);
+  if (result.status != SteadyStatus::Balanced)
+    throw std::runtime_error("the force balance is not met");
+  return result;
+}
+
+std::vector<double> rotated(std::vector<double> values, std::int64_t shift) {
+  std::rotate(values.begin(), values.end() - shift, values.end());
+  return values;
+}
+
+}  // namespace
+
+SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
+  const Accuracy& accuracy = scene_->accuracy;
+  const LineSource own(*scene_, accuracy.oversampling);
+  result_ = solve(prepareTravel(own.make(0), accuracy.scheme), *scene_);
+
+  // The paper's elements are shown as they are; a resolved line is drawn finely enough to glide.
+  const std::int64_t finer =
+      accuracy.scheme == Scheme::Nodal
+          ? accuracy.oversampling
+          : std::max(accuracy.oversampling,
+                     (kPicturePoints + own.elements() - 1) / own.elements());
+  const LineSource source(*scene_, finer);
+  const Line line = source.make(0);
+  const TravelLine travel = prepareTravel(line, accuracy.scheme);
+  const SteadyResult shown = solve(travel, *scene_);
+  const SlidingConditions conditions = conditionsOf(*scene_, scene_->sliding.velocity);
+  const NodeShape shape = shapeAt(travel, conditions, shown.indentation);
+
+  still_.scene = scene_;
+  still_.length = line.length;
+  still_.spacing = line.spacing;
+  still_.surfaceHeight = inLineOrder(travel, shape.depth);
+  still_.pressure = inLineOrder(travel, shape.pressure);
+  for (double& height : still_.surfaceHeight) height = -height;
+  for (double& pressure : still_.pressure) pressure *= 4 * conditions.shearModulus;
+  for (const double height : line.height)
+    still_.lineHeight.push_back(height - travel.lowestHeight - shown.indentation);
+  still_.indentation = result_.indentation;
+  still_.normalForce = result_.normalForce;
+  still_.tangentialForce = result_.tangentialForce;
+  still_.contactFraction = result_.contactFraction;
+  still_.rmsHeight = line.rmsHeight;
+  still_.rmsSlope = line.rmsSlope;
+  still_.muSteady = result_.mu;
+}
+
+Frame SteadyFrames::frame(std::int64_t index, std::int64_t count, double framesPerSecond) const {
+  Frame frame = still_;
+  const double velocity = scene_->sliding.velocity;
+  const double part = static_cast<double>(index) / static_cast<double>(count);
+  const auto points = static_cast<double>(frame.lineHeight.size());
+  const auto shift =
+      static_cast<std::int64_t>(std::llround(part * points)) % static_cast<std::int64_t>(points);
+  frame.step = static_cast<std::uint64_t>(index);
+  frame.distance = part * frame.length;
+  frame.time = velocity > 0 ? frame.distance / velocity : 0;
+  if (count > 1 && velocity > 0)
+    frame.timeScale = frame.length / velocity / static_cast<double>(count) * framesPerSecond;
+  frame.lineHeight = rotated(std::move(frame.lineHeight), shift);
+  frame.surfaceHeight = rotated(std::move(frame.surfaceHeight), shift);
+  frame.pressure = rotated(std::move(frame.pressure), shift);
+  return frame;
+}
+
+}  // namespace asperity

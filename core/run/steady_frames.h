@@ -1,0 +1,30 @@
+// Frames of steady sliding without any march in time: the elastomer's shape is stationary in the
+// line's frame, so a frame is that shape moved along. Immutable once made; any thread.
+// Failure: the constructor throws InputError for a scene that cannot run and std::runtime_error
+// where the force balance is not met.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/contact/steady_sliding.h"
+#include "core/run/frame.h"
+
+namespace asperity {
+
+class SteadyFrames {
+ public:
+  explicit SteadyFrames(std::shared_ptr<const Scene> scene);
+
+  /// Frame `index` of `count` that divide one period; framesPerSecond states the time scale.
+  Frame frame(std::int64_t index, std::int64_t count, double framesPerSecond) const;
+
+  const SteadyResult& result() const { return result_; }  // at the scene's own accuracy
+
+ private:
+  std::shared_ptr<const Scene> scene_;
+  SteadyResult result_;
+  Frame still_;  // of the line at rest at distance 0
+};
+
+}  // namespace asperity

@@ -1,0 +1,53 @@
+#include "core/surface/surface_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "core/scene/scene_file.h"
+#include "core/surface/spectrum.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// C(q_k) = a_k^2 / (4 dq), so that h^2 = 2 sum C dq.
+Json spectrumJson(const FourierLine& modes) {
+  Json waves = Json::array(), densities = Json::array();
+  const double lowest = 2 * std::numbers::pi / modes.length;
+  for (std::size_t j = 0; j < modes.coefficients.size(); ++j) {
+    waves.push_back(lowest * static_cast<double>(j + 1));
+    densities.push_back(std::norm(modes.coefficients[j]) / lowest);
+  }
+  return {{"wave_number", std::move(waves)}, {"power_spectral_density", std::move(densities)}};
+}
+
+}  // namespace
+
+std::string lineCsv(const Line& line) {
+  std::string text = "position,height\n";
+  for (std::size_t i = 0; i < line.nodes(); ++i)
+    text += fmt::format("{},{}\n", static_cast<double>(i) * line.spacing, line.height[i]);
+  return text;
+}
+
+std::string surfaceJson(const Scene& scene, const LineSource& source, const Line& line) {
+  const auto [lowest, highest] = std::minmax_element(line.height.begin(), line.height.end());
+  Json root;
+  root["schema"] = "asperity-surface/1";
+  root["verb"] = "surface";
+  root["version"] = ASPERITY_VERSION;
+  root["scene"] = Json::parse(writeScene(scene));
+  root["statistics"] = {{"length", line.length},       {"points", line.nodes()},
+                        {"spacing", line.spacing},     {"rms_height", line.rmsHeight},
+                        {"rms_slope", line.rmsSlope},  {"lowest", *lowest},
+                        {"highest", *highest}};
+  const FourierLine modes = source.spectrum(0);
+  root["spectrum"] = modes.coefficients.empty() ? Json(nullptr) : spectrumJson(modes);
+  return root.dump(2) + "\n";
+}
+
+}  // namespace asperity
