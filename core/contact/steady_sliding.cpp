@@ -32,6 +32,7 @@ SteadyResult resultOf(const TravelLine& line, const SlidingConditions& condition
   result.powerIn = stiffness * sums.work * conditions.velocity;
   result.powerDissipated = stiffness * sums.dissipation * conditions.velocity;
   result.forceFromDepth = stiffness * sums.depth;
+  result.forceFromPressure = stiffness * sums.pressure;
   return result;
 }
 

@@ -28,7 +28,8 @@ struct SteadyResult {
   double rmsSlopeContact = 0;    // NaN without contact
   double powerIn = 0;            // W, pressure times the line's slope times v, over contact
   double powerDissipated = 0;    // W, 4 eta v^2 integral u'^2 over all elements
-  double forceFromDepth = 0;     // N, -4G integral u over all elements: F_N once more
+  double forceFromDepth = 0;     // N, -4G integral u over all elements
+  double forceFromPressure = 0;  // N, integral of p over contact; equal in steady sliding
   double marginalShare = 1;      // nodal: load share of the element on the edge; 1: none
   int passes = 0;
   double residual = 0;           // |F_N - wanted| / wanted

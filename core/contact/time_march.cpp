@@ -12,6 +12,7 @@ TimeMarch::TimeMarch(std::shared_ptr<const Line> line, double lowest)
       depth_(line_->nodes()),
       pressure_(line_->nodes()),
       rise_(line_->nodes()),
+      lastRise_(line_->nodes()),
       threshold_(line_->nodes()) {
   placeLine();
 }
@@ -80,6 +81,7 @@ MarchStep TimeMarch::step(const MarchConditions& conditions, double dt, double d
                                                         : -std::numeric_limits<double>::infinity();
   const double kept = std::exp(exponent), given = -std::expm1(exponent);
   distance_ += distance;
+  std::swap(rise_, lastRise_);
   placeLine();
   for (std::size_t i = 0; i < depth_.size(); ++i) threshold_[i] = rise_[i] + depth_[i] * kept;
   const double before = indentation_;
@@ -88,7 +90,7 @@ MarchStep TimeMarch::step(const MarchConditions& conditions, double dt, double d
                      : conditions.depth;
 
   MarchStep result;
-  double load = 0, work = 0, dissipated = 0, stored = 0;
+  double load = 0, work = 0, dissipated = 0, stored = 0, advance = 0;
   std::size_t touching = 0;
   for (std::size_t i = 0; i < depth_.size(); ++i) {
     const double start = depth_[i];
@@ -97,6 +99,7 @@ MarchStep TimeMarch::step(const MarchConditions& conditions, double dt, double d
     const double p = pushed / given;  // per 4G
     load += p;
     work += p * (end - start);
+    advance += p * (lastRise_[i] - rise_[i]);
     dissipated += 0.5 * (start - p) * (start - p);
     stored += 0.5 * (end - start) * (end + start);
     touching += pushed > 0 ? 1 : 0;
@@ -109,6 +112,7 @@ MarchStep TimeMarch::step(const MarchConditions& conditions, double dt, double d
   result.dissipated = stiffness * h * dissipated * -std::expm1(2 * exponent);
   result.stored = stiffness * h * stored;
   result.slidingWork = result.work - result.normalForce * (indentation_ - before);
+  result.lineWork = stiffness * h * advance;
   result.contactLength = h * static_cast<double>(touching);
   return result;
 }

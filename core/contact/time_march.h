@@ -34,7 +34,11 @@ struct MarchStep {
   double work = 0;             // J, done on the elements: integral of p du
   double dissipated = 0;       // J, in the dashpots
   double stored = 0;           // J, gained by the springs
-  double slidingWork = 0;      // J, work less what the normal force did by sinking: F_x times distance
+  double slidingWork = 0;      // J, work less what the normal force did by sinking; in steady sliding
+                               // all of it is dissipated, at any resolution
+  double lineWork = 0;         // J, pressure times the line's own advance: F_x times distance. Second
+                               // order in dx everywhere; slidingWork is first order where elements
+                               // enter, because p acts on them before the line has reached them
   double contactLength = 0;    // m
 };
 
@@ -68,6 +72,7 @@ class TimeMarch {
   double lowest_;
   double distance_ = 0, indentation_ = 0;
   std::vector<double> depth_, pressure_, rise_;
+  std::vector<double> lastRise_;   // m, before the step
   std::vector<double> threshold_;  // m, indentation at which each element is touched in this step
 };
 

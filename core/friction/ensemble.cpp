@@ -137,7 +137,8 @@ class Averaging {
     point.rmsSlopeContact = average.rmsSlopeContact.mean();
     point.indentation = average.indentation.mean();
     point.realizations = average.mu.count();
-    addLaw(point, average.normalForce.mean());
+    addLaw(point, scene_.load.kind == LoadKind::Force ? scene_.load.normalForce
+                                                      : average.normalForce.mean());
     return point;
   }
 
@@ -175,6 +176,7 @@ std::vector<double> sweepVelocities(const Sweep& sweep) {
     velocities.push_back(sweep.velocityFrom *
                          std::pow(sweep.velocityTo / sweep.velocityFrom, part));
   }
+  if (sweep.points > 1) velocities.back() = sweep.velocityTo;  // to the last bit
   return velocities;
 }
 

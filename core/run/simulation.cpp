@@ -74,7 +74,7 @@ void Simulation::reset() {
 }
 
 void Simulation::clearReading() {
-  slidingWork_ = normalWork_ = 0;
+  lineWork_ = normalWork_ = 0;
   resolves_ = false;
 }
 
@@ -87,7 +87,7 @@ double Simulation::naturalStep() const {
 
 void Simulation::stepOnce(double dt, double distance) {
   last_ = march_->step(ready_->marchConditions(), dt, distance);
-  slidingWork_ += last_.slidingWork;
+  lineWork_ += last_.lineWork;
   normalWork_ += last_.normalForce * distance;
   resolves_ = distance > 0 && distance <= 2 * ready_->conditions.velocity *
                                              ready_->conditions.relaxationTime;
@@ -142,7 +142,7 @@ Frame Simulation::frame() const {
   frame.contactFraction = last_.contactLength / frame.length;
   frame.rmsHeight = ready_->line->rmsHeight;
   frame.rmsSlope = ready_->line->rmsSlope;
-  if (resolves_ && normalWork_ > 0) frame.muMarch = slidingWork_ / normalWork_;
+  if (resolves_ && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
   if (ready_->steady.status == SteadyStatus::Balanced) frame.muSteady = ready_->steady.mu;
   const double mu = std::isfinite(frame.muMarch) ? frame.muMarch : frame.muSteady;
   frame.tangentialForce = mu * frame.normalForce;

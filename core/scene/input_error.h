@@ -30,7 +30,11 @@ class InputError : public std::runtime_error {
     std::string text;
     for (const std::string* part : {&file, &key})
       if (!part->empty()) text += *part + ": ";
-    return text + message;
+    text += message;
+    // What a user wrote may hold line breaks; an error is one line.
+    for (char& letter : text)
+      if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
+    return text;
   }
 
   std::string file_, key_, message_;

@@ -1,0 +1,191 @@
+// The march in time: exactness of each step, and convergence to the steady pass.
+#include "core/contact/time_march.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/core/contact/lines.h"
+
+namespace asperity {
+namespace {
+
+struct Marched {
+  double mu, indentation;
+  MarchStep last;
+  double imbalance;  // of power over the last period
+};
+
+double lowestOf(const Line& line) {
+  return prepareTravel(line, Scheme::Cubic).lowestHeight;
+}
+
+MarchConditions underForce(double force, double tau = kTau) {
+  return {kModulus, tau, LoadKind::Force, force, 0};
+}
+
+/// Marches with dt = dx / v from the flat surface until the shape moves along unchanged.
+Marched marchToSteady(const Line& line, double velocity, double force, int periods) {
+  TimeMarch march(std::make_shared<Line>(line), lowestOf(line));
+  const double dx = line.spacing, dt = dx / velocity;
+  Marched result{};
+  const auto steps = static_cast<int>(line.nodes());
+  for (int period = 0; period < periods; ++period) {
+    double sliding = 0, dissipated = 0, advance = 0;
+    for (int i = 0; i < steps; ++i) {
+      result.last = march.step(underForce(force), dt, dx);
+      sliding += result.last.slidingWork;
+      advance += result.last.lineWork;
+      dissipated += result.last.dissipated;
+    }
+    result.mu = advance / (force * dx * steps);
+    result.imbalance = sliding / dissipated - 1;
+  }
+  result.indentation = march.indentation();
+  return result;
+}
+
+TEST(TimeMarch, EveryStepKeepsForcePressureAndShape) {
+  const Line line = roughLine(200, 2);
+  TimeMarch march(std::make_shared<Line>(line), lowestOf(line));
+  const double highest = *std::max_element(line.height.begin(), line.height.end());
+  for (int i = 0; i < 500; ++i) {
+    const double distance = line.spacing * (i % 3 == 0 ? 0.37 : 1.21);  // off the nodes too
+    const MarchStep step = march.step(underForce(0.01), distance / 0.3, distance);
+    EXPECT_NEAR(step.normalForce / 0.01, 1, 1e-12);
+    for (std::size_t k = 0; k < line.nodes(); ++k) {
+      EXPECT_GE(march.pressure()[k], 0);
+      // u <= z - d
+      EXPECT_GE(march.depth()[k] - (march.indentation() - march.rise()[k]), -4e-16 * highest);
+    }
+  }
+}
+
+/// Work on Kelvin elements is stored or dissipated, in every step.
+TEST(TimeMarch, WorkIsStoredOrDissipated) {
+  const Line line = roughLine(200, 2);
+  TimeMarch march(std::make_shared<Line>(line), lowestOf(line));
+  for (int i = 0; i < 300; ++i) {
+    const double distance = line.spacing * 0.8;
+    const double velocity = i < 100 ? 0.01 : i < 200 ? 1 : 100;  // with sudden changes
+    const MarchStep step = march.step(underForce(0.01), distance / velocity, distance);
+    const double scale = std::abs(step.work) + std::abs(step.stored) + step.dissipated;
+    EXPECT_NEAR(step.work, step.stored + step.dissipated, 1e-12 * scale);
+    EXPECT_GE(step.dissipated, 0);
+  }
+}
+
+/// F_N = 4 G dx sum y, exactly, once the shape is stationary; power in = power dissipated.
+TEST(TimeMarch, SteadyIdentitiesHoldAtAnyResolution) {
+  for (const std::int64_t oversampling : {1, 2, 4})
+    for (const double velocity : {0.05, 0.5, 20.0}) {
+      const Line line = roughLine(128, oversampling);
+      TimeMarch march(std::make_shared<Line>(line), lowestOf(line));
+      const double force = 0.01;
+      const Marched steady = marchToSteady(line, velocity, force, velocity > 1 ? 60 : 4);
+      EXPECT_LT(std::abs(steady.imbalance), 1e-9) << oversampling << " " << velocity;
+      EXPECT_NEAR(steady.last.normalForce / force, 1, 1e-12);
+      EXPECT_NEAR(steady.last.stored, 0, 1e-9 * steady.last.work);
+    }
+}
+
+/// Least-squares slope of log |error| over log dx.
+double orderOf(const std::vector<double>& errors) {  // dx halved from one to the next
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  const auto n = static_cast<double>(errors.size());
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double x = -static_cast<double>(i), y = std::log2(std::abs(errors[i]));
+    sx += x;
+    sy += y;
+    sxx += x * x;
+    sxy += x * y;
+  }
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+/// Root mean square over a few lines of the relative errors of friction and of depth.
+std::pair<double, double> marchErrors(double velocity, double force, std::int64_t oversampling) {
+  constexpr int kLines = 4;
+  double friction = 0, depth = 0;
+  for (int line = 0; line < kLines; ++line) {
+    const SteadyResult exact =
+        slideAtForce(prepareTravel(roughLine(128, 64, 0.7, line), Scheme::Cubic),
+                     {kModulus, kTau, velocity}, force);
+    const Marched marched =
+        marchToSteady(roughLine(128, oversampling, 0.7, line), velocity, force, 3);
+    friction += std::pow(marched.mu / exact.mu - 1, 2) / kLines;
+    depth += std::pow(marched.indentation / exact.indentation - 1, 2) / kLines;
+  }
+  return {std::sqrt(friction), std::sqrt(depth)};
+}
+
+/// With dt = dx / v and dx shrinking together friction and depth tend to those of the steady pass,
+/// at second order, in region I, II and III.
+TEST(TimeMarch, ReachesTheSteadyPassAtSecondOrder) {
+  for (const double velocity : {0.03, 0.3, 3.0}) {
+    std::vector<double> friction, depth;
+    for (const std::int64_t oversampling : {2, 4, 8, 16}) {
+      const auto [ofFriction, ofDepth] = marchErrors(velocity, 0.2, oversampling);
+      friction.push_back(ofFriction);
+      depth.push_back(ofDepth);
+    }
+    EXPECT_GT(orderOf(friction), 1.8) << velocity;
+    EXPECT_LT(friction.back(), 4e-2) << velocity;
+    EXPECT_GT(orderOf(depth), 1.8) << velocity;
+    EXPECT_LT(depth.back(), 1e-4) << velocity;
+  }
+}
+
+/// A pressed element released for a time t relaxes by exp(-t / tau), however the time is divided.
+TEST(TimeMarch, FreeRelaxationIsExact) {
+  const Line line = roughLine(100);
+  for (const int pieces : {1, 7, 100}) {
+    TimeMarch march(std::make_shared<Line>(line), lowestOf(line));
+    march.setState(std::vector<double>(100, 1e-3), 1e-3);
+    const MarchConditions lifted{kModulus, kTau, LoadKind::Indentation, 0, 1e-30};
+    for (int i = 0; i < pieces; ++i) march.step(lifted, 2 * kTau / pieces, 0);
+    EXPECT_NEAR(march.depth()[50], 1e-3 * std::exp(-2), 1e-15);
+  }
+}
+
+/// Pressed by a constant force without sliding, full contact sinks as a Kelvin body does.
+TEST(TimeMarch, CreepOfAFlatLine) {
+  Line flat = roughLine(50);
+  for (double& height : flat.height) height = 0;
+  for (double& slope : flat.slopeAfter) slope = 0;
+  TimeMarch march(std::make_shared<Line>(flat), 0);
+  const double force = 0.01, end = force / (4 * kModulus * flat.length);
+  for (int i = 1; i <= 10; ++i) {
+    march.step(underForce(force), 0.3 * kTau, 0);
+    EXPECT_NEAR(march.indentation() / end, -std::expm1(-0.3 * i), 1e-13);
+  }
+}
+
+TEST(TimeMarch, ElasticElementsHaveNoMemory) {
+  const Line line = roughLine(200);
+  TimeMarch march(std::make_shared<Line>(line), lowestOf(line));
+  double work = 0;
+  for (std::size_t i = 0; i < line.nodes(); ++i) {
+    const MarchStep step = march.step(underForce(0.01, 0), 1, line.spacing);
+    EXPECT_NEAR(step.normalForce, 0.01, 1e-14);
+    work = step.dissipated;
+  }
+  EXPECT_GE(work, 0);
+}
+
+TEST(TimeMarch, ALineMovedByAPeriodIsTheSameLine) {
+  const Line line = roughLine(64, 2);
+  TimeMarch march(std::make_shared<Line>(line), 0);
+  for (std::size_t i = 0; i < line.nodes(); ++i) EXPECT_EQ(march.rise()[i], line.height[i]);
+  march.setDistance(line.spacing * 5);
+  for (std::size_t i = 0; i < line.nodes(); ++i)
+    EXPECT_NEAR(march.rise()[(i + 5) % line.nodes()], line.height[i], 1e-18);
+  march.setDistance(-line.spacing * 2.5);  // backwards, between nodes
+  const Line fine = roughLine(64, 4);
+  for (std::size_t i = 0; i < line.nodes(); ++i)
+    EXPECT_NEAR(march.rise()[i], fine.height[(2 * i + 5) % fine.nodes()], 2e-9);
+}
+
+}  // namespace
+}  // namespace asperity

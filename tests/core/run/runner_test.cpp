@@ -1,0 +1,127 @@
+#include "core/run/runner.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+namespace asperity {
+namespace {
+
+using namespace std::chrono_literals;
+
+Scene smallScene() {
+  Scene scene;
+  scene.surface.elements = 100;
+  scene.sweep.points = 5;
+  scene.ensemble.realizations = 9;
+  return scene;
+}
+
+/// Polls until the condition holds; a test that waits for ever has failed.
+void waitFor(const std::function<bool()>& condition) {
+  const auto deadline = std::chrono::steady_clock::now() + 60s;
+  while (!condition()) {
+    ASSERT_LT(std::chrono::steady_clock::now(), deadline);
+    std::this_thread::sleep_for(1ms);
+  }
+}
+
+/// Everything that came for one scene, until its curve is whole.
+std::vector<CurveUpdate> curveOf(Runner& runner, std::uint64_t number) {
+  std::vector<CurveUpdate> all;
+  waitFor([&] {
+    for (CurveUpdate& update : runner.takeCurveUpdates())
+      if (update.sceneNumber == number) all.push_back(std::move(update));
+    return !all.empty() && all.back().realizationsDone == all.back().realizationsTotal;
+  });
+  return all;
+}
+
+TEST(Runner, APostedSceneComesBackAsFramesAndAWholeCurve) {
+  Runner runner;
+  EXPECT_EQ(runner.newestFrame(), nullptr);
+  const std::uint64_t number = runner.post(smallScene());
+  waitFor([&] { return runner.newestFrame() && runner.newestFrame()->time > 0; });
+  EXPECT_EQ(runner.newestFrame()->sceneNumber, number);
+  const auto updates = curveOf(runner, number);
+  ASSERT_FALSE(updates.empty());
+  EXPECT_EQ(updates.front().realizationsDone, 1);  // the first curve comes at once
+  EXPECT_EQ(updates.back().realizationsDone, 9);
+  EXPECT_EQ(updates.back().points.size(), 5U);
+  EXPECT_TRUE(runner.takeMessages().empty());
+}
+
+TEST(Runner, TheNewestSceneWins) {
+  Runner runner;
+  std::uint64_t last = 0;
+  for (int i = 1; i <= 300; ++i) {
+    Scene scene = smallScene();
+    scene.load.normalForce = 1e-3 * i;
+    last = runner.post(scene);
+  }
+  EXPECT_EQ(last, 300U);
+  waitFor([&] { return runner.newestFrame() && runner.newestFrame()->sceneNumber == last; });
+  EXPECT_EQ(runner.newestFrame()->scene->load.normalForce, 0.3);
+  const auto updates = curveOf(runner, last);
+  EXPECT_EQ(updates.back().scene->load.normalForce, 0.3);
+}
+
+TEST(Runner, AChangeThatTheCurveDoesNotDependOnKeepsIt) {
+  Runner runner;
+  curveOf(runner, runner.post(smallScene()));
+  Scene faster = smallScene();
+  faster.sliding.velocity = 7;
+  const auto updates = curveOf(runner, runner.post(faster));
+  ASSERT_EQ(updates.size(), 1U);  // handed over again under the new number, not computed
+  EXPECT_EQ(updates.front().scene->sliding.velocity, 7);
+}
+
+TEST(Runner, PausedItMakesFramesOnlyWhenAsked) {
+  Runner runner;
+  runner.pause();
+  EXPECT_FALSE(runner.isPlaying());
+  runner.post(smallScene());
+  waitFor([&] { return runner.newestFrame() != nullptr; });
+  EXPECT_EQ(runner.newestFrame()->step, 0U);
+  for (std::uint64_t step = 1; step <= 3; ++step) {
+    runner.singleStep();
+    waitFor([&] { return runner.newestFrame()->step == step; });
+  }
+  runner.reset();
+  waitFor([&] { return runner.newestFrame()->step == 0; });
+  runner.play();
+  waitFor([&] { return runner.newestFrame()->step > 3; });
+}
+
+TEST(Runner, ASceneThatCannotRunIsAMessageAndTheNextOneRuns) {
+  Runner runner;
+  const std::uint64_t good = runner.post(smallScene());
+  waitFor([&] { return runner.newestFrame() != nullptr; });
+  Scene bad = smallScene();
+  bad.surface.kind = SurfaceKind::Sine;
+  bad.surface.waves = 100;
+  runner.post(bad);
+  std::vector<RunnerMessage> messages;
+  waitFor([&] {
+    for (RunnerMessage& message : runner.takeMessages()) messages.push_back(std::move(message));
+    return !messages.empty();
+  });
+  EXPECT_EQ(messages.front().key, "surface.waves");
+  EXPECT_EQ(runner.newestFrame()->sceneNumber, good);
+  const std::uint64_t next = runner.post(smallScene());
+  waitFor([&] { return runner.newestFrame()->sceneNumber == next; });
+}
+
+TEST(Runner, EndsAtOnceInTheMiddleOfWork) {
+  Scene large;
+  large.surface.elements = 20000;
+  for (int i = 0; i < 3; ++i) {
+    Runner runner;
+    runner.post(large);
+  }
+}
+
+}  // namespace
+}  // namespace asperity

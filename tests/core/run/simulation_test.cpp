@@ -1,0 +1,100 @@
+#include "core/run/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+std::shared_ptr<Scene> someScene() {
+  auto scene = std::make_shared<Scene>();
+  scene->surface.elements = 200;
+  scene->load.normalForce = 0.02;
+  scene->sliding.velocity = 1;
+  return scene;
+}
+
+TEST(Simulation, StartsInTheSteadyStateAndStaysThere) {
+  auto fine = someScene();
+  fine->accuracy.oversampling = 8;
+  Simulation simulation(fine, 1);
+  const Frame start = simulation.frame();
+  EXPECT_EQ(start.time, 0);
+  EXPECT_GT(start.contactFraction, 0);
+  for (int i = 0; i < 50; ++i) simulation.advance(1.0 / 50, 1.0 / 60);
+  const Frame later = simulation.frame();
+  EXPECT_NEAR(later.distance, 0.02, 1e-12);
+  EXPECT_NEAR(later.muMarch / later.muSteady, 1, 0.02);
+  EXPECT_NEAR(later.indentation / start.indentation, 1, 0.01);
+}
+
+TEST(Simulation, TheSameCallsGiveTheSameFrames) {
+  const auto run = [] {
+    Simulation simulation(someScene(), 1);
+    for (int i = 0; i < 5; ++i) simulation.advance(0.01, 1.0 / 60);
+    return simulation.frame();
+  };
+  const Frame one = run(), two = run();
+  EXPECT_EQ(one.surfaceHeight, two.surfaceHeight);
+  EXPECT_EQ(one.pressure, two.pressure);
+}
+
+TEST(Simulation, ALiveChangeGoesOnFromThePresentShape) {
+  Simulation simulation(someScene(), 1);
+  simulation.advance(0.1, 1.0 / 60);
+  const Frame before = simulation.frame();
+  auto changed = someScene();
+  changed->sliding.velocity = 0.01;
+  simulation.update(changed, 2);
+  EXPECT_EQ(simulation.frame().surfaceHeight, before.surfaceHeight);
+  EXPECT_EQ(simulation.frame().sceneNumber, 2U);
+  changed = someScene();
+  changed->surface.elements = 300;
+  simulation.update(changed, 3);
+  EXPECT_NE(simulation.frame().surfaceHeight.size(), before.surfaceHeight.size());
+}
+
+TEST(Simulation, ASpeedStepRelaxesToTheNewSteadyState) {
+  auto scene = someScene();
+  scene->accuracy.oversampling = 8;
+  Simulation simulation(scene, 1);
+  auto slower = someScene();
+  slower->accuracy.oversampling = 8;
+  slower->sliding.velocity = 0.3;
+  simulation.update(slower, 2);
+  for (int i = 0; i < 60; ++i) simulation.advance(1.0 / 30, 1.0 / 60);
+  const Frame frame = simulation.frame();
+  EXPECT_NEAR(frame.muMarch / frame.muSteady, 1, 0.02);
+}
+
+TEST(Simulation, FrictionIsNotReadFromStepsTooLongForIt) {
+  auto scene = someScene();
+  scene->sliding.velocity = 1e-5;  // v tau = 1e-8 m, far below the spacing
+  Simulation simulation(scene, 1);
+  simulation.advance(0.01, 1.0 / 60);
+  EXPECT_TRUE(std::isnan(simulation.frame().muMarch));
+  EXPECT_GT(simulation.frame().muSteady, 0);
+}
+
+TEST(Simulation, AtRestTimeGoesOn) {
+  auto scene = someScene();
+  scene->sliding.velocity = 0;
+  Simulation simulation(scene, 1);
+  simulation.advance(0.01, 1.0 / 60);
+  EXPECT_GT(simulation.frame().time, 0);
+  EXPECT_EQ(simulation.frame().distance, 0);
+}
+
+TEST(Simulation, AStepAndAResetAreCounted) {
+  Simulation simulation(someScene(), 1);
+  simulation.singleStep();
+  simulation.singleStep();
+  EXPECT_EQ(simulation.frame().step, 2U);
+  simulation.reset();
+  EXPECT_EQ(simulation.frame().step, 0U);
+  EXPECT_EQ(simulation.frame().distance, 0);
+}
+
+}  // namespace
+}  // namespace asperity

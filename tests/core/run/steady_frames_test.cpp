@@ -1,0 +1,65 @@
+#include "core/run/steady_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/scene/input_error.h"
+
+namespace asperity {
+namespace {
+
+std::shared_ptr<const Scene> someScene() {
+  auto scene = std::make_shared<Scene>();
+  scene->surface.elements = 200;
+  scene->load.normalForce = 0.02;
+  return scene;
+}
+
+TEST(SteadyFrames, FramesDivideOnePeriod) {
+  const SteadyFrames frames(someScene());
+  const Frame first = frames.frame(0, 8, 25), third = frames.frame(2, 8, 25);
+  const std::size_t n = first.lineHeight.size(), shift = n / 4;
+  for (std::size_t i = 0; i < n; ++i) {
+    EXPECT_EQ(third.lineHeight[(i + shift) % n], first.lineHeight[i]);
+    EXPECT_EQ(third.pressure[(i + shift) % n], first.pressure[i]);
+  }
+  EXPECT_NEAR(third.distance, 0.25 * 0.02, 1e-15);
+  EXPECT_NEAR(third.time, 0.005, 1e-15);           // at 1 m/s
+  EXPECT_NEAR(third.timeScale, 0.02 / 8 * 25, 1e-15);
+}
+
+TEST(SteadyFrames, NothingReachesThroughTheLineAndPressureIsInContactOnly) {
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
+    auto scene = std::make_shared<Scene>(*someScene());
+    scene->accuracy.scheme = scheme;
+    const Frame frame = SteadyFrames(scene).frame(0, 1, 25);
+    for (std::size_t i = 0; i < frame.lineHeight.size(); ++i) {
+      EXPECT_LE(frame.surfaceHeight[i], 0);
+      EXPECT_GE(frame.lineHeight[i] - frame.surfaceHeight[i], -1e-19);
+      EXPECT_GE(frame.pressure[i], 0);
+      if (frame.pressure[i] > 0) {
+        EXPECT_NEAR(frame.lineHeight[i], frame.surfaceHeight[i], 1e-18);
+      }
+    }
+    EXPECT_GT(*std::max_element(frame.pressure.begin(), frame.pressure.end()), 0);
+  }
+}
+
+TEST(SteadyFrames, AtRestNothingMoves) {
+  auto scene = std::make_shared<Scene>(*someScene());
+  scene->sliding.velocity = 0;
+  const SteadyFrames frames(scene);
+  EXPECT_EQ(frames.frame(3, 8, 25).time, 0);
+  EXPECT_EQ(frames.result().mu, 0);
+}
+
+TEST(SteadyFrames, ASceneThatCannotRunIsRefused) {
+  auto scene = std::make_shared<Scene>(*someScene());
+  scene->surface.kind = SurfaceKind::Profile;
+  scene->surface.file = "none.csv";
+  EXPECT_THROW(SteadyFrames{scene}, InputError);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,114 @@
+#include "core/scene/parameters.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/scene/input_error.h"
+#include "core/scene/parameter_table.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Parameters, KeysAreUniqueAndEveryRowIsComplete) {
+  std::set<std::string_view> keys;
+  for (const Parameter& row : parameters()) {
+    EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+    EXPECT_FALSE(row.label.empty()) << row.key;
+    EXPECT_TRUE(row.sentence.ends_with('.')) << row.key;
+    if (!row.applies.choiceKey.empty()) {
+      EXPECT_NE(findParameter(row.applies.choiceKey), nullptr);
+    }
+  }
+}
+
+TEST(Parameters, DefaultsLieInsideTheirOwnRangesAndSliders) {
+  for (const Parameter& row : parameters()) {
+    Scene scene;
+    EXPECT_NO_THROW(setValue(row, scene, defaultOf(row))) << row.key;
+    if (const auto* real = std::get_if<RealField>(&row.field)) {
+      const double usual = std::get<double>(defaultOf(row));
+      EXPECT_GE(usual, real->sliderFrom) << row.key;
+      EXPECT_LE(usual, real->sliderTo) << row.key;
+      EXPECT_GE(real->sliderFrom, real->minimum) << row.key;
+      EXPECT_LE(real->sliderTo, real->maximum) << row.key;
+      if (real->scale == Scale::Logarithmic) {
+        EXPECT_GT(real->sliderFrom, 0) << row.key;
+      }
+    }
+  }
+}
+
+TEST(Parameters, EachRowSetsItsOwnMember) {
+  for (const Parameter& row : parameters()) {
+    if (!std::holds_alternative<RealField>(row.field)) continue;
+    Scene scene;
+    const double other = 0.75 * std::get<double>(defaultOf(row));
+    setValue(row, scene, other);
+    for (const Parameter& each : parameters()) {
+      if (each.key == row.key) {
+        EXPECT_EQ(std::get<double>(valueOf(each, scene)), other) << row.key;
+      } else {
+        EXPECT_EQ(valueOf(each, scene), defaultOf(each)) << row.key << " changed " << each.key;
+      }
+    }
+  }
+}
+
+TEST(Parameters, BadValuesAreRefusedAndLeaveTheSceneAsItWas) {
+  const Parameter& hurst = *findParameter("surface.hurst");
+  const Parameter& elements = *findParameter("surface.elements");
+  const Parameter& scheme = *findParameter("accuracy.scheme");
+  Scene scene;
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {1.4, -0.1, infinity, -infinity, std::nan("")})
+    EXPECT_THROW(setValue(hurst, scene, bad), InputError);
+  EXPECT_THROW(setFromText(hurst, scene, "smooth"), InputError);
+  EXPECT_THROW(setFromText(hurst, scene, "0.5x"), InputError);
+  EXPECT_THROW(setFromText(hurst, scene, ""), InputError);
+  EXPECT_THROW(setFromText(hurst, scene, "1e999"), InputError);
+  EXPECT_THROW(setValue(elements, scene, 3.5), InputError);
+  EXPECT_THROW(setValue(elements, scene, std::int64_t{2}), InputError);
+  EXPECT_THROW(setValue(scheme, scene, std::string("quartic")), InputError);
+  EXPECT_THROW(setValue(scheme, scene, 1.0), InputError);
+  EXPECT_EQ(scene, Scene{});
+}
+
+TEST(Parameters, MessagesSayWhatIsWrongAndWhatIsAllowed) {
+  Scene scene;
+  try {
+    setValue(*findParameter("surface.hurst"), scene, 1.4);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "surface.hurst: 1.4 is outside 0 to 1");
+  }
+}
+
+TEST(Parameters, NearestKeyForgivesTypingErrors) {
+  EXPECT_EQ(nearestKey("surface.hurts"), "surface.hurst");
+  EXPECT_EQ(nearestKey("load.normalforce"), "load.normal_force");
+  EXPECT_EQ(nearestKey(std::string(100000, 'x')).empty(), false);
+}
+
+TEST(Parameters, ApplicabilityFollowsTheKind) {
+  Scene scene;
+  EXPECT_TRUE(isApplicable(*findParameter("surface.hurst"), scene));
+  EXPECT_FALSE(isApplicable(*findParameter("surface.radius"), scene));
+  scene.surface.kind = SurfaceKind::Parabola;
+  EXPECT_FALSE(isApplicable(*findParameter("surface.hurst"), scene));
+  EXPECT_TRUE(isApplicable(*findParameter("surface.radius"), scene));
+}
+
+TEST(Parameters, TableTextsNameEveryKey) {
+  for (const Parameter& row : parameters()) {
+    EXPECT_THAT(parameterTableText(), HasSubstr(std::string(row.key)));
+    EXPECT_THAT(parameterTableMarkdown(), HasSubstr("`" + std::string(row.key) + "`"));
+  }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,117 @@
+#include "core/scene/scene_file.h"
+
+#include <gmock/gmock.h>
+
+#include "core/scene/input_error.h"
+#include "core/scene/parameters.h"
+#include "tests/core/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+std::string errorOf(const std::string& json, const std::vector<std::string>& assignments = {}) {
+  try {
+    readScene(json, "s.json", {}, assignments);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(SceneFile, WhatIsLeftOutHasItsDefault) { EXPECT_EQ(readScene("{}", "s.json"), Scene{}); }
+
+TEST(SceneFile, EveryKindOfSceneReadsBackFromItsOwnText) {
+  for (const char* kind : {"self_affine", "sine", "wedge", "parabola", "profile"})
+    for (const char* load : {"force", "indentation"})
+      for (const char* rheology : {"elastic", "kelvin"}) {
+        std::vector<std::string> assignments{
+            std::string("surface.kind=") + kind, std::string("load.kind=") + load,
+            std::string("elastomer.rheology=") + rheology, "title=Grüße, \"line\"",
+            "elastomer.shear_modulus=1.2345678901234567e7"};
+        if (std::string(kind) == "profile") assignments.push_back("surface.file=a.csv");
+        const Scene scene = readScene("{}", "s.json", {}, assignments);
+        const std::string text = writeScene(scene);
+        EXPECT_EQ(readScene(text, "t.json"), scene) << text;
+        EXPECT_EQ(writeScene(readScene(text, "t.json")), text);
+      }
+}
+
+TEST(SceneFile, ErrorsNameFileKeyAndWhatIsAllowed) {
+  EXPECT_EQ(errorOf(R"({"surface":{"hurst":1.4}})"),
+            "s.json: surface.hurst: 1.4 is outside 0 to 1");
+  EXPECT_EQ(errorOf(R"({"surface":{"hurts":0.4}})"),
+            "s.json: surface.hurts: unknown key; the nearest known one is surface.hurst");
+  EXPECT_THAT(errorOf(R"({"elastomer":{"shear_modulus":-1e7}})"),
+              HasSubstr("s.json: elastomer.shear_modulus: -10000000 is outside"));
+  EXPECT_THAT(errorOf(R"({"load":{"normal_force":"much"}})"),
+              HasSubstr("s.json: load.normal_force: 'much' is not a number"));
+  EXPECT_THAT(errorOf(R"({"surface":{"hurst":NaN}})"), HasSubstr("s.json: is not valid JSON"));
+  EXPECT_THAT(errorOf(R"({"surface":{"hurst":1e999}})"), HasSubstr("s.json: is not valid JSON"));
+  EXPECT_THAT(errorOf(R"({"surface":{"radius":1}})"),
+              HasSubstr("has no meaning for surface.kind self_affine; it belongs to parabola"));
+  EXPECT_THAT(errorOf(R"({"surface":{"hurst":[1]}})"), HasSubstr("a list is not allowed here"));
+  EXPECT_THAT(errorOf(R"({"surface":3})"), HasSubstr("s.json: surface: unknown key"));
+  EXPECT_THAT(errorOf(R"({"schema":"asperity-scene/2"})"), HasSubstr("is not asperity-scene/1"));
+  EXPECT_THAT(errorOf(R"({"surface":{"hurst":0.1,"hurst":0.2}})"), HasSubstr("stands twice"));
+  EXPECT_THAT(errorOf(R"({"surface":{"kind":"profile"}})"), HasSubstr("surface.file: is missing"));
+  EXPECT_THAT(errorOf(R"({"sweep":{"velocity_from":2,"velocity_to":1}})"),
+              HasSubstr("is above sweep.velocity_to"));
+  EXPECT_THAT(errorOf("[]"), HasSubstr("a scene is one JSON object"));
+  EXPECT_THAT(errorOf("{"), HasSubstr("is not valid JSON"));
+  EXPECT_THAT(errorOf(""), HasSubstr("is not valid JSON"));
+}
+
+TEST(SceneFile, ErrorsAreOneLine) {
+  for (const char* bad : {"{", "{\n\n\"a\"", "{\"a\\n\":1}", "\xff\xfe", "{\"title\":\"\x01\"}"})
+    EXPECT_EQ(errorOf(bad).find('\n'), std::string::npos) << errorOf(bad);
+}
+
+TEST(SceneFile, AssignmentsAreAppliedOverTheFileInOrder) {
+  const Scene scene = readScene(R"({"load":{"normal_force":1}})", "s.json", {},
+                                {"load.normal_force=2", "load.normal_force=3", "title=a=b"});
+  EXPECT_EQ(scene.load.normalForce, 3);
+  EXPECT_EQ(scene.title, "a=b");
+  EXPECT_THAT(errorOf("{}", {"load.normal_force"}), HasSubstr("KEY=VALUE is needed"));
+  EXPECT_THAT(errorOf("{}", {"load.force=1"}), HasSubstr("unknown key"));
+  EXPECT_THAT(errorOf("{}", {"load.normal_force=nan"}), HasSubstr("not a finite number"));
+  EXPECT_THAT(errorOf("{}", {"surface.radius=1"}), HasSubstr("has no meaning"));
+}
+
+TEST(SceneFile, AnAssignedKindDropsTheKeysItMakesMeaningless) {
+  const std::string file = R"({"surface":{"kind":"self_affine","hurst":0.3,"length":0.1}})";
+  const Scene scene = readScene(file, "s.json", {}, {"surface.kind=sine", "surface.waves=3"});
+  EXPECT_EQ(scene.surface.kind, SurfaceKind::Sine);
+  EXPECT_EQ(scene.surface.waves, 3);
+  EXPECT_EQ(scene.surface.length, 0.1);
+}
+
+TEST(SceneFile, AProfileIsAsLongAsItsFileSaysUnlessTheSceneSaysSo) {
+  const Scene left = readScene(R"({"surface":{"kind":"profile","file":"a.csv"}})", "s.json");
+  EXPECT_EQ(left.surface.length, 0);
+  EXPECT_EQ(left.surface.elements, 0);
+  EXPECT_EQ(writeScene(left).find("length"), std::string::npos);
+  const Scene given =
+      readScene(R"({"surface":{"kind":"profile","file":"a.csv","length":0.5}})", "s.json");
+  EXPECT_EQ(given.surface.length, 0.5);
+}
+
+TEST(SceneFile, FilesThatCannotBeReadAreNamed) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(readSceneFile(folder / "none.json"), InputError);
+  EXPECT_THROW(readSceneFile(folder.path()), InputError);
+  const Scene scene = readSceneFile(folder.write("s.json", "{}"));
+  EXPECT_EQ(scene.folder, folder.path());
+}
+
+TEST(SceneFile, ShippedScenesAreValid) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(ASPERITY_RESOURCES_DIR) + "/scenes"))
+    if (entry.path().extension() == ".json") {
+      EXPECT_NO_THROW(readSceneFile(entry.path())) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,127 @@
+#include "core/surface/line_source.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <thread>
+
+#include "core/scene/input_error.h"
+#include "core/surface/surface_file.h"
+#include "core/surface/profile_file.h"
+#include "tests/core/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+Scene roughScene(std::int64_t elements) {
+  Scene scene;
+  scene.surface.elements = elements;
+  return scene;
+}
+
+double rms(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+TEST(LineSource, HeightAndSlopeAreExactForEveryRealization) {
+  const LineSource source(roughScene(1000), 2);
+  for (const std::int64_t realization : {0, 1, 199}) {
+    const Line line = source.make(realization);
+    EXPECT_EQ(line.nodes(), 2000U);
+    EXPECT_NEAR(rms(line.height), 5e-7, 1e-18);
+    EXPECT_NEAR(rms(line.slopeAfter) / line.rmsSlope, 1, 1e-11);
+    EXPECT_EQ(line.rmsHeight, source.statistics().rmsHeight);
+  }
+}
+
+TEST(LineSource, LinesDependOnSeedAndRealizationAlone) {
+  const LineSource source(roughScene(500), 1);
+  const Line once = source.make(7);
+  Line other;
+  std::thread([&] { other = LineSource(roughScene(500), 1).make(7); }).join();
+  EXPECT_EQ(once.height, other.height);
+  EXPECT_NE(once.height, source.make(8).height);
+  Scene seeded = roughScene(500);
+  seeded.surface.seed = 2;
+  EXPECT_NE(once.height, LineSource(seeded, 1).make(7).height);
+}
+
+TEST(LineSource, OversamplingAddsPointsToTheSameLine) {
+  const Line coarse = LineSource(roughScene(500), 1).make(3);
+  const Line fine = LineSource(roughScene(500), 4).make(3);
+  for (std::size_t i = 0; i < coarse.nodes(); ++i) {
+    EXPECT_NEAR(coarse.height[i], fine.height[4 * i], 1e-19);
+    EXPECT_NEAR(coarse.slopeAfter[i], fine.slopeAfter[4 * i], 1e-13);
+  }
+}
+
+TEST(LineSource, MoreElementsKeepTheLongWaves) {
+  const FourierLine coarse = LineSource(roughScene(101), 1).spectrum(0);
+  const FourierLine fine = LineSource(roughScene(1001), 1).spectrum(0);
+  for (std::size_t j = 0; j < coarse.coefficients.size(); ++j)
+    EXPECT_NEAR(std::arg(coarse.coefficients[j] / fine.coefficients[j]), 0, 1e-12);
+}
+
+TEST(LineSource, PhasesAreUniform) {
+  // Mean resultant length of n uniform phases is about 1 / sqrt(n).
+  std::complex<double> sum = 0;
+  double count = 0;
+  const LineSource source(roughScene(2000), 1);
+  for (int realization = 0; realization < 20; ++realization)
+    for (const auto& c : source.spectrum(realization).coefficients) {
+      sum += c / std::abs(c);
+      ++count;
+    }
+  EXPECT_LT(std::abs(sum) / count, 4 / std::sqrt(count));
+}
+
+TEST(LineSource, SmallAndOddNumbersOfElementsWork) {
+  for (const std::int64_t elements : {3, 4, 7, 4999}) {
+    const Line line = LineSource(roughScene(elements), 1).make(0);
+    EXPECT_EQ(line.nodes(), static_cast<std::size_t>(elements));
+    EXPECT_NEAR(rms(line.height), 5e-7, 1e-18);
+  }
+}
+
+TEST(LineSource, AFlatLineIsFlat) {
+  Scene scene = roughScene(100);
+  scene.surface.rmsHeight = 0;
+  EXPECT_THAT(LineSource(scene, 1).make(0).height, testing::Each(0.0));
+}
+
+TEST(LineSource, AWrittenLineReadAsProfileIsTheSameLine) {
+  const TemporaryFolder folder;
+  const Line line = LineSource(roughScene(250), 1).make(0);
+  folder.write("line.csv", lineCsv(line));
+  Scene scene;
+  scene.surface = {};
+  scene.surface.kind = SurfaceKind::Profile;
+  scene.surface.length = 0;
+  scene.surface.elements = 0;
+  scene.surface.file = "line.csv";
+  scene.folder = folder.path();
+  const LineSource source(scene, 1);
+  EXPECT_FALSE(source.isRandom());
+  EXPECT_NEAR(source.length(), line.length, 1e-15);
+  const Line read = source.make(0);
+  for (std::size_t i = 0; i < line.nodes(); ++i) {
+    EXPECT_NEAR(read.height[i], line.height[i], 1e-18);
+    EXPECT_NEAR(read.slopeAfter[i], line.slopeAfter[i], 1e-12);
+  }
+  scene.surface.length = 0.04;  // the scene's length wins
+  EXPECT_NEAR(LineSource(scene, 1).statistics().rmsSlope, line.rmsSlope / 2, 1e-12);
+}
+
+TEST(LineSource, ScenesThatCannotRunAreRefused) {
+  Scene scene = roughScene(10);
+  scene.surface.kind = SurfaceKind::Sine;
+  scene.surface.waves = 5;
+  EXPECT_THROW(LineSource(scene, 1), InputError);
+  scene = roughScene(std::int64_t{1} << 24);
+  EXPECT_THROW(LineSource(scene, 64), InputError);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,56 @@
+#include "core/surface/profile_file.h"
+
+#include <gmock/gmock.h>
+
+#include "core/scene/input_error.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string errorOf(const std::string& text) {
+  try {
+    parseProfile(text, "p.csv");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(ProfileFile, PositionAndHeightWithAHeader) {
+  const Profile profile = parseProfile("x (m),z (m)\n0,1\n0.5,2\r\n1.0, 3\n", "p.csv");
+  EXPECT_THAT(profile.height, ElementsAre(1, 2, 3));
+  EXPECT_DOUBLE_EQ(profile.length, 1.5);
+}
+
+TEST(ProfileFile, HeightsAloneHaveNoLength) {
+  const Profile profile = parseProfile("\xEF\xBB\xBF# measured\n1e-6\n\n-2e-6\n+3e-6", "p.csv");
+  EXPECT_THAT(profile.height, ElementsAre(1e-6, -2e-6, 3e-6));
+  EXPECT_EQ(profile.length, 0);
+}
+
+TEST(ProfileFile, OtherSeparators) {
+  EXPECT_THAT(parseProfile("0;1\n1;2\n2;3\n", "p.csv").height, ElementsAre(1, 2, 3));
+  EXPECT_THAT(parseProfile("0\t1\n1\t2\n2\t3\n", "p.csv").height, ElementsAre(1, 2, 3));
+}
+
+TEST(ProfileFile, BadFilesAreRefusedWithTheirRow) {
+  EXPECT_THAT(errorOf("x,z\n0,1\n"), HasSubstr("p.csv: has 1 rows"));
+  EXPECT_THAT(errorOf(""), HasSubstr("has 0 rows"));
+  EXPECT_THAT(errorOf("1\n2\nthree\n"), HasSubstr("row 3: 'three' is not a number"));
+  EXPECT_THAT(errorOf("1\n2\nnan\n"), HasSubstr("row 3: nan is not a finite number"));
+  EXPECT_THAT(errorOf("0,1\n1\n2,3\n"), HasSubstr("row 2: has 1 columns"));
+  EXPECT_THAT(errorOf("0,1,2\n1,1,2\n2,1,2\n"), HasSubstr("3 columns"));
+  EXPECT_THAT(errorOf("0,1\n1,1\n2.1,1\n3.1,1\n"), HasSubstr("uniform"));
+  EXPECT_THAT(errorOf("2,1\n1,1\n0,1\n"), HasSubstr("must increase"));
+  EXPECT_THAT(errorOf("a\nb\n1\n2\n3\n"), HasSubstr("'b' is not a number"));
+}
+
+TEST(ProfileFile, SpacingUniformToOnePartInAMillionIsAccepted) {
+  EXPECT_EQ(errorOf("0,1\n1,1\n2.0000005,1\n3,1\n"), "no error");
+}
+
+}  // namespace
+}  // namespace asperity
