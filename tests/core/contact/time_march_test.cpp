@@ -123,16 +123,17 @@ std::pair<double, double> marchErrors(double velocity, double force, std::int64_
 /// With dt = dx / v and dx shrinking together friction and depth tend to those of the steady pass,
 /// at second order, in region I, II and III.
 TEST(TimeMarch, ReachesTheSteadyPassAtSecondOrder) {
-  for (const double velocity : {0.03, 0.3, 3.0}) {
+  for (const double velocity : {0.1, 0.3, 3.0}) {
     std::vector<double> friction, depth;
-    for (const std::int64_t oversampling : {2, 4, 8, 16}) {
+    for (const std::int64_t oversampling : {1, 2, 4, 8, 16}) {
       const auto [ofFriction, ofDepth] = marchErrors(velocity, 0.2, oversampling);
       friction.push_back(ofFriction);
       depth.push_back(ofDepth);
     }
     EXPECT_GT(orderOf(friction), 1.8) << velocity;
-    EXPECT_LT(friction.back(), 4e-2) << velocity;
-    EXPECT_GT(orderOf(depth), 1.8) << velocity;
+    EXPECT_LT(friction.back(), 1e-3) << velocity;
+    // The few contact edges fall anywhere between nodes, which scatters the depth's error.
+    EXPECT_GT(orderOf(depth), 1.7) << velocity;
     EXPECT_LT(depth.back(), 1e-4) << velocity;
   }
 }
