@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <memory>
 
 #include "core/scene/input_error.h"
@@ -20,12 +20,14 @@ namespace fs = std::filesystem;
 /// A file beside the final one, removed again unless it is renamed.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const fs::path& target)
-      : target_(target),
-        path_((target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(),
-                                                  ::getpid()))
-                  .string()),
-        descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+  explicit TemporaryFile(const fs::path& target) : target_(target) {
+    static std::atomic<unsigned> number{0};
+    do {
+      const std::string hidden =
+          fmt::format(".{}.{}_{}.part", target.filename().string(), ::getpid(), number++);
+      path_ = (target.parent_path() / hidden).string();
+      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (descriptor_ < 0 && errno == EEXIST);
     if (descriptor_ < 0) fail();
   }
   ~TemporaryFile() {
@@ -60,7 +62,7 @@ class TemporaryFile {
 
   fs::path target_;
   std::string path_;
-  int descriptor_;
+  int descriptor_ = -1;
   bool renamed_ = false;
 };
 
@@ -80,6 +82,7 @@ void checkWritable(const fs::path& file) {
 }
 
 void writeFileAtomically(const fs::path& file, std::string_view bytes) {
+  checkWritable(file);
   TemporaryFile temporary(file);
   temporary.write(bytes);
   temporary.finish();

@@ -11,7 +11,8 @@ namespace asperity {
 /// that is missing, or something there that is not a plain file. Call before long work.
 void checkWritable(const std::filesystem::path& file);
 
-/// Throws std::runtime_error in one sentence with the file's name where writing fails.
+/// Throws what checkWritable throws, and std::runtime_error in one sentence with the file's name
+/// where writing fails.
 void writeFileAtomically(const std::filesystem::path& file, std::string_view bytes);
 
 /// The whole of a file of at most `limit` bytes. Throws InputError.

@@ -2,6 +2,7 @@
 // offscreen platform will do); fonts come from the program itself. Main thread for fonts' loading.
 #pragma once
 
+#include <QFont>
 #include <QImage>
 
 #include "ui/render/draw_list.h"
@@ -12,13 +13,17 @@ namespace asperity {
 
 class OsmesaContext;
 
-/// Adds the fonts in resources/fonts or the system's DejaVu to the application; once is enough.
+/// Adds the embedded fonts (resources/fonts) to the application; once is enough. Throws
+/// std::runtime_error if Qt refuses them.
 void loadFonts();
+
+/// The font that paints this text.
+QFont fontOf(const DrawText& text);
 
 /// Paints list.texts; the painter's coordinates are the list's pixels.
 void paintTexts(QPainter& painter, const DrawList& list);
 
-/// Shapes and texts as one picture.
+/// Shapes and texts as one picture. Throws std::runtime_error where the context cannot draw.
 QImage renderImage(OsmesaContext& context, const DrawList& list);
 
 }  // namespace asperity

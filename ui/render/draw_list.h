@@ -32,7 +32,7 @@ struct DrawText {
   float x = 0, y = 0;  // anchor point, baseline
   float size = 12;     // pixel height of the font
   TextAnchor anchor = TextAnchor::Left;
-  float angle = 0;     // radians, counter-clockwise on the screen
+  float angle = 0;  // radians, counter-clockwise on the screen
   bool bold = false;
   Rgba colour;
 };

@@ -1,0 +1,149 @@
+#include "app/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+
+#include "core/scene/input_error.h"
+#include "core/scene/parameter_table.h"
+#include "core/scene/scene_file.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char* kDescription =
+    "Asperity shows and computes how a viscoelastic elastomer slides over a randomly rough line.";
+
+class CommandLine {
+ public:
+  CommandLine() : app_(kDescription, "asperity") {
+    app_.set_version_flag("--version", "asperity " ASPERITY_VERSION);
+    app_.set_help_flag("-h,--help", "Show this help");
+    app_.require_subcommand(0, 1);
+    app_.add_option("SCENE", window_.scene, "Scene file (JSON) to open in the window");
+    addShared(app_, window_);
+    addCheck();
+    addCurve();
+    addRender();
+    addSurface();
+    app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.", kDone,
+                            kRunFailed, kBadInput));
+  }
+
+  int run(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      if (error.get_exit_code() == 0) return app_.exit(error);
+      throw InputError("", "", firstLine(error.what()));
+    }
+    return selected_ ? selected_() : runWindowCommand(window_);
+  }
+
+  bool timing() const {
+    return window_.timing || check_.timing || curve_.common.timing || render_.common.timing ||
+           surface_.common.timing;
+  }
+
+ private:
+  static std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+  static void addShared(CLI::App& app, CommonOptions& common) {
+    app.add_option("--set", common.assignments,
+                   "Set a scene key, e.g. --set load.normal_force=0.1; may repeat")
+        ->type_name("KEY=VALUE")
+        ->take_all()
+        ->allow_extra_args(false);
+    app.add_option("--threads", common.threads, "Threads to use; 0: all of the machine")
+        ->check(CLI::Range(0, 1024));
+    app.add_flag("--quiet", common.quiet, "No progress and no summary");
+    app.add_flag("--json", common.json, "Machine-readable answer on standard output");
+    app.add_flag("--timing", common.timing, "Run time on standard error");
+  }
+
+  CLI::App* addVerb(const char* name, const char* sentence, CommonOptions& common,
+                    std::function<int()> action) {
+    CLI::App* verb = app_.add_subcommand(name, sentence);
+    verb->add_option("SCENE", common.scene, "Scene file (JSON)")->required();
+    addShared(*verb, common);
+    verb->footer("Scene keys (--set KEY=VALUE):\n" + parameterTableText());
+    verb->callback([this, action = std::move(action)] { selected_ = action; });
+    return verb;
+  }
+
+  void addCheck() {
+    addVerb("check", "Read and validate a scene, and say what it is", check_,
+            [this] { return runCheck(check_); });
+  }
+  void addCurve() {
+    CLI::App* verb = addVerb("curve", "Friction over velocity, averaged over the realizations",
+                             curve_.common, [this] { return runCurve(curve_); });
+    addOutputs(verb, curve_.outputs, "FILE.csv or FILE.json; may repeat; none: CSV on stdout");
+  }
+  void addRender() {
+    CLI::App* verb = addVerb("render", "Pictures of the contact, without a screen", render_.common,
+                             [this] { return runRender(render_); });
+    verb->add_option("-o,--output", render_.output,
+                     "FILE.png for one picture, or a folder for frame_0001.png and on")
+        ->required();
+    verb->add_option("--frames", render_.frames, "Frames, which divide one period")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
+    verb->add_option("--fps", render_.framesPerSecond, "Frames per second, for the time scale")
+        ->capture_default_str()
+        ->check(CLI::Range(0.001, 1000.0));
+    verb->add_option("--size", render_.size, "Width and height in pixels")
+        ->capture_default_str()
+        ->type_name("WxH");
+  }
+  void addSurface() {
+    CLI::App* verb = addVerb("surface", "The rigid line, its spectrum and its statistics",
+                             surface_.common, [this] { return runSurface(surface_); });
+    addOutputs(verb, surface_.outputs, "FILE.csv (position, height), FILE.json or FILE.png; may repeat");
+  }
+  static void addOutputs(CLI::App* verb, std::vector<std::string>& outputs, const char* sentence) {
+    verb->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
+  }
+
+  CLI::App app_;
+  CommonOptions window_, check_;
+  CurveCommand curve_;
+  RenderCommand render_;
+  SurfaceCommand surface_;
+  std::function<int()> selected_;
+};
+
+int complain(const std::string& sentence, int status) {
+  fmt::print(stderr, "asperity: {}\n", sentence);
+  return status;
+}
+
+}  // namespace
+
+Scene sceneOf(const CommonOptions& options) {
+  return readSceneFile(options.scene, options.assignments);
+}
+
+int runCommandLine(int argc, char** argv) {
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    CommandLine commandLine;
+    const int status = commandLine.run(argc, argv);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (commandLine.timing()) fmt::print(stderr, "time {:.3f} s\n", elapsed.count());
+    // A full disk shows itself only when the last bytes leave.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      return complain("standard output cannot be written", kRunFailed);
+    return status;
+  } catch (const InputError& error) {
+    return complain(error.what(), kBadInput);
+  } catch (const std::bad_alloc&) {
+    return complain("the scene needs more memory than there is", kRunFailed);
+  } catch (const std::exception& error) {
+    return complain(error.what(), kRunFailed);
+  }
+}
+
+}  // namespace asperity

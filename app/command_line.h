@@ -1,0 +1,56 @@
+// The command line: what was asked, as plain values, and its parsing. One verb, one file in
+// app/commands/. Main thread.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// Exit statuses.
+inline constexpr int kDone = 0, kRunFailed = 1, kBadInput = 2;
+
+/// What every verb takes.
+struct CommonOptions {
+  std::string scene;
+  std::vector<std::string> assignments;  // --set KEY=VALUE
+  int threads = 0;                       // 0: as many as the machine has
+  bool quiet = false;
+  bool json = false;
+  bool timing = false;
+};
+
+struct CurveCommand {
+  CommonOptions common;
+  std::vector<std::string> outputs;
+};
+
+struct RenderCommand {
+  CommonOptions common;
+  std::string output;
+  std::int64_t frames = 0;  // 0: one for a file, 60 for a folder
+  double framesPerSecond = 25;
+  std::string size = "1280x720";
+};
+
+struct SurfaceCommand {
+  CommonOptions common;
+  std::vector<std::string> outputs;
+};
+
+/// The scene of a command, with its assignments. Throws InputError.
+Scene sceneOf(const CommonOptions& options);
+
+int runCheck(const CommonOptions& command);
+int runCurve(const CurveCommand& command);
+int runRender(const RenderCommand& command);
+int runSurface(const SurfaceCommand& command);
+/// The window; an empty scene opens the default one.
+int runWindowCommand(const CommonOptions& command);
+
+/// Parses and runs; returns the exit status. Errors are one line on stderr.
+int runCommandLine(int argc, char** argv);
+
+}  // namespace asperity

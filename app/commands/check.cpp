@@ -1,0 +1,63 @@
+// asperity check: reads and validates, and says in a few lines what the scene is.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/command_line.h"
+#include "app/output.h"
+#include "core/contact/steady_sliding.h"
+#include "core/friction/law.h"
+#include "core/scene/input_error.h"
+#include "core/scene/scene_file.h"
+#include "core/surface/line_source.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+LawInput lawInputOf(const Scene& scene, const LineSource& source) {
+  const SlidingConditions conditions = conditionsOf(scene, scene.sliding.velocity);
+  return {conditions.shearModulus,      conditions.relaxationTime,
+          source.length(),              source.statistics().rmsHeight,
+          source.statistics().rmsSlope, scene.surface.hurst,
+          scene.load.normalForce,       scene.sliding.velocity};
+}
+
+std::string summaryOf(const Scene& scene, const LineSource& source, const LawInput& in) {
+  std::string text = fmt::format(
+      "{}\n  line: L = {} m, {} elements of {:.6g} m, rms height {:.6g} m, rms slope {:.6g}\n",
+      scene.title.empty() ? "a valid scene" : scene.title, source.length(), source.elements(),
+      source.length() / static_cast<double>(source.elements()), in.rmsHeight, in.rmsSlope);
+  if (in.rmsHeight > 0 && scene.load.kind == LoadKind::Force)
+    text += fmt::format("  dimensionless force F_N / G h L = {:.6g} (Eq. 14)\n",
+                        dimensionlessForce(in));
+  if (in.rmsHeight > 0)
+    text += fmt::format("  dimensionless velocity tau v slope / (sqrt(2) h) = {:.6g} (Eq. 13)\n",
+                        dimensionlessVelocity(in));
+  return text;
+}
+
+}  // namespace
+
+int runCheck(const CommonOptions& command) {
+  const Scene scene = sceneOf(command);
+  try {
+    const LineSource source(scene, scene.accuracy.oversampling);
+    printSummary(command.json, command.quiet,
+                 summaryOf(scene, source, lawInputOf(scene, source)));
+  } catch (const InputError& error) {
+    throw error.file().empty() ? error.in(command.scene) : error;
+  }
+  if (command.json) {
+    const Json answer{{"schema", "asperity-check/1"},
+                      {"verb", "check"},
+                      {"version", ASPERITY_VERSION},
+                      {"valid", true},
+                      {"scene", Json::parse(writeScene(scene))}};
+    fmt::print("{}\n", answer.dump(2));
+  }
+  return kDone;
+}
+
+}  // namespace asperity

@@ -1,0 +1,58 @@
+// asperity curve: friction over velocity, averaged over the scene's realizations.
+#include <fmt/format.h>
+
+#include "app/command_line.h"
+#include "app/output.h"
+#include "app/progress_bar.h"
+#include "core/friction/curve_file.h"
+#include "core/friction/ensemble.h"
+#include "core/scene/atomic_file.h"
+#include "core/scene/input_error.h"
+
+namespace asperity {
+namespace {
+
+Curve compute(const Scene& scene, const CommonOptions& common) {
+  ProgressBar bar("realizations", common.quiet);
+  CurveOptions options;
+  options.threads = common.threads;
+  options.progress = [&bar](const CurveProgress& progress) {
+    bar.show(progress.realizationsDone, progress.realizationsTotal);
+  };
+  try {
+    return frictionCurve(scene, options);
+  } catch (const InputError& error) {
+    throw error.file().empty() ? error.in(common.scene) : error;
+  }
+}
+
+std::string summaryOf(const Curve& curve, const std::vector<std::string>& outputs) {
+  std::string text = fmt::format("{} velocities, {} realizations", curve.points.size(),
+                                 curve.points.front().realizations);
+  if (curve.marginalFraction > 0)
+    text += fmt::format(", {:.1f} % of the balances with a partly loaded element",
+                        100 * curve.marginalFraction);
+  for (const std::string& output : outputs) text += fmt::format("\nwrote {}", output);
+  return text + "\n";
+}
+
+}  // namespace
+
+int runCurve(const CurveCommand& command) {
+  const Scene scene = sceneOf(command.common);
+  checkOutputs(command.outputs, {".csv", ".json"});
+  const Curve curve = compute(scene, command.common);
+  for (const std::string& output : command.outputs)
+    writeFileAtomically(output, extensionOf(output) == ".csv" ? curveCsv(curve.points)
+                                                              : curveJson(curve.points, scene));
+  const bool tableOnStdout = command.outputs.empty();
+  if (command.common.json)
+    fmt::print("{}", curveJson(curve.points, scene));
+  else if (tableOnStdout)
+    fmt::print("{}", curveCsv(curve.points));
+  if (!tableOnStdout)
+    printSummary(command.common.json, command.common.quiet, summaryOf(curve, command.outputs));
+  return kDone;
+}
+
+}  // namespace asperity

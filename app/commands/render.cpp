@@ -1,0 +1,115 @@
+// asperity render: pictures of the contact without a screen, by OSMesa.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/command_line.h"
+#include "app/headless_pictures.h"
+#include "app/output.h"
+#include "app/progress_bar.h"
+#include "core/run/steady_frames.h"
+#include "core/scene/input_error.h"
+#include "ui/picture/contact_picture.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSmallest = 160, kLargest = 16384;  // pixels
+constexpr std::int64_t kFramesOfFolder = 60;
+
+struct Size {
+  int width, height;
+};
+
+Size sizeFrom(const std::string& text) {
+  Size size{};
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  bool good = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
+  if (good) {
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    good = height.ec == std::errc{} && height.ptr == end;
+  }
+  const auto fits = [](int pixels) { return pixels >= kSmallest && pixels <= kLargest; };
+  if (!good || !fits(size.width) || !fits(size.height))
+    throw InputError("", "--size", fmt::format("{} is not WIDTHxHEIGHT with {} to {} pixels each",
+                                               text, kSmallest, kLargest));
+  return size;
+}
+
+/// The file of each frame, and the folder made where one is named.
+std::vector<std::string> filesFor(const RenderCommand& command) {
+  if (extensionOf(command.output) == ".png") {
+    if (command.frames > 1)
+      throw InputError(command.output, "", "is one file; --frames needs a folder");
+    checkOutputs({command.output}, {".png"});
+    return {command.output};
+  }
+  const fs::path folder = command.output;
+  if (folder.has_extension() && !fs::is_directory(folder))
+    throw InputError(command.output, "", "is neither a folder nor a .png file");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder))
+    throw InputError(command.output, "", "is not a folder and cannot be made one");
+  const std::int64_t frames = command.frames > 0 ? command.frames : kFramesOfFolder;
+  std::vector<std::string> files;
+  for (std::int64_t i = 1; i <= frames; ++i)
+    files.push_back((folder / fmt::format("frame_{:04}.png", i)).string());
+  checkOutputs({files.front()}, {".png"});
+  return files;
+}
+
+SteadyFrames prepare(const Scene& scene, const std::string& file) {
+  try {
+    return SteadyFrames(std::make_shared<const Scene>(scene));
+  } catch (const InputError& error) {
+    throw error.file().empty() ? error.in(file) : error;
+  }
+}
+
+void printJson(const SteadyResult& result, const std::vector<std::string>& files) {
+  const nlohmann::ordered_json answer{{"schema", "asperity-render/1"},
+                                      {"verb", "render"},
+                                      {"version", ASPERITY_VERSION},
+                                      {"mu", result.mu},
+                                      {"indentation", result.indentation},
+                                      {"contact_fraction", result.contactFraction},
+                                      {"files", files}};
+  fmt::print("{}\n", answer.dump(2));
+}
+
+}  // namespace
+
+int runRender(const RenderCommand& command) {
+  const Scene scene = sceneOf(command.common);
+  const Size size = sizeFrom(command.size);
+  const std::vector<std::string> files = filesFor(command);
+  const SteadyFrames frames = prepare(scene, command.common.scene);
+  const auto count = static_cast<std::int64_t>(files.size());
+  {
+    HeadlessPictures pictures;
+    ProgressBar bar("frames", command.common.quiet);
+    for (std::int64_t i = 0; i < count; ++i) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      const Frame frame = frames.frame(i, count, command.framesPerSecond);
+      pictures.writePng(files[static_cast<std::size_t>(i)], composeContact(frame, options));
+      bar.show(i + 1, count);
+    }
+    pictures.finish();
+  }
+  const std::string what = count == 1 ? files.front()
+                                      : fmt::format("{} frames in {}", count, command.output);
+  printSummary(command.common.json, command.common.quiet,
+               fmt::format("mu = {:.6g}\nwrote {}\n", frames.result().mu, what));
+  if (command.common.json) printJson(frames.result(), files);
+  return kDone;
+}
+
+}  // namespace asperity

@@ -1,0 +1,53 @@
+// asperity surface: the rigid line of a scene, its spectrum and its statistics.
+#include <fmt/format.h>
+
+#include "app/command_line.h"
+#include "app/headless_pictures.h"
+#include "app/output.h"
+#include "core/scene/atomic_file.h"
+#include "core/scene/input_error.h"
+#include "core/surface/line_source.h"
+#include "core/surface/surface_file.h"
+#include "ui/picture/surface_picture.h"
+
+namespace asperity {
+namespace {
+
+std::string summaryOf(const Line& line) {
+  return fmt::format("length {} m, {} points, rms height {:.6g} m, rms slope {:.6g}\n", line.length,
+                     line.nodes(), line.rmsHeight, line.rmsSlope);
+}
+
+void writePicture(const std::string& output, const DrawList& list) {
+  HeadlessPictures pictures;
+  pictures.writePng(output, list);
+  pictures.finish();
+}
+
+void writeSurface(const std::string& output, const Scene& scene, const LineSource& source,
+                  const Line& line) {
+  const std::string extension = extensionOf(output);
+  if (extension == ".csv") writeFileAtomically(output, lineCsv(line));
+  if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
+  if (extension == ".png")
+    writePicture(output, composeSurface(scene, line, source.spectrum(0), {}));
+}
+
+}  // namespace
+
+int runSurface(const SurfaceCommand& command) {
+  const Scene scene = sceneOf(command.common);
+  checkOutputs(command.outputs, {".csv", ".json", ".png"});
+  try {
+    const LineSource source(scene, scene.accuracy.oversampling);
+    const Line line = source.make(0);
+    for (const std::string& output : command.outputs) writeSurface(output, scene, source, line);
+    printSummary(command.common.json, command.common.quiet, summaryOf(line));
+    if (command.common.json) fmt::print("{}", surfaceJson(scene, source, line));
+  } catch (const InputError& error) {
+    throw error.file().empty() ? error.in(command.common.scene) : error;
+  }
+  return kDone;
+}
+
+}  // namespace asperity

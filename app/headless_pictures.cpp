@@ -1,0 +1,50 @@
+#include "app/headless_pictures.h"
+
+#include <QGuiApplication>
+#include <cstdio>
+
+#include "ui/picture/png_file.h"
+#include "ui/picture/text_painter.h"
+#include "ui/render/osmesa_context.h"
+
+namespace asperity {
+namespace {
+
+/// What Qt has to say of desktops is of no use to a program without one; errors are ours to tell.
+void sayOnlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  if (type == QtFatalMsg) std::fprintf(stderr, "asperity: %s\n", qPrintable(message));
+}
+
+/// No window is wanted, whatever the desktop: text needs only fonts.
+std::unique_ptr<QGuiApplication> offscreenApplication() {
+  qInstallMessageHandler(sayOnlyFatal);
+  static int count = 3;
+  static char name[] = "asperity", option[] = "-platform", platform[] = "offscreen";
+  static char* arguments[] = {name, option, platform, nullptr};
+  return std::make_unique<QGuiApplication>(count, arguments);
+}
+
+}  // namespace
+
+HeadlessPictures::HeadlessPictures()
+    : application_(offscreenApplication()), context_(std::make_unique<OsmesaContext>()) {
+  loadFonts();
+}
+
+HeadlessPictures::~HeadlessPictures() {
+  if (writing_.valid()) writing_.wait();
+}
+
+void HeadlessPictures::writePng(const std::string& file, const DrawList& list) {
+  QImage image = renderImage(*context_, list);
+  finish();
+  writing_ = std::async(std::launch::async, [file, image = std::move(image)] {
+    asperity::writePng(file, image);
+  });
+}
+
+void HeadlessPictures::finish() {
+  if (writing_.valid()) writing_.get();
+}
+
+}  // namespace asperity

@@ -1,0 +1,38 @@
+// Pictures without a screen: a Qt application on the offscreen platform for texts, OSMesa for
+// shapes, and one thread that encodes and writes a picture while the next one is drawn.
+// Ownership: one at a time, made and used on the main thread.
+// Failure: std::runtime_error (no OSMesa, a file that cannot be written), from writePng or finish.
+#pragma once
+
+#include <future>
+#include <memory>
+#include <string>
+
+#include "ui/render/draw_list.h"
+
+class QGuiApplication;
+
+namespace asperity {
+
+class OsmesaContext;
+
+class HeadlessPictures {
+ public:
+  HeadlessPictures();
+  ~HeadlessPictures();
+  HeadlessPictures(const HeadlessPictures&) = delete;
+  HeadlessPictures& operator=(const HeadlessPictures&) = delete;
+
+  /// Draws at once; the file may be written later, but before finish() returns.
+  void writePng(const std::string& file, const DrawList& list);
+
+  /// Waits for the last file.
+  void finish();
+
+ private:
+  std::unique_ptr<QGuiApplication> application_;
+  std::unique_ptr<OsmesaContext> context_;
+  std::future<void> writing_;
+};
+
+}  // namespace asperity

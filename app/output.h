@@ -1,0 +1,21 @@
+// Output files of the verbs: their names checked before any work, their kinds by extension.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity {
+
+/// ".csv" of "out/Curve.CSV".
+std::string extensionOf(const std::string& file);
+
+/// Throws InputError where a file has none of these extensions or can never be written.
+void checkOutputs(const std::vector<std::string>& files,
+                  std::initializer_list<std::string_view> extensions);
+
+/// What a person reads: to stdout, or to stderr where stdout is the machine's.
+void printSummary(bool machineReads, bool quiet, const std::string& text);
+
+}  // namespace asperity

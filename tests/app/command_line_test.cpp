@@ -1,0 +1,227 @@
+// The program as scripts call it: answers, errors, exit statuses, files.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing::UnorderedElementsAre;
+
+constexpr const char* kScene =
+    R"({"schema":"asperity-scene/1","title":"A scene","surface":{"elements":200},)"
+    R"("sweep":{"points":5},"ensemble":{"realizations":6}})";
+
+class CommandLineTest : public testing::Test {
+ protected:
+  void SetUp() override { program.folder.write("s.json", kScene); }
+
+  /// One line on stderr, nothing on stdout, nothing written.
+  void expectRefused(const std::string& arguments, int status, const std::string& says,
+                     const std::string& before = "") {
+    SCOPED_TRACE(arguments);
+    const auto names = program.folder.names();
+    const Said said = program.run(arguments, before);
+    EXPECT_EQ(said.status, status);
+    EXPECT_THAT(said.err, StartsWith("asperity: "));
+    EXPECT_THAT(said.err, HasSubstr(says));
+    EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1) << said.err;
+    EXPECT_THAT(program.folder.names(), testing::UnorderedElementsAreArray(names));
+  }
+
+  Program program;
+};
+
+TEST_F(CommandLineTest, VersionAndHelp) {
+  EXPECT_EQ(program.run("--version").out, "asperity " ASPERITY_VERSION "\n");
+  EXPECT_THAT(program.run("--help").out, HasSubstr("render"));
+  for (const char* verb : {"check", "curve", "render", "surface"}) {
+    const Said said = program.run(std::string(verb) + " --help");
+    EXPECT_EQ(said.status, 0);
+    EXPECT_THAT(said.out, HasSubstr("load.normal_force"));
+  }
+}
+
+TEST_F(CommandLineTest, CheckSaysWhatTheSceneIs) {
+  const Said said = program.run("check s.json");
+  EXPECT_EQ(said.status, 0);
+  EXPECT_THAT(said.out, HasSubstr("A scene"));
+  EXPECT_EQ(said.err, "");
+  const Said json = program.run("check s.json --json --set load.normal_force=3");
+  EXPECT_EQ(nlohmann::json::parse(json.out)["scene"]["load"]["normal_force"], 3);
+  EXPECT_THAT(json.err, HasSubstr("A scene"));
+  EXPECT_EQ(program.run("check s.json --quiet").out, "");
+}
+
+TEST_F(CommandLineTest, BadInputIsExitTwoAndOneClearLine) {
+  program.folder.write("broken.json", "{\"surface\": ");
+  program.folder.write("unknown.json", R"({"surface":{"hurts":0.5}})");
+  program.folder.write("text.json", R"({"load":{"normal_force":"much"}})");
+  program.folder.write("nan.json", R"({"load":{"normal_force":NaN}})");
+  program.folder.write("negative.json", R"({"elastomer":{"shear_modulus":-1e7}})");
+  program.folder.write("hurst.json", R"({"surface":{"hurst":1.4}})");
+  program.folder.write("row.csv", "x,z\n0,1\n");
+  program.folder.write("profile.json", R"({"surface":{"kind":"profile","file":"row.csv"}})");
+  program.folder.write("gone.json", R"({"surface":{"kind":"profile","file":"gone.csv"}})");
+  for (const char* verb : {"check", "curve", "surface"}) {
+    const std::string v = std::string(verb) + " ";
+    expectRefused(v + "missing.json", 2, "missing.json: cannot be opened");
+    expectRefused(v + "broken.json", 2, "broken.json: is not valid JSON");
+    expectRefused(v + "unknown.json", 2, "surface.hurts: unknown key; the nearest known one is surface.hurst");
+    expectRefused(v + "text.json", 2, "load.normal_force: 'much' is not a number");
+    expectRefused(v + "nan.json", 2, "nan.json: is not valid JSON");
+    expectRefused(v + "negative.json", 2, "elastomer.shear_modulus: -10000000 is outside");
+    expectRefused(v + "hurst.json", 2, "hurst.json: surface.hurst: 1.4 is outside 0 to 1");
+    expectRefused(v + "profile.json", 2, "row.csv: has 1 rows");
+    expectRefused(v + "gone.json", 2, "gone.csv: cannot be opened");
+    expectRefused(v + ".", 2, "is a folder");
+    expectRefused(v + "s.json --set load.normal_force=nan", 2, "not a finite number");
+    expectRefused(v + "s.json --set surface.kind=sine --set surface.waves=5000", 2,
+                  "s.json: surface.waves: 5000 is outside 1 to 99");
+  }
+}
+
+TEST_F(CommandLineTest, BadUsageIsExitTwo) {
+  expectRefused("curve", 2, "SCENE");
+  expectRefused("check s.json --nonsense", 2, "--nonsense");
+  expectRefused("check s.json --set nothing", 2, "KEY=VALUE");
+  expectRefused("check s.json --threads -1", 2, "--threads");
+  expectRefused("render s.json", 2, "--output");
+  expectRefused("render s.json -o a.png --size 10", 2, "--size");
+  expectRefused("render s.json -o a.png --size 32768x32768", 2, "160 to 16384");
+  expectRefused("render s.json -o a.png --frames 0", 2, "--frames");
+  expectRefused("render s.json -o a.png --frames 3", 2, "needs a folder");
+  expectRefused("nowhere.json", 2, "cannot be opened");
+}
+
+TEST_F(CommandLineTest, OutputsThatCannotBeAreRefusedBeforeAnyWork) {
+  expectRefused("curve s.json -o .", 2, "is a folder");
+  expectRefused("curve s.json -o nowhere/a.csv", 2, "does not exist");
+  expectRefused("curve s.json -o a.txt", 2, "is not one of .csv, .json");
+  expectRefused("curve s.json -o a.csv -o b", 2, "is not one of");
+  expectRefused("curve s.json -o /dev/full", 2, "not a plain file");
+  expectRefused("surface s.json -o a.pdf", 2, "is not one of");
+  expectRefused("render s.json -o a.jpg", 2, "neither a folder nor a .png file");
+  expectRefused("render s.json -o s.json/x", 2, "cannot be made one");
+}
+
+/// A file size limit stands for a full disk.
+TEST_F(CommandLineTest, AFullDiskIsExitOneAndLeavesNoPart) {
+  const std::string full = "trap '' XFSZ; ulimit -f 0;";
+  for (const char* arguments : {"curve s.json -o a.csv", "curve s.json -o a.json",
+                                "surface s.json -o a.csv", "render s.json -o a.png"}) {
+    // The limit would also stop what the test reads back, so output goes to a pipe.
+    const Said said = program.run(std::string(arguments) + " 2>&1 | cat; exit ${PIPESTATUS[0]}",
+                                  "exec bash -c \"" + full + " exec \\\"\\$0\\\" \\\"\\$@\\\"\"");
+    EXPECT_THAT(program.folder.names(), ElementsAre("s.json")) << arguments;
+    EXPECT_THAT(said.out, HasSubstr("cannot be written")) << arguments;
+  }
+  const Said said = program.run("curve s.json -o s.csv", full);
+  EXPECT_EQ(said.status, 1);
+}
+
+TEST_F(CommandLineTest, StandardOutputThatIsFullIsExitOne) {
+  EXPECT_EQ(program.run("curve s.json > /dev/full; exit $?").status, 1);
+  EXPECT_EQ(program.run("check s.json --json > /dev/full; exit $?").status, 1);
+}
+
+TEST_F(CommandLineTest, CurveIsATableOnStandardOutput) {
+  const Said said = program.run("curve s.json");
+  EXPECT_EQ(said.status, 0);
+  EXPECT_EQ(said.err, "");
+  EXPECT_THAT(said.out, StartsWith("velocity,mu,mu_standard_error,mu_law,contact_fraction,"
+                                   "rms_slope_contact,indentation,normalized_mu,"
+                                   "dimensionless_velocity,dimensionless_force,realizations\n"));
+  EXPECT_EQ(std::count(said.out.begin(), said.out.end(), '\n'), 6);
+}
+
+TEST_F(CommandLineTest, CurveFilesAreTheSameForAnyNumberOfThreads) {
+  EXPECT_EQ(program.run("curve s.json -o a.csv -o a.json --threads 1").status, 0);
+  EXPECT_EQ(program.run("curve s.json -o b.csv -o b.json --threads 2 --quiet").out, "");
+  for (const char* extension : {".csv", ".json"})
+    EXPECT_EQ(TemporaryFolder::read(program.folder / ("a" + std::string(extension))),
+              TemporaryFolder::read(program.folder / ("b" + std::string(extension))));
+  EXPECT_EQ(TemporaryFolder::read(program.folder / "a.csv"), program.run("curve s.json").out);
+  EXPECT_EQ(TemporaryFolder::read(program.folder / "a.json"),
+            program.run("curve s.json --json").out);
+  EXPECT_THAT(program.folder.names(),
+              UnorderedElementsAre("s.json", "a.csv", "a.json", "b.csv", "b.json"));
+}
+
+TEST_F(CommandLineTest, TimingGoesToStandardErrorOnly) {
+  const Said said = program.run("curve s.json --timing");
+  EXPECT_EQ(said.out, program.run("curve s.json").out);
+  EXPECT_THAT(said.err, HasSubstr("time "));
+}
+
+TEST_F(CommandLineTest, RenderNeedsNeitherDisplayNorHome) {
+  const std::string bare = "env -i PATH=/usr/bin:/bin";
+  const Said said = program.run("render s.json -o a.png --size 640x360", bare);
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(said.err, "");
+  EXPECT_THAT(said.out, HasSubstr("wrote a.png"));
+  const Said again = program.run("render s.json -o b.png --size 640x360 --threads 1", bare);
+  EXPECT_EQ(again.status, 0);
+  const std::string picture = TemporaryFolder::read(program.folder / "a.png");
+  EXPECT_THAT(picture, StartsWith("\x89PNG"));
+  EXPECT_EQ(picture, TemporaryFolder::read(program.folder / "b.png"));
+}
+
+TEST_F(CommandLineTest, RenderMakesNumberedFrames) {
+  const Said said = program.run("render s.json -o out/film --frames 3 --size 320x200 --json");
+  EXPECT_EQ(said.status, 0) << said.err;
+  const auto answer = nlohmann::json::parse(said.out);
+  EXPECT_EQ(answer["files"].size(), 3U);
+  EXPECT_GT(answer["mu"], 0);
+  for (const char* name : {"frame_0001.png", "frame_0002.png", "frame_0003.png"})
+    EXPECT_TRUE(std::filesystem::exists(program.folder / ("out/film/" + std::string(name))));
+  EXPECT_NE(TemporaryFolder::read(program.folder / "out/film/frame_0001.png"),
+            TemporaryFolder::read(program.folder / "out/film/frame_0002.png"));
+}
+
+TEST_F(CommandLineTest, AMissingOsmesaIsOneClearLine) {
+  expectRefused("render s.json -o a.png", 1, "libNowhere", "ASPERITY_OSMESA_LIBRARY=libNowhere.so");
+}
+
+TEST_F(CommandLineTest, SurfaceWritesWhatTheProfileReaderTakesBack) {
+  EXPECT_EQ(program.run("surface s.json -o line.csv -o line.json -o line.png").status, 0);
+  program.folder.write("p.json", R"({"surface":{"kind":"profile","file":"line.csv"}})");
+  const Said said = program.run("check p.json");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("rms height 5e-07"));
+  const auto root =
+      nlohmann::json::parse(TemporaryFolder::read(program.folder / "line.json"));
+  EXPECT_NEAR(root["statistics"]["rms_height"].get<double>(), 5e-7, 1e-18);
+  EXPECT_EQ(root["spectrum"]["wave_number"].size(), 99U);
+  EXPECT_THAT(TemporaryFolder::read(program.folder / "line.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(CommandLineTest, AProfileIsFoundBesideItsScene) {
+  EXPECT_EQ(program.run("surface s.json -o line.csv").status, 0);
+  program.folder.write("p.json", R"({"surface":{"kind":"profile","file":"line.csv"}})");
+  EXPECT_EQ(program.run("check p.json", "mkdir -p other; cd other;").status, 2);  // p.json is not there
+  EXPECT_EQ(program.run("check ../p.json", "cd other;").status, 0);
+}
+
+TEST_F(CommandLineTest, WithoutADisplayTheWindowSaysWhatToDoInstead) {
+  expectRefused("s.json", 1, "no display",
+                "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM");
+}
+
+/// A killed run leaves no half file under the final name.
+TEST_F(CommandLineTest, AKilledRunLeavesNoHalfFile) {
+  for (const char* delay : {"0.02", "0.1", "0.3"}) {
+    program.run("curve s.json --set surface.elements=5000 --set ensemble.realizations=5000 -o a.csv",
+                std::string("timeout -s KILL ") + delay);
+    EXPECT_FALSE(std::filesystem::exists(program.folder / "a.csv"));
+  }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,163 @@
+// What the friction diagram shows, without a widget.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ui/charts/decade_range.h"
+#include "ui/charts/friction_plot.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+
+CurvePoint point(double velocity, double mu, double error = kNotApplicable,
+                 std::int64_t realizations = 2) {
+  CurvePoint made;
+  made.velocity = velocity;
+  made.mu = mu;
+  made.muStandardError = error;
+  made.muLaw = 1e-3;
+  made.realizations = realizations;
+  return made;
+}
+
+CurveUpdate update(const Scene& scene, std::vector<CurvePoint> points, std::int64_t done = 2) {
+  CurveUpdate made;
+  made.scene = std::make_shared<const Scene>(scene);
+  made.sceneNumber = 1;
+  made.realizationsDone = done;
+  made.realizationsTotal = 200;
+  made.points = std::move(points);
+  return made;
+}
+
+Frame frame(const Scene& scene, double mu) {
+  Frame made;
+  made.scene = std::make_shared<const Scene>(scene);
+  made.muSteady = mu;
+  return made;
+}
+
+const PlotSeries& seriesOf(const Plot& plot, PlotStyle style) {
+  for (const PlotSeries& series : plot.series)
+    if (series.style == style) return series;
+  throw std::runtime_error("no such series");
+}
+
+std::vector<double> velocitiesOf(const PlotSeries& series) {
+  std::vector<double> velocities;
+  for (const PlotPoint& shown : series.points) velocities.push_back(shown.x);
+  return velocities;
+}
+
+TEST(DecadeRange, SurroundsTheData) {
+  EXPECT_EQ(decadesAround(2e-5, 30), (DecadeRange{-5, 2}));
+  EXPECT_EQ(decadesAround(1e-5, 1e3), (DecadeRange{-5, 3}));
+  EXPECT_EQ(decadesAround(1, 1), (DecadeRange{0, 1}));
+}
+
+TEST(DecadeRange, GrowsAtOnceAndShrinksReluctantly) {
+  const DecadeRange shown{-6, -2};
+  EXPECT_EQ(steadyRange(shown, {-7, -3}, false), (DecadeRange{-7, -2}));
+  EXPECT_EQ(steadyRange(shown, {-3, -2}, false), shown);
+  EXPECT_EQ(steadyRange(shown, {-5, -2}, true), shown);
+  EXPECT_EQ(steadyRange(shown, {-3, -2}, true), (DecadeRange{-3, -2}));
+  EXPECT_EQ(steadyRange({}, {-3, -2}, false), (DecadeRange{-3, -2}));
+  EXPECT_EQ(steadyRange(shown, {}, true), shown);
+}
+
+TEST(DecadeRange, LabelsReadLikePrint) {
+  EXPECT_EQ(decadeLabel(-5), QStringLiteral("10⁻⁵"));
+  EXPECT_EQ(decadeLabel(0), QStringLiteral("1"));
+  EXPECT_EQ(decadeLabel(1), QStringLiteral("10"));
+  EXPECT_EQ(decadeLabel(12), QStringLiteral("10¹²"));
+}
+
+TEST(DecadeRange, ReadingsReadLikePrint) {
+  EXPECT_EQ(readingLabel(0.125), QStringLiteral("0.125"));
+  EXPECT_EQ(readingLabel(2.5e-5), QStringLiteral("2.5·10⁻⁵"));
+  EXPECT_EQ(readingLabel(1e-6), QStringLiteral("10⁻⁶"));
+  EXPECT_EQ(readingLabel(std::nan("")), QStringLiteral("–"));
+}
+
+TEST(FrictionPlot, SkipsWhatHasNoPlaceOnLogarithmicAxes) {
+  FrictionPlot diagram;
+  const double nan = std::nan("");
+  ASSERT_TRUE(diagram.take(update({}, {point(1e-3, 1e-4), point(1e-2, 0), point(0.1, -2e-3),
+                                       point(1, nan), point(10, 2e-3), point(100, 5e-3, nan, 0)})));
+  const Plot plot = diagram.plot();
+  EXPECT_THAT(velocitiesOf(seriesOf(plot, PlotStyle::Points)), ElementsAre(1e-3, 10));
+  EXPECT_EQ(seriesOf(plot, PlotStyle::Line).points.size(), 6U);
+}
+
+TEST(FrictionPlot, KeepsErrorsAndStatesHowFarItIs) {
+  FrictionPlot diagram;
+  diagram.take(update({}, {point(1, 1e-3, 2e-4)}, 37));
+  const Plot plot = diagram.plot();
+  EXPECT_EQ(seriesOf(plot, PlotStyle::Points).points.front().error, 2e-4);
+  EXPECT_EQ(plot.note, QStringLiteral("37 of 200 realizations"));
+  EXPECT_DOUBLE_EQ(plot.progress, 37.0 / 200);
+}
+
+TEST(FrictionPlot, MarksThePresentVelocityOfTheFrame) {
+  FrictionPlot diagram;
+  EXPECT_FALSE(diagram.plot().marker);
+  Scene scene;
+  scene.sliding.velocity = 0.25;
+  diagram.mark(frame(scene, 3e-3));
+  const Plot plot = diagram.plot();
+  ASSERT_TRUE(plot.marker);
+  EXPECT_EQ(plot.marker->x, 0.25);
+  EXPECT_EQ(plot.marker->y, 3e-3);
+  EXPECT_EQ(plot.marker->label, QStringLiteral("v = 0.25 m/s"));
+}
+
+TEST(FrictionPlot, FadesTheOldCurveUntilTheNewOneArrives) {
+  FrictionPlot diagram;
+  Scene old, fresh;
+  fresh.elastomer.shearModulus = 2e7;
+  diagram.expect(old);
+  diagram.take(update(old, {point(1, 1e-3)}));
+  EXPECT_FALSE(diagram.isStale());
+
+  diagram.expect(fresh);
+  EXPECT_TRUE(diagram.isStale());
+  for (const PlotSeries& series : diagram.plot().series) EXPECT_TRUE(series.faded);
+  EXPECT_EQ(diagram.plot().progress, 0);
+
+  EXPECT_FALSE(diagram.take(update(old, {point(1, 1e-3), point(2, 1e-3)}, 3)));
+  EXPECT_FALSE(diagram.take(update(fresh, {point(1, 0, 0, 0)})));  // nothing known yet
+  EXPECT_TRUE(diagram.isStale());
+
+  EXPECT_TRUE(diagram.take(update(fresh, {point(7, 1e-3)})));
+  EXPECT_FALSE(diagram.isStale());
+  EXPECT_THAT(velocitiesOf(seriesOf(diagram.plot(), PlotStyle::Points)), ElementsAre(7));
+}
+
+TEST(FrictionPlot, AnotherVelocityLeavesTheCurveAsItIs) {
+  FrictionPlot diagram;
+  Scene scene;
+  diagram.expect(scene);
+  diagram.take(update(scene, {point(1, 1e-3)}));
+  scene.sliding.velocity *= 3;
+  diagram.expect(scene);
+  EXPECT_FALSE(diagram.isStale());
+}
+
+TEST(FrictionPlot, RangesHoldStillWhileRealizationsArrive) {
+  FrictionPlot diagram;
+  diagram.take(update({}, {point(1e-5, 3e-7), point(1e3, 2e-3)}));
+  const Plot first = diagram.plot();
+  for (const double mu : {2.6e-7, 4e-7, 9e-7}) {
+    diagram.take(update({}, {point(1e-5, mu), point(1e3, 2e-3)}));
+    EXPECT_EQ(diagram.plot().x.range, first.x.range);
+    EXPECT_EQ(diagram.plot().y.range, first.y.range);
+  }
+  EXPECT_EQ(first.x.range, (DecadeRange{-5, 3}));
+  EXPECT_EQ(first.y.range, (DecadeRange{-7, -2}));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,127 @@
+// What the plot's widget paints, read back from its pixels.
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <QTest>
+#include <cmath>
+#include <memory>
+
+#include "tests/ui/window/qt_application.h"
+#include "ui/charts/plot_view.h"
+
+namespace asperity {
+namespace {
+
+const PlotColours kColours{
+    Qt::white, Qt::black,          Qt::darkGray,       QColor(0xdd, 0xdd, 0xdd),
+    Qt::black, QColor(0, 0, 0xff), QColor(0, 0x90, 0), QColor(0xff, 0, 0)};
+
+Plot samplePlot() {
+  Plot plot;
+  plot.x = {QStringLiteral("x"), {-3, 3}};
+  plot.y = {QStringLiteral("y"), {-4, 0}};
+  plot.series = {{QStringLiteral("law"), PlotStyle::Line, false, {{1e-3, 1e-3}, {1e3, 1e-3}}},
+                 {QStringLiteral("points"),
+                  PlotStyle::Points,
+                  false,
+                  {{0.03, 0.02, 0.015}, {0.3, -1, 0.1}, {30, 0.1, std::nan("")}}}};
+  plot.marker = PlotMarker{QStringLiteral("now"), QStringLiteral("v"), 2, 0.05};
+  return plot;
+}
+
+class PlotViewTest : public testing::Test {
+ protected:
+  PlotViewTest() : view_(makePlotView()) {
+    view_->resize(800, 400);
+    view_->setColours(kColours);
+    view_->setPlot(samplePlot());
+    view_->show();
+    QTest::qWait(1);  // the layout is made with the first events
+  }
+
+  QImage image() { return view_->grab().toImage(); }
+
+  QPoint at(double x, double y) const { return view_->positionOf(x, y).toPoint(); }
+
+  /// Whether the colour occurs within two pixels.
+  bool has(const QColor& colour, QPoint place) {
+    const QImage picture = image();
+    for (int dx = -2; dx <= 2; ++dx)
+      for (int dy = -2; dy <= 2; ++dy) {
+        const QColor found = picture.pixelColor(place + QPoint(dx, dy));
+        if (std::abs(found.red() - colour.red()) + std::abs(found.green() - colour.green()) +
+                std::abs(found.blue() - colour.blue()) <
+            60)
+          return true;
+      }
+    return false;
+  }
+
+  std::unique_ptr<PlotView> view_;
+};
+
+TEST_F(PlotViewTest, PaintsPointsWhereTheyBelong) {
+  EXPECT_TRUE(has(kColours.points, at(0.03, 0.02)));
+  EXPECT_TRUE(has(kColours.points, at(30, 0.1)));
+  EXPECT_TRUE(has(kColours.line, at(0.3, 1e-3)));
+}
+
+TEST_F(PlotViewTest, AxesAreLogarithmic) {
+  const QPointF a = view_->positionOf(1e-2, 1e-3);
+  const QPointF b = view_->positionOf(1e-1, 1e-2);
+  const QPointF c = view_->positionOf(1, 1e-1);
+  EXPECT_NEAR(b.x() - a.x(), c.x() - b.x(), 1e-6);
+  EXPECT_NEAR(b.y() - a.y(), c.y() - b.y(), 1e-6);
+  EXPECT_GT(b.x() - a.x(), 50);
+  EXPECT_LT(b.y() - a.y(), -30);
+}
+
+TEST_F(PlotViewTest, PaintsErrorBarsUpAndDown) {
+  EXPECT_TRUE(has(kColours.points, at(0.03, 0.035)));
+  EXPECT_TRUE(has(kColours.points, at(0.03, 0.005)));
+  EXPECT_TRUE(has(kColours.points, at(0.03, 0.009)));
+  EXPECT_FALSE(has(kColours.points, at(0.03, 0.09)));
+  EXPECT_FALSE(has(kColours.points, at(30, 0.2)));  // an error that is not known has no bar
+}
+
+TEST_F(PlotViewTest, SkipsNegativeValues) {
+  for (double y = 2e-4; y < 1; y *= 1.1) EXPECT_FALSE(has(kColours.points, at(0.3, y)));
+}
+
+TEST_F(PlotViewTest, MarksTheVelocity) {
+  for (const double y : {2e-4, 3e-2, 0.5}) EXPECT_TRUE(has(kColours.marker, at(2, y)));
+  EXPECT_TRUE(has(kColours.marker, at(2, 0.05) + QPoint(4, 0)));  // the dot is wider
+  Plot plot = samplePlot();
+  plot.marker.reset();
+  view_->setPlot(plot);
+  EXPECT_FALSE(has(kColours.marker, at(2, 3e-2)));
+}
+
+TEST_F(PlotViewTest, FadesWhatIsStale) {
+  Plot plot = samplePlot();
+  for (PlotSeries& series : plot.series) series.faded = true;
+  view_->setPlot(plot);
+  EXPECT_FALSE(has(kColours.points, at(0.03, 0.02)));
+  EXPECT_TRUE(has(QColor(0xb3, 0xb3, 0xff), at(0.03, 0.02)));
+  EXPECT_FALSE(has(kColours.line, at(0.3, 1e-3)));
+}
+
+TEST_F(PlotViewTest, FollowsOtherRangesAndSizes) {
+  Plot plot = samplePlot();
+  plot.x.range = {-6, 3};
+  plot.y.range = {-12, 2};
+  view_->setPlot(plot);
+  view_->resize(500, 260);
+  QTest::qWait(1);
+  EXPECT_TRUE(has(kColours.points, at(0.03, 0.02)));
+  EXPECT_TRUE(has(kColours.line, at(0.3, 1e-3)));
+  EXPECT_TRUE(has(kColours.marker, at(2, 1e-9)));
+}
+
+TEST_F(PlotViewTest, AnEmptyPlotIsHarmless) {
+  view_->setPlot({});
+  EXPECT_FALSE(image().isNull());
+}
+
+}  // namespace
+}  // namespace asperity

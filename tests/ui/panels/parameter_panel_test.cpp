@@ -1,0 +1,232 @@
+// The panel as a person uses it: keys, mouse, text; every row of the table.
+#include "ui/panels/parameter_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
+
+#include "core/scene/parameters.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/panels/number_text.h"
+#include "ui/panels/value_entry.h"
+#include "ui/panels/value_slider.h"
+
+namespace asperity {
+namespace {
+
+class ParameterPanelTest : public testing::Test {
+ protected:
+  ParameterPanelTest() : spy_(&panel_, &ParameterPanel::sceneEdited) {
+    panel_.resize(380, 700);
+    panel_.show();
+  }
+
+  template <class Control>
+  Control* control(const QString& name) {
+    return panel_.findChild<Control*>(name);
+  }
+  ValueSlider& slider(const QString& key) { return *control<ValueSlider>("slider:" + key); }
+  ValueEntry& entry(const QString& key) { return *control<ValueEntry>("entry:" + key); }
+  QString complaint(const QString& key) { return control<QLabel>("error:" + key)->text(); }
+
+  bool isShown(const QString& name) {
+    auto* widget = control<QWidget>(name);
+    return widget && widget->isVisibleTo(&panel_);
+  }
+
+  void type(const QString& key, const QString& text) {
+    entry(key).setFocus();
+    entry(key).selectAll();
+    QTest::keyClicks(&entry(key), text);
+    QTest::keyClick(&entry(key), Qt::Key_Return);
+  }
+
+  void choose(const QString& key, const QString& word) {
+    auto* box = control<QComboBox>("choice:" + key);
+    box->setCurrentIndex(box->findData(word));
+    emit box->activated(box->currentIndex());
+  }
+
+  ParameterPanel panel_{Scene{}};
+  QSignalSpy spy_;
+};
+
+bool isNumber(const Parameter& parameter) {
+  return std::holds_alternative<RealField>(parameter.field) ||
+         std::holds_alternative<IntegerField>(parameter.field);
+}
+
+TEST_F(ParameterPanelTest, EveryApplicableRowHasItsControlsForEveryKind) {
+  for (const Parameter& kind : parameters()) {
+    const auto* field = std::get_if<ChoiceField>(&kind.field);
+    if (!field) continue;
+    for (const std::string_view word : field->choices) {
+      Scene scene;
+      setValue(kind, scene, std::string(word));
+      panel_.setScene(scene);
+      for (const Parameter& row : parameters()) {
+        const QString key = fromUtf8(row.key);
+        const bool applies = isApplicable(row, scene);
+        const bool choice = std::holds_alternative<ChoiceField>(row.field);
+        EXPECT_EQ(isShown((choice ? "choice:" : "entry:") + key), applies) << row.key;
+        if (isNumber(row)) {
+          EXPECT_EQ(isShown("slider:" + key), applies) << row.key;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(spy_.count(), 0);
+}
+
+TEST_F(ParameterPanelTest, ControlsSayWhatTheyAre) {
+  for (const Parameter& row : parameters()) {
+    const QString key = fromUtf8(row.key);
+    for (QWidget* widget : panel_.findChildren<QWidget*>(QRegularExpression(
+             "^(slider|entry|choice):" + QRegularExpression::escape(key) + "$"))) {
+      EXPECT_EQ(widget->accessibleName(), key);
+      EXPECT_EQ(widget->accessibleDescription(), fromUtf8(row.sentence));
+      EXPECT_TRUE(widget->toolTip().contains(fromUtf8(row.sentence).toHtmlEscaped())) << row.key;
+    }
+  }
+}
+
+TEST_F(ParameterPanelTest, KeysOnASliderChangeTheScene) {
+  for (const char* key : {"load.normal_force", "sliding.velocity", "elastomer.shear_modulus",
+                          "elastomer.relaxation_time", "surface.hurst", "surface.rms_height",
+                          "surface.length", "surface.elements", "ensemble.realizations"}) {
+    const Parameter& row = *findParameter(key);
+    const ParameterValue before = valueOf(row, panel_.scene());
+    spy_.clear();
+    QTest::keyClick(&slider(key), Qt::Key_Right);
+    EXPECT_EQ(spy_.count(), 1) << key;
+    const ParameterValue after = valueOf(row, panel_.scene());
+    EXPECT_GT(after, before) << key;
+    EXPECT_EQ(entry(key).text(), valueText(after)) << key;
+    EXPECT_EQ(spy_.back().front().value<Scene>(), panel_.scene());
+  }
+}
+
+TEST_F(ParameterPanelTest, APressOnTheGrooveTakesTheHandleThere) {
+  ValueSlider& force = slider("load.normal_force");
+  QTest::mouseClick(&force, Qt::LeftButton, {}, QPoint(force.width() - 3, force.height() / 2));
+  EXPECT_GT(panel_.scene().load.normalForce, 100);
+}
+
+TEST_F(ParameterPanelTest, AcceptsExactNumbers) {
+  type("elastomer.shear_modulus", "3.25e6");
+  EXPECT_EQ(panel_.scene().elastomer.shearModulus, 3.25e6);
+  type("elastomer.shear_modulus", " 1e8 ");
+  EXPECT_EQ(panel_.scene().elastomer.shearModulus, 1e8);
+  type("surface.elements", "777");
+  EXPECT_EQ(panel_.scene().surface.elements, 777);
+  type("load.normal_force", "1e-9");  // beyond the slider, within the range
+  EXPECT_EQ(panel_.scene().load.normalForce, 1e-9);
+  EXPECT_EQ(spy_.count(), 4);
+}
+
+TEST_F(ParameterPanelTest, RefusesBadTextAndKeepsTheOldValue) {
+  const Scene before = panel_.scene();
+  for (const char* bad : {"abc", "1.4", "nan", "inf", "-1", "0.5x", ""}) {
+    type("surface.hurst", bad);
+    EXPECT_TRUE(entry("surface.hurst").property("refused").toBool()) << bad;
+    EXPECT_TRUE(complaint("surface.hurst").contains("0 to 1")) << bad;
+    EXPECT_TRUE(isShown("error:surface.hurst"));
+  }
+  EXPECT_EQ(panel_.scene(), before);
+  EXPECT_EQ(spy_.count(), 0);
+
+  type("surface.hurst", "0.9");
+  EXPECT_FALSE(entry("surface.hurst").property("refused").toBool());
+  EXPECT_FALSE(isShown("error:surface.hurst"));
+  EXPECT_EQ(panel_.scene().surface.hurst, 0.9);
+}
+
+TEST_F(ParameterPanelTest, ASliderMendsARefusedText) {
+  type("surface.hurst", "abc");
+  QTest::keyClick(&slider("surface.hurst"), Qt::Key_Left);
+  EXPECT_FALSE(entry("surface.hurst").hasError());
+  EXPECT_EQ(entry("surface.hurst").text(), numberText(panel_.scene().surface.hurst));
+}
+
+TEST_F(ParameterPanelTest, EscapeTakesBackWhatWasTyped) {
+  ValueEntry& force = entry("load.normal_force");
+  force.setFocus();
+  force.selectAll();
+  QTest::keyClicks(&force, "99");
+  QTest::keyClick(&force, Qt::Key_Escape);
+  EXPECT_EQ(force.text(), "0.0034");
+  EXPECT_EQ(spy_.count(), 0);
+}
+
+TEST_F(ParameterPanelTest, ResetGoesBackToTheDefault) {
+  type("load.normal_force", "5");
+  auto* reset = control<QToolButton>("reset:load.normal_force");
+  EXPECT_TRUE(reset->isEnabled());
+  QTest::mouseClick(reset, Qt::LeftButton);
+  EXPECT_EQ(panel_.scene(), Scene{});
+  EXPECT_FALSE(reset->isEnabled());
+}
+
+TEST_F(ParameterPanelTest, TheWheelCountsOnlyWithFocus) {
+  ValueSlider& force = slider("load.normal_force");
+  entry("load.normal_force").setFocus();
+  const auto turn = [&](QWidget& widget) {
+    QWheelEvent event(QPointF(5, 5), widget.mapToGlobal(QPointF(5, 5)), {}, {0, 120}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&widget, &event);
+  };
+  turn(force);
+  turn(*control<QComboBox>("choice:surface.kind"));
+  EXPECT_EQ(panel_.scene(), Scene{});
+  panel_.activateWindow();
+  force.setFocus();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return force.hasFocus(); }));
+  turn(force);
+  EXPECT_GT(panel_.scene().load.normalForce, Scene{}.load.normalForce);
+}
+
+TEST_F(ParameterPanelTest, KindsBringTheirOwnRows) {
+  choose("surface.kind", "wedge");
+  EXPECT_EQ(panel_.scene().surface.kind, SurfaceKind::Wedge);
+  EXPECT_TRUE(isShown("slider:surface.slope"));
+  EXPECT_FALSE(isShown("slider:surface.hurst"));
+  choose("load.kind", "indentation");
+  EXPECT_TRUE(isShown("slider:load.depth"));
+  EXPECT_FALSE(isShown("slider:load.normal_force"));
+  EXPECT_EQ(spy_.count(), 2);
+}
+
+TEST_F(ParameterPanelTest, AProfileIsAsLongAsItsFileSays) {
+  choose("surface.kind", "profile");
+  EXPECT_EQ(panel_.scene().surface.length, 0);
+  EXPECT_EQ(panel_.scene().surface.elements, 0);
+  type("surface.file", "line.csv");
+  EXPECT_EQ(panel_.scene().surface.file, "line.csv");
+  choose("surface.kind", "self_affine");
+  EXPECT_EQ(panel_.scene().surface.length, Surface{}.length);
+  EXPECT_EQ(panel_.scene().surface.elements, Surface{}.elements);
+}
+
+TEST_F(ParameterPanelTest, ShowsAnotherSceneSilently) {
+  Scene scene;
+  scene.load.normalForce = 0.1;
+  scene.title = "another";
+  panel_.setScene(scene);
+  EXPECT_EQ(spy_.count(), 0);
+  EXPECT_EQ(entry("load.normal_force").text(), "0.1");
+  EXPECT_EQ(entry("title").text(), "another");
+}
+
+TEST_F(ParameterPanelTest, ShowsComplaintsOfTheRunner) {
+  panel_.showError("surface.hurst", "no good");
+  EXPECT_EQ(complaint("surface.hurst"), "no good");
+  panel_.showError("no.such.key", "ignored");
+}
+
+}  // namespace
+}  // namespace asperity

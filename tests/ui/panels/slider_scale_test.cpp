@@ -1,0 +1,80 @@
+// Values of sliders and texts of numbers.
+#include "ui/panels/slider_scale.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ui/panels/number_text.h"
+
+namespace asperity {
+namespace {
+
+bool isNumber(const Parameter& parameter) {
+  return std::holds_alternative<RealField>(parameter.field) ||
+         std::holds_alternative<IntegerField>(parameter.field);
+}
+
+TEST(SliderScale, EveryPositionIsAnotherValueThatTheSceneAccepts) {
+  for (const Parameter& parameter : parameters()) {
+    if (!isNumber(parameter)) continue;
+    const SliderScale scale(parameter);
+    ASSERT_GT(scale.count(), 1) << parameter.key;
+    Scene scene;
+    for (int i = 0; i < scale.count(); ++i) {
+      EXPECT_EQ(scale.positionOf(scale.valueAt(i)), i) << parameter.key;
+      EXPECT_NO_THROW(setValue(parameter, scene, scale.valueAt(i))) << parameter.key;
+      if (i > 0) {
+        EXPECT_GT(scale.valueAt(i), scale.valueAt(i - 1));
+      }
+    }
+  }
+}
+
+TEST(SliderScale, EndsAreTheRowsEnds) {
+  const Parameter& force = *findParameter("load.normal_force");
+  const auto& field = std::get<RealField>(force.field);
+  const SliderScale scale(force);
+  EXPECT_EQ(scale.valueAt(0), field.sliderFrom);
+  EXPECT_EQ(scale.valueAt(scale.count() - 1), field.sliderTo);
+  EXPECT_EQ(scale.positionOf(field.sliderFrom / 10), 0);
+  EXPECT_EQ(scale.positionOf(field.sliderTo * 10), scale.count() - 1);
+}
+
+TEST(SliderScale, MiddleOfALogarithmicSliderIsTheGeometricMean) {
+  const Parameter& modulus = *findParameter("elastomer.shear_modulus");
+  const auto& field = std::get<RealField>(modulus.field);
+  const SliderScale scale(modulus);
+  EXPECT_NEAR(std::log10(scale.valueAt(scale.count() / 2)),
+              (std::log10(field.sliderFrom) + std::log10(field.sliderTo)) / 2, 0.02);
+}
+
+TEST(SliderScale, StepsAreRoundNumbers) {
+  const SliderScale scale(*findParameter("sliding.velocity"));
+  for (int i = 0; i < scale.count(); i += 37)
+    EXPECT_LE(numberText(scale.valueAt(i)).size(), 8) << scale.valueAt(i);
+}
+
+TEST(NumberText, IsShortAndReadsBack) {
+  EXPECT_EQ(numberText(1e7), "1e7");
+  EXPECT_EQ(numberText(5e-7), "5e-7");
+  EXPECT_EQ(numberText(0.0034), "0.0034");
+  EXPECT_EQ(numberText(1000), "1000");
+  for (const double value : {1.0 / 3, 1e-300, 6.02214076e23, -0.1, 0.0})
+    EXPECT_EQ(numberText(value).toDouble(), value);
+}
+
+TEST(NumberText, RoundsInDecimals) {
+  EXPECT_EQ(roundedToDigits(0.0033999, 3), 0.0034);
+  EXPECT_EQ(roundedToDigits(98765, 3), 98800);
+  EXPECT_EQ(roundedToDigits(0, 3), 0);
+}
+
+TEST(NumberText, SymbolsLookLikePrint) {
+  EXPECT_EQ(symbolHtml("tau"), QStringLiteral("<i>τ</i>"));
+  EXPECT_EQ(symbolHtml("F_N"), QStringLiteral("<i>F</i><sub>N</sub>"));
+  EXPECT_EQ(wordText("self_affine"), QStringLiteral("self-affine"));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,259 @@
+// The window as a person uses it, with the real runner behind it. Under the offscreen platform
+// there is no OpenGL: what is painted comes from OSMesa.
+#include "ui/window/main_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "core/scene/scene_file.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/charts/plot_view.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/panels/value_entry.h"
+#include "ui/panels/value_slider.h"
+#include "ui/window/contact_canvas.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/session.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kPatience = 20000;  // ms, far more than anything here takes
+
+Scene smallScene() {
+  Scene scene;
+  scene.title = "small";
+  scene.surface.elements = 256;
+  scene.sweep.points = 9;
+  scene.ensemble.realizations = 3;
+  return scene;
+}
+
+class MainWindowTest : public testing::Test {
+ protected:
+  MainWindowTest() : window_(smallScene()) {
+    window_.show();
+    window_.activateWindow();
+  }
+
+  Session& session() { return window_.session(); }
+  const Frame* frame() { return session().frame().get(); }
+
+  template <class Condition>
+  bool waitFor(Condition condition) {
+    return QTest::qWaitFor(condition, kPatience);
+  }
+  bool waitForFrame() {
+    return waitFor([&] { return frame() && frame()->sceneNumber == session().sceneNumber(); });
+  }
+
+  template <class Control>
+  Control& control(const QString& name) {
+    return *window_.findChild<Control*>(name);
+  }
+  QString fact(const QString& name) { return control<QLabel>(name).text(); }
+
+  MainWindow window_;
+};
+
+TEST_F(MainWindowTest, ASliderBringsOneSceneToTheWorkerAndItsFrameBack) {
+  ASSERT_TRUE(waitForFrame());
+  const std::uint64_t before = session().sceneNumber();
+  QTest::keyClick(&control<ValueSlider>("slider:load.normal_force"), Qt::Key_Right);
+  EXPECT_EQ(session().sceneNumber(), before + 1);
+  ASSERT_TRUE(waitForFrame());
+  EXPECT_GT(frame()->scene->load.normalForce, smallScene().load.normalForce);
+  EXPECT_EQ(*frame()->scene, window_.panel().scene());
+  EXPECT_EQ(session().sceneNumber(), before + 1);
+}
+
+TEST_F(MainWindowTest, TypingANumberDoesTheSame) {
+  ASSERT_TRUE(waitForFrame());
+  auto& entry = control<ValueEntry>("entry:sliding.velocity");
+  entry.setFocus();
+  entry.selectAll();
+  QTest::keyClicks(&entry, "0.125");  // the dot is text here, not the key of a single step
+  QTest::keyClick(&entry, Qt::Key_Return);
+  EXPECT_TRUE(session().isPlaying());
+  ASSERT_TRUE(waitForFrame());
+  EXPECT_EQ(frame()->scene->sliding.velocity, 0.125);
+  ASSERT_TRUE(waitFor([&] {
+    const auto& marker = window_.plotView().plot().marker;
+    return marker && marker->x == 0.125;
+  }));
+}
+
+TEST_F(MainWindowTest, DraggingThroughManyValuesEndsAtTheLastAndDropsOlderOnes) {
+  ASSERT_TRUE(waitForFrame());
+  const std::uint64_t before = session().sceneNumber();
+  std::vector<std::uint64_t> seen;
+  QObject::connect(&session(), &Session::frameArrived,
+                   [&] { seen.push_back(frame()->sceneNumber); });
+  auto& slider = control<ValueSlider>("slider:elastomer.shear_modulus");
+  const int y = slider.height() / 2;
+  const auto position = [&](int i) { return 2 + (slider.width() - 4) * i / 200; };
+  QTest::mousePress(&slider, Qt::LeftButton, {}, QPoint(position(0), y));
+  for (int lap = 0; lap < 4; ++lap)
+    for (int i = 0; i <= 200; ++i)
+      QTest::mouseMove(&slider, QPoint(position(lap % 2 ? 200 - i : i), y));
+  for (int i = 0; i <= 140; ++i) QTest::mouseMove(&slider, QPoint(position(i), y));
+  QTest::mouseRelease(&slider, Qt::LeftButton, {}, QPoint(position(140), y));
+  const std::uint64_t posted = session().sceneNumber() - before;
+  EXPECT_GE(posted, 200U);
+  ASSERT_TRUE(waitForFrame());
+
+  EXPECT_EQ(*frame()->scene, window_.panel().scene());
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  const std::set<std::uint64_t> computed(seen.begin(), seen.end());
+  EXPECT_LT(computed.size(), posted);
+  EXPECT_EQ(*computed.rbegin(), session().sceneNumber());
+}
+
+TEST_F(MainWindowTest, RefusedTextReachesNobody) {
+  ASSERT_TRUE(waitForFrame());
+  const std::uint64_t before = session().sceneNumber();
+  auto& entry = control<ValueEntry>("entry:surface.hurst");
+  entry.setFocus();
+  entry.selectAll();
+  QTest::keyClicks(&entry, "1.4");
+  QTest::keyClick(&entry, Qt::Key_Return);
+  EXPECT_TRUE(entry.hasError());
+  EXPECT_EQ(session().sceneNumber(), before);
+}
+
+TEST_F(MainWindowTest, TheCurveFillsInBesideTheAnimation) {
+  ASSERT_TRUE(waitFor(
+      [&] { return window_.plotView().plot().note == QStringLiteral("3 of 3 realizations"); }));
+  ASSERT_TRUE(waitForFrame());
+  const Plot& plot = window_.plotView().plot();
+  ASSERT_EQ(plot.series.size(), 2U);
+  for (const PlotSeries& series : plot.series) EXPECT_EQ(series.points.size(), 9U);
+  EXPECT_TRUE(plot.marker);
+  EXPECT_EQ(fact("factAverage"), QStringLiteral("3 of 3 realizations"));
+}
+
+TEST_F(MainWindowTest, AnotherMaterialFadesTheCurveUntilItsOwnArrives) {
+  ASSERT_TRUE(waitFor([&] { return !window_.plotView().plot().series.empty(); }));
+  QTest::keyClick(&control<ValueSlider>("slider:elastomer.shear_modulus"), Qt::Key_Right);
+  const Plot stale = session().plot();
+  ASSERT_FALSE(stale.series.empty());
+  EXPECT_TRUE(stale.series.front().faded);
+  ASSERT_TRUE(waitFor([&] {
+    const Plot& plot = window_.plotView().plot();
+    return !plot.series.empty() && !plot.series.front().faded && plot.progress == 1;
+  }));
+}
+
+TEST_F(MainWindowTest, PlaysPausesAndSteps) {
+  ASSERT_TRUE(waitForFrame());
+  EXPECT_TRUE(session().isPlaying());
+  QTest::keyClick(&window_, Qt::Key_Space);
+  EXPECT_FALSE(session().isPlaying());
+  session().poll();
+  QTest::qWait(100);  // what was under way is over
+  const std::uint64_t step = frame()->step;
+  QTest::keyClick(&window_, Qt::Key_Period);
+  ASSERT_TRUE(waitFor([&] { return frame()->step == step + 1; }));
+  QTest::qWait(100);
+  EXPECT_EQ(frame()->step, step + 1);
+  QTest::keyClick(&window_, Qt::Key_Space);
+  EXPECT_TRUE(session().isPlaying());
+  ASSERT_TRUE(waitFor([&] { return frame()->step > step + 3; }));
+}
+
+TEST_F(MainWindowTest, ASingleStepWhilePlayingPauses) {
+  ASSERT_TRUE(waitForFrame());
+  QTest::keyClick(&window_, Qt::Key_Period);
+  EXPECT_FALSE(session().isPlaying());
+}
+
+TEST_F(MainWindowTest, ResetGoesBackToTimeZero) {
+  ASSERT_TRUE(waitFor([&] { return frame() && frame()->time > 0; }));
+  QTest::keyClick(&window_, Qt::Key_Space);
+  QTest::keyClick(&window_, Qt::Key_R);
+  ASSERT_TRUE(waitFor([&] { return frame()->time == 0; }));
+}
+
+TEST_F(MainWindowTest, ASceneThatCannotRunIsExplainedAndTheWindowLives) {
+  ASSERT_TRUE(waitForFrame());
+  Scene broken = smallScene();
+  broken.surface.kind = SurfaceKind::Profile;
+  broken.surface.file = "no_such_profile.csv";
+  window_.showScene(broken);
+  ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
+  EXPECT_FALSE(window_.messages().text().isEmpty());
+
+  window_.showScene(smallScene());
+  ASSERT_TRUE(waitForFrame());
+  EXPECT_TRUE(waitFor([&] { return !window_.messages().isVisible(); }));
+}
+
+TEST_F(MainWindowTest, ScenesAreSavedAndOpened) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("scene.json");
+  QTest::keyClick(&control<ValueSlider>("slider:load.normal_force"), Qt::Key_Right);
+  const Scene changed = window_.panel().scene();
+  ASSERT_TRUE(window_.saveScene(file));
+  window_.showScene(Scene{});
+  ASSERT_TRUE(window_.openScene(file));
+  EXPECT_EQ(writeScene(window_.panel().scene()), writeScene(changed));
+  EXPECT_EQ(writeScene(session().scene()), writeScene(changed));
+}
+
+TEST_F(MainWindowTest, FilesThatDoNotReadOrWriteAreExplained) {
+  const QTemporaryDir folder;
+  const Scene before = window_.panel().scene();
+  EXPECT_FALSE(window_.openScene(folder.filePath("missing.json")));
+  EXPECT_TRUE(window_.messages().isVisible());
+  EXPECT_TRUE(window_.messages().text().contains("missing.json"));
+  EXPECT_FALSE(window_.saveScene(folder.filePath("no/such/folder.json")));
+  EXPECT_EQ(window_.panel().scene(), before);
+}
+
+TEST_F(MainWindowTest, TheLibraryIsInTheMenu) {
+  for (const char* name : {"scene:figure_1", "scene:figure_2"}) {
+    auto* action = window_.findChild<QAction*>(name);
+    ASSERT_TRUE(action) << name;
+    const std::uint64_t before = session().sceneNumber();
+    action->trigger();
+    EXPECT_EQ(session().sceneNumber(), before + 1);
+    EXPECT_EQ(window_.panel().scene(), session().scene());
+  }
+}
+
+TEST_F(MainWindowTest, TheContactIsPainted) {
+  EXPECT_EQ(window_.canvas().backendName(), QStringLiteral("software (OSMesa)"));
+  QSignalSpy painted(&window_.canvas(), &ContactCanvas::painted);
+  ASSERT_TRUE(waitFor([&] { return painted.count() >= 3; }));
+  const QImage image = window_.canvas().grab().toImage();
+  std::set<QRgb> colours;
+  for (int y = 0; y < image.height(); ++y) colours.insert(image.pixel(image.width() / 2, y));
+  EXPECT_GT(colours.size(), 5U);
+}
+
+TEST_F(MainWindowTest, LightAndDark) {
+  for (const bool dark : {true, false}) {
+    window_.setDark(dark);
+    EXPECT_EQ(window_.palette().color(QPalette::Window).lightness() < 128, dark);
+    ASSERT_TRUE(waitForFrame());
+  }
+}
+
+TEST_F(MainWindowTest, FactsComeFromTheFrame) {
+  ASSERT_TRUE(waitForFrame());
+  EXPECT_EQ(fact("factForce"), QStringLiteral("F̄ = 0.034"));
+  EXPECT_EQ(fact("factMu"),
+            QStringLiteral("μ = %1").arg(QString::number(frame()->muSteady, 'g', 3)));
+  ASSERT_TRUE(waitFor([&] { return fact("factBackend") == "software (OSMesa)"; }));
+}
+
+}  // namespace
+}  // namespace asperity

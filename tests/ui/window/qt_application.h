@@ -1,0 +1,33 @@
+// A QApplication under the offscreen platform for a GoogleTest program: include in one source file.
+// Made before the first test and gone after the last; the tests run on the GUI thread.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <memory>
+
+#include "ui/window/run_window.h"
+
+namespace asperity {
+
+class QtApplication : public testing::Environment {
+ public:
+  void SetUp() override {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    application_ = std::make_unique<QApplication>(count_, arguments_);
+    prepareApplication(*application_);
+  }
+  void TearDown() override { application_.reset(); }
+
+ private:
+  int count_ = 1;
+  char name_[5] = "test";
+  char* arguments_[2] = {name_, nullptr};
+  std::unique_ptr<QApplication> application_;
+};
+
+inline testing::Environment* const kQtApplication =
+    testing::AddGlobalTestEnvironment(new QtApplication);
+
+}  // namespace asperity

@@ -1,0 +1,105 @@
+// Shows the window on a real display, waits until it is alive, and saves a picture of the screen.
+// Usage: window_screenshot FILE.png [--dark] [--size WxH] [--scene FILE [--set KEY=VALUE]...]
+//        [--wait MS] [--expect-message]
+// Exit: 0 when the window was exposed, animated and showed a curve (or, with --expect-message, a
+// message); 1 with the reason otherwise.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QPixmap>
+#include <QScreen>
+#include <QTest>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene_file.h"
+#include "ui/charts/plot_view.h"
+#include "ui/window/contact_canvas.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/run_window.h"
+#include "ui/window/scene_library.h"
+#include "ui/window/session.h"
+
+namespace {
+
+using namespace asperity;
+
+struct Wish {
+  QString picture, scene;
+  QSize size{1280, 800};
+  std::vector<std::string> assignments;
+  bool dark = false;
+  bool message = false;
+  int wait = 1500;  // ms
+};
+
+Wish readWish(const QApplication& application) {
+  QCommandLineParser parser;
+  parser.addPositionalArgument("FILE.png", "where the picture goes");
+  parser.addOptions({{"dark", "dark colours"},
+                     {"size", "of the window, WxH", "WxH"},
+                     {"scene", "scene file", "FILE"},
+                     {"set", "over the scene file", "KEY=VALUE"},
+                     {"expect-message", "the scene cannot run"},
+                     {"wait", "milliseconds to run before the picture", "MS"}});
+  parser.process(application);
+  Wish wish;
+  if (parser.positionalArguments().size() != 1) parser.showHelp(1);
+  wish.picture = parser.positionalArguments().constFirst();
+  wish.scene = parser.value("scene");
+  for (const QString& text : parser.values("set")) wish.assignments.push_back(text.toStdString());
+  wish.dark = parser.isSet("dark");
+  wish.message = parser.isSet("expect-message");
+  if (parser.isSet("wait")) wish.wait = parser.value("wait").toInt();
+  const QStringList sides = parser.value("size").split('x');
+  if (sides.size() == 2) wish.size = {sides[0].toInt(), sides[1].toInt()};
+  return wish;
+}
+
+const char* complaint(MainWindow& window, const Wish& wish, int frames) {
+  if (wish.message) return window.messages().isVisible() ? nullptr : "no message appeared";
+  if (frames < 5) return "the contact is not animated";
+  if (window.canvas().backendName().isEmpty()) return "nothing draws the contact";
+  if (window.plotView().plot().series.empty()) return "no curve has arrived";
+  return nullptr;
+}
+
+/// Whether the middle of the contact view is more than one flat colour.
+bool isPainted(const QImage& image) {
+  const int x = image.width() / 3;
+  for (int y = 0; y < image.height() / 2; ++y)
+    if (image.pixel(x, y) != image.pixel(x, image.height() / 8)) return true;
+  return false;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  const Wish wish = readWish(application);
+  prepareApplication(application);
+  const std::vector<LibraryScene> library = libraryScenes();
+  const Scene scene = !wish.scene.isEmpty()
+                          ? readSceneFile(wish.scene.toStdString(), wish.assignments)
+                      : library.empty() ? Scene{}
+                                        : library.back().scene;
+  MainWindow window(scene);
+  window.setDark(wish.dark);
+  window.resize(wish.size);
+  int pictures = 0;
+  QObject::connect(&window.canvas(), &ContactCanvas::painted, [&] { ++pictures; });
+  window.show();
+  if (!QTest::qWaitForWindowExposed(&window)) return std::fputs("never exposed\n", stderr), 1;
+  QTest::qWait(wish.wait);
+  if (const char* reason = complaint(window, wish, pictures)) {
+    std::fprintf(stderr, "window_screenshot: %s\n", reason);
+    return 1;
+  }
+  const QImage image = window.screen()->grabWindow(0).toImage();
+  std::printf("%s, %d frames/s\n", qPrintable(window.canvas().backendName()),
+              window.canvas().framesPerSecond());
+  if (!wish.message && !isPainted(image))
+    return std::fputs("window_screenshot: the contact is blank\n", stderr), 1;
+  return image.save(wish.picture, nullptr, 80) ? 0 : 1;
+}

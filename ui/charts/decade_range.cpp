@@ -1,0 +1,56 @@
+#include "ui/charts/decade_range.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+// 1e-5 written in binary may lie a little below the decade: that is not a reason for one more.
+constexpr double kSlack = 1e-9;
+
+QString superscript(int number) {
+  static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+  QString text;
+  for (const QChar c : QString::number(std::abs(number))) text += digits[c.digitValue()];
+  return number < 0 ? QStringLiteral("⁻") + text : text;
+}
+
+}  // namespace
+
+DecadeRange decadesAround(double low, double high) {
+  DecadeRange range;
+  range.from = static_cast<int>(std::floor(std::log10(low) + kSlack));
+  range.to = static_cast<int>(std::ceil(std::log10(high) - kSlack));
+  if (range.isEmpty()) range.to = range.from + 1;
+  return range;
+}
+
+DecadeRange steadyRange(const DecadeRange& shown, const DecadeRange& needed, bool mayShrink) {
+  if (needed.isEmpty()) return shown;
+  if (shown.isEmpty()) return needed;
+  DecadeRange next{std::min(shown.from, needed.from), std::max(shown.to, needed.to)};
+  if (!mayShrink) return next;
+  if (needed.from - next.from >= 2) next.from = needed.from;
+  if (next.to - needed.to >= 2) next.to = needed.to;
+  return next;
+}
+
+QString decadeLabel(int exponent) {
+  if (exponent == 0) return QStringLiteral("1");
+  if (exponent == 1) return QStringLiteral("10");
+  return QStringLiteral("10") + superscript(exponent);
+}
+
+QString readingLabel(double value) {
+  if (!std::isfinite(value)) return QStringLiteral("–");
+  const QString plain = QString::number(value, 'g', 3);
+  const qsizetype e = plain.indexOf('e');
+  if (e < 0) return plain;
+  const QString digits = plain.left(e);
+  const QString power = QStringLiteral("10") + superscript(plain.mid(e + 1).toInt());
+  return digits == QStringLiteral("1") ? power : digits + QStringLiteral("·") + power;
+}
+
+}  // namespace asperity

@@ -1,0 +1,24 @@
+// Ranges of logarithmic axes that fit the data and stay where they are while data arrive.
+// Plain values; any thread.
+#pragma once
+
+#include <QString>
+
+#include "ui/charts/plot.h"
+
+namespace asperity {
+
+/// The whole decades around [low, high]; both positive and finite.
+DecadeRange decadesAround(double low, double high);
+
+/// The range to show next. It grows at once where the data need it, and shrinks only when
+/// `mayShrink` and an end lies two decades or more outside the data.
+DecadeRange steadyRange(const DecadeRange& shown, const DecadeRange& needed, bool mayShrink);
+
+/// "10⁻⁵"; "1" and "10" as they are.
+QString decadeLabel(int exponent);
+
+/// Three digits for reading, not for computing: "0.125", "2.5·10⁻⁵", "10⁻⁶"; "–" where not finite.
+QString readingLabel(double value);
+
+}  // namespace asperity

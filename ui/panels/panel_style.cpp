@@ -1,0 +1,28 @@
+#include "ui/panels/panel_style.h"
+
+#include <QPalette>
+
+namespace asperity {
+
+QString panelStyleSheet(const QPalette& palette) {
+  const bool dark = palette.color(QPalette::Window).lightness() < 128;
+  const auto name = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
+  return QStringLiteral(R"(
+    QScrollArea, #parameterRows { background: %1; }
+    QLabel[role="heading"] { font-weight: bold; color: %2; }
+    QLabel[role="unit"] { color: %3; }
+    QLabel[role="error"] { color: %4; }
+    QLineEdit { background: %5; color: %2; border: 1px solid %6; border-radius: 5px;
+                padding: 1px 5px; min-height: 19px; }
+    QLineEdit:focus { border-color: %7; }
+    QLineEdit[refused="true"] { border: 2px solid %4; padding: 0px 4px; }
+    QToolButton[role="reset"] { border: none; background: transparent; color: %3; }
+    QToolButton[role="reset"]:hover { color: %7; }
+    QToolButton[role="reset"]:disabled { color: transparent; }
+  )")
+      .arg(name(QPalette::Window), name(QPalette::WindowText), name(QPalette::PlaceholderText),
+           dark ? QStringLiteral("#ff7b72") : QStringLiteral("#c62828"), name(QPalette::Base),
+           name(QPalette::Mid), name(QPalette::Highlight));
+}
+
+}  // namespace asperity

@@ -1,0 +1,193 @@
+#include "ui/panels/parameter_row.h"
+
+#include <QAction>
+#include <QContextMenuEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/choice_box.h"
+#include "ui/panels/number_text.h"
+#include "ui/panels/value_entry.h"
+#include "ui/panels/value_slider.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kEntryWidth = 74;
+constexpr int kUnitWidth = 25;
+constexpr int kResetWidth = 18;
+
+ParameterValue sliderValue(const Parameter& parameter, double value) {
+  if (std::holds_alternative<IntegerField>(parameter.field))
+    return static_cast<std::int64_t>(std::llround(value));
+  return value;
+}
+
+/// Room for the longest label with its symbol.
+int labelWidth(const QFont& font) {
+  const QFontMetrics metrics(font);
+  int width = 0;
+  for (const Parameter& parameter : parameters())
+    width = std::max(width, metrics.horizontalAdvance(fromUtf8(parameter.label) + "  " +
+                                                      fromUtf8(parameter.symbol)));
+  return width + 4;
+}
+
+/// "0 to 1 m", in the way the entries are written.
+QString rangeText(const Parameter& parameter) {
+  const auto between = [&](const auto& field) {
+    return ParameterRow::tr("%1 to %2 %3")
+        .arg(numberText(static_cast<double>(field.minimum)),
+             numberText(static_cast<double>(field.maximum)), fromUtf8(parameter.unit))
+        .trimmed();
+  };
+  if (const auto* real = std::get_if<RealField>(&parameter.field)) return between(*real);
+  if (const auto* whole = std::get_if<IntegerField>(&parameter.field)) return between(*whole);
+  return QString::fromStdString(allowedText(parameter));
+}
+
+double asNumber(const ParameterValue& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+  return std::get<double>(value);
+}
+
+}  // namespace
+
+ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, QWidget* parent)
+    : QWidget(parent), parameter_(parameter) {
+  setObjectName("row:" + fromUtf8(parameter.key));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(5);
+  column->addLayout(line);
+
+  addLabel(*line, heading);
+  if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
+    addChoice(*line, *choice);
+  else if (std::holds_alternative<TextField>(parameter.field))
+    addText(*line);
+  else
+    addNumber(*line);
+  addReset(*line);
+
+  error_ = new QLabel;
+  error_->setObjectName("error:" + fromUtf8(parameter.key));
+  error_->setProperty("role", "error");
+  error_->setWordWrap(true);
+  error_->setIndent(labelWidth(font()) + line->spacing());
+  error_->hide();
+  column->addWidget(error_);
+}
+
+void ParameterRow::showScene(const Scene& scene, bool replace) {
+  const ParameterValue value = valueOf(parameter_, scene);
+  if (slider_) slider_->showValue(asNumber(value));
+  if (entry_) replace ? entry_->replaceText(valueText(value)) : entry_->showText(valueText(value));
+  if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
+  if (replace) showError({});
+  reset_->setEnabled(value != defaultOf(parameter_));
+  setVisible(isApplicable(parameter_, scene));
+}
+
+void ParameterRow::showError(const QString& reason) {
+  if (entry_) entry_->showError(reason);
+  error_->setText(reason);
+  error_->setVisible(!reason.isEmpty());
+}
+
+void ParameterRow::addLabel(QHBoxLayout& line, const QString& heading) {
+  auto* label = new QLabel;
+  if (heading.isEmpty()) {
+    const QString symbol = symbolHtml(parameter_.symbol);
+    label->setText(tr(parameter_.label.data()) +
+                   (parameter_.symbol.empty() ? "" : "&nbsp; " + symbol));
+  } else {
+    label->setText(heading);
+    label->setProperty("role", "heading");
+  }
+  label->setTextFormat(Qt::RichText);
+  label->setFixedWidth(labelWidth(font()));
+  label->setToolTip(description());
+  line.addWidget(label);
+}
+
+void ParameterRow::addNumber(QHBoxLayout& line) {
+  slider_ = new ValueSlider(SliderScale(parameter_));
+  describe(*slider_, "slider");
+  connect(slider_, &ValueSlider::valuePicked, this,
+          [this](double value) { emit valueGiven(sliderValue(parameter_, value)); });
+  line.addWidget(slider_, 1);
+
+  entry_ = new ValueEntry;
+  describe(*entry_, "entry");
+  entry_->setFixedWidth(kEntryWidth);
+  connect(entry_, &ValueEntry::textCommitted, this, &ParameterRow::textGiven);
+  line.addWidget(entry_);
+
+  auto* unit = new QLabel(fromUtf8(parameter_.unit));
+  unit->setProperty("role", "unit");
+  unit->setFixedWidth(kUnitWidth);
+  line.addWidget(unit);
+}
+
+void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
+  choice_ = new ChoiceBox;
+  describe(*choice_, "choice");
+  for (const std::string_view word : field.choices)
+    choice_->addItem(wordText(word), fromUtf8(word));
+  choice_->setEnabled(field.choices.size() > 1);
+  connect(choice_, &QComboBox::activated, this, [this](int index) {
+    emit valueGiven(choice_->itemData(index).toString().toStdString());
+  });
+  line.addWidget(choice_, 1);
+}
+
+void ParameterRow::addText(QHBoxLayout& line) {
+  entry_ = new ValueEntry;
+  describe(*entry_, "entry");
+  connect(entry_, &ValueEntry::textCommitted, this, &ParameterRow::textGiven);
+  line.addWidget(entry_, 1);
+}
+
+void ParameterRow::addReset(QHBoxLayout& line) {
+  reset_ = new QToolButton;
+  reset_->setText(QStringLiteral("↺"));
+  reset_->setObjectName("reset:" + fromUtf8(parameter_.key));
+  reset_->setProperty("role", "reset");
+  reset_->setAccessibleName(tr("reset %1").arg(fromUtf8(parameter_.label)));
+  reset_->setToolTip(tr("Back to the default, %1").arg(valueText(defaultOf(parameter_))));
+  reset_->setFixedWidth(kResetWidth);
+  reset_->setFocusPolicy(Qt::NoFocus);
+  connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(defaultOf(parameter_)); });
+  line.addWidget(reset_);
+}
+
+void ParameterRow::describe(QWidget& control, const char* kind) {
+  control.setObjectName(QString(kind) + ":" + fromUtf8(parameter_.key));
+  control.setAccessibleName(fromUtf8(parameter_.key));
+  control.setAccessibleDescription(tr(parameter_.sentence.data()));
+  control.setToolTip(description());
+}
+
+QString ParameterRow::description() const {
+  QString text = "<p>" + tr(parameter_.sentence.data()).toHtmlEscaped() + "</p>";
+  if (!std::holds_alternative<TextField>(parameter_.field))
+    text += QStringLiteral("<p><small>%1: %2</small></p>")
+                .arg(fromUtf8(parameter_.key), rangeText(parameter_).toHtmlEscaped());
+  return text;
+}
+
+void ParameterRow::contextMenuEvent(QContextMenuEvent* event) {
+  QMenu menu(this);
+  menu.addAction(reset_->toolTip(), reset_, &QToolButton::click)->setEnabled(reset_->isEnabled());
+  menu.exec(event->globalPos());
+}
+
+}  // namespace asperity

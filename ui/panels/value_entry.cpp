@@ -1,0 +1,52 @@
+#include "ui/panels/value_entry.h"
+
+#include <QKeyEvent>
+#include <QStyle>
+
+namespace asperity {
+
+ValueEntry::ValueEntry(QWidget* parent) : QLineEdit(parent) {
+  connect(this, &QLineEdit::editingFinished, this, [this] { commit(); });
+}
+
+void ValueEntry::showText(const QString& text) {
+  accepted_ = text;
+  if (hasError() || (hasFocus() && isModified())) return;
+  replaceText(text);
+}
+
+void ValueEntry::replaceText(const QString& text) {
+  accepted_ = text;
+  showError({});
+  if (this->text() != text) {
+    setText(text);
+    setCursorPosition(0);
+  }
+  setModified(false);
+}
+
+void ValueEntry::showError(const QString& reason) {
+  if (reason == reason_) return;
+  reason_ = reason;
+  setProperty("refused", hasError());
+  style()->unpolish(this);
+  style()->polish(this);
+}
+
+void ValueEntry::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && (hasError() || isModified())) {
+    replaceText(accepted_);
+    selectAll();
+    return;
+  }
+  QLineEdit::keyPressEvent(event);
+}
+
+void ValueEntry::commit() {
+  if (!isModified()) return;
+  setModified(false);
+  if (text() == accepted_) return showError({});
+  emit textCommitted(text());
+}
+
+}  // namespace asperity

@@ -1,0 +1,105 @@
+#include "ui/panels/value_slider.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <QStyleOptionSlider>
+#include <QWheelEvent>
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kHandleRadius = 6.5;
+constexpr double kGroove = 4;
+
+}  // namespace
+
+ValueSlider::ValueSlider(const SliderScale& scale, QWidget* parent)
+    : QSlider(Qt::Horizontal, parent), scale_(scale) {
+  setRange(0, scale_.count() - 1);
+  setSingleStep(std::max(1, scale_.count() / 100));
+  setPageStep(std::max(1, scale_.count() / 10));
+  setFocusPolicy(Qt::StrongFocus);  // not by the wheel
+  connect(this, &QSlider::valueChanged, this,
+          [this](int position) { emit valuePicked(scale_.valueAt(position)); });
+}
+
+void ValueSlider::showValue(double value) {
+  if (isSliderDown()) return;  // the hand on it knows better
+  const QSignalBlocker silent(this);
+  setValue(scale_.positionOf(value));
+}
+
+QSize ValueSlider::sizeHint() const {
+  return {110, 22};
+}
+
+double ValueSlider::handleX() const {
+  const double room = width() - 2 * kHandleRadius - 2;
+  return kHandleRadius + 1 + room * sliderPosition() / std::max(1, maximum());
+}
+
+int ValueSlider::positionAt(double x) const {
+  const double room = width() - 2 * kHandleRadius - 2;
+  return QStyle::sliderValueFromPosition(
+      minimum(), maximum(), static_cast<int>(x - kHandleRadius - 1), static_cast<int>(room));
+}
+
+void ValueSlider::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) {
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    const QRect handle =
+        style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+    if (!handle.contains(event->position().toPoint()))
+      setSliderPosition(positionAt(event->position().x()));
+  }
+  QSlider::mousePressEvent(event);
+}
+
+void ValueSlider::wheelEvent(QWheelEvent* event) {
+  if (hasFocus()) return QSlider::wheelEvent(event);
+  event->ignore();  // scrolls the panel
+}
+
+void ValueSlider::enterEvent(QEnterEvent* event) {
+  QSlider::enterEvent(event);
+  update();
+}
+
+void ValueSlider::leaveEvent(QEvent* event) {
+  QSlider::leaveEvent(event);
+  update();
+}
+
+void ValueSlider::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double middle = height() / 2.0;
+  const double x = handleX();
+  const auto bar = [&](double from, double to, const QColor& colour) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawRoundedRect(QRectF(from, middle - kGroove / 2, to - from, kGroove), 2, 2);
+  };
+  const QPalette& colours = palette();
+  bar(1, width() - 1, colours.color(QPalette::Mid));
+  bar(1, x, isEnabled() ? colours.color(QPalette::Highlight) : colours.color(QPalette::Mid));
+
+  if (hasFocus()) {
+    QColor halo = colours.color(QPalette::Highlight);
+    halo.setAlphaF(0.25F);
+    painter.setBrush(halo);
+    painter.drawEllipse(QPointF(x, middle), kHandleRadius + 3, kHandleRadius + 3);
+  }
+  const bool hot = underMouse() || hasFocus() || isSliderDown();
+  painter.setPen(QPen(colours.color(QPalette::Highlight), hot ? 2 : 1.5));
+  painter.setBrush(isSliderDown() ? colours.color(QPalette::Highlight)
+                                  : colours.color(QPalette::Base));
+  painter.drawEllipse(QPointF(x, middle), kHandleRadius - 0.5, kHandleRadius - 0.5);
+}
+
+}  // namespace asperity

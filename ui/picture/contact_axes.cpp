@@ -1,0 +1,125 @@
+#include <cmath>
+
+#include "ui/picture/colours.h"
+#include "ui/picture/contact_parts.h"
+#include "ui/picture/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+void addLabel(DrawList& list, std::string utf8, Place baseline, float size, TextAnchor anchor,
+              const Rgba& colour, float angle = 0) {
+  DrawText text;
+  text.utf8 = std::move(utf8);
+  text.x = baseline.x;
+  text.y = baseline.y;
+  text.size = size;
+  text.anchor = anchor;
+  text.angle = angle;
+  text.colour = colour;
+  list.texts.push_back(std::move(text));
+}
+
+/// A line one or more whole pixels wide, sharp.
+void addRule(DrawLayer& layer, float x, float y, float width, float height, const Rgba& colour) {
+  addRectangle(layer, {std::round(x), std::round(y), std::round(width), std::round(height)},
+               colour);
+}
+
+void addFrame(DrawLayer& layer, const ContactLayout& layout) {
+  const Box& p = layout.plot;
+  const float w = std::max(1.0F, std::round(layout.sizes.unit));
+  const Rgba& colour = layout.theme.axis;
+  addRule(layer, p.x - w, p.y - w, p.width + 2 * w, w, colour);
+  addRule(layer, p.x - w, p.bottom(), p.width + 2 * w, w, colour);
+  addRule(layer, p.x - w, p.y, w, p.height, colour);
+  addRule(layer, p.right(), p.y, w, p.height, colour);
+}
+
+/// Labels near an end are pushed inwards so that they stay on the picture.
+void addAlong(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+  const Sizes& s = layout.sizes;
+  const float w = std::max(1.0F, std::round(s.unit));
+  const float baseline = std::round(layout.plot.bottom() + 8 * s.unit + s.small * 0.9F);
+  for (const Tick& tick : layout.xTicks.ticks) {
+    const float x = std::floor(layout.px(tick.value));
+    addRule(layer, x, layout.plot.bottom() + w, w, 5 * s.unit, layout.theme.axis);
+    const float half = textWidth(tick.label, s.small) / 2;
+    const float centre = std::min(x, static_cast<float>(layout.width) - half - 2);
+    addLabel(list, tick.label, {centre, baseline}, s.small, TextAnchor::Centre,
+             layout.theme.faintText);
+  }
+  if (!layout.axisTitles) return;
+  addLabel(list, "position (" + layout.xTicks.unit + ")",
+           {layout.plot.x + layout.plot.width / 2, std::round(baseline + s.small * 1.45F)}, s.small,
+           TextAnchor::Centre, layout.theme.text);
+}
+
+void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+  const Sizes& s = layout.sizes;
+  const float w = std::max(1.0F, std::round(s.unit));
+  const float rise = s.small * 0.36F;
+  for (const Tick& tick : layout.heightTicks.ticks) {
+    const float y = std::floor(layout.py(tick.value));
+    addRule(layer, layout.plot.x - w - 5 * s.unit, y, 5 * s.unit, w, layout.theme.axis);
+    const float baseline = std::min(y + rise, layout.plot.bottom());
+    addLabel(list, tick.label, {layout.plot.x - 8 * s.unit, std::round(baseline)}, s.small,
+             TextAnchor::Right, layout.theme.faintText);
+  }
+  if (!layout.axisTitles) return;
+  const std::string unit = " (" + layout.heightTicks.unit + ")";
+  std::string title = "height above the undeformed surface" + unit;
+  if (textWidth(title, s.small) > layout.plot.height) title = "height" + unit;
+  addLabel(list, title, {std::round(s.small * 1.5F), layout.plot.y + layout.plot.height / 2},
+           s.small, TextAnchor::Centre, layout.theme.text, 1.57079633F);
+}
+
+void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+  const Sizes& s = layout.sizes;
+  const Box& bar = layout.legend;
+  constexpr int kSteps = 10;  // as the map's control colours
+  const float step = bar.width / kSteps;
+  for (int i = 0; i < kSteps; ++i) {
+    const Box part{bar.x + static_cast<float>(i) * step, bar.y, step, bar.height};
+    addRectangleAcross(layer, part, pressureColour(static_cast<float>(i) / kSteps),
+                       pressureColour(static_cast<float>(i + 1) / kSteps));
+  }
+  const float baseline = std::round(bar.bottom() + s.small * 1.15F);
+  for (std::size_t i = 0; i < layout.pressureTicks.ticks.size(); ++i) {
+    const Tick& tick = layout.pressureTicks.ticks[i];
+    const auto share = static_cast<float>(tick.value / layout.view.pressure);
+    const bool last = i + 1 == layout.pressureTicks.ticks.size();
+    const float x = bar.x + share * bar.width;
+    addRule(layer, std::min(x, bar.right() - 1), bar.bottom(), std::max(1.0F, std::round(s.unit)),
+            3 * s.unit, layout.theme.axis);
+    if (!last) {
+      addLabel(list, tick.label, {x, baseline}, s.small, TextAnchor::Centre,
+               layout.theme.faintText);
+      continue;
+    }
+    const float half = textWidth(tick.label, s.small) / 2;
+    const std::string label = tick.label + " " + layout.pressureTicks.unit;
+    const float end = static_cast<float>(layout.width) - 4;
+    const float start = std::min(x - half, end - textWidth(label, s.small));
+    addLabel(list, label, {start, baseline}, s.small, TextAnchor::Left, layout.theme.faintText);
+  }
+  addLabel(list, std::string(kLegendTitle),
+           {bar.x - 10 * s.unit, std::round(bar.y + bar.height / 2 + s.small * 0.36F)}, s.small,
+           TextAnchor::Right, layout.theme.text);
+}
+
+}  // namespace
+
+void addAxes(DrawList& list, const ContactLayout& layout) {
+  DrawLayer layer;
+  addFrame(layer, layout);
+  addAlong(list, layer, layout);
+  addUp(list, layer, layout);
+  if (layout.legend.width > 0) addLegend(list, layer, layout);
+  if (layout.footer > 0)
+    addLabel(list, exaggerationText(layout), {layout.plot.x, layout.footer}, layout.sizes.small,
+             TextAnchor::Left, layout.theme.faintText);
+  list.layers.push_back(std::move(layer));
+}
+
+}  // namespace asperity

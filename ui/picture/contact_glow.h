@@ -1,0 +1,15 @@
+// The light that contact pressure throws down into the elastomer. Private to ui/picture; pure.
+#pragma once
+
+#include <vector>
+
+#include "ui/picture/contact_layout.h"
+#include "ui/picture/decimate.h"
+
+namespace asperity {
+
+/// Triangles that start at the surface and fade with depth, coloured as the contacts above them.
+void addGlow(DrawLayer& layer, const std::vector<CurveVertex>& surface,
+             const std::vector<std::vector<CurveVertex>>& contacts, const ContactLayout& layout);
+
+}  // namespace asperity

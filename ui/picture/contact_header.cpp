@@ -1,0 +1,129 @@
+// Title and readings above the axes.
+#include <algorithm>
+#include <cmath>
+
+#include "ui/picture/contact_parts.h"
+#include "ui/picture/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+struct Reading {
+  TextRuns label;
+  std::string value;
+  int rank = 0;  // the highest goes first where there is no room
+};
+
+float widthOf(const Reading& reading, const Sizes& s) {
+  return std::max(textWidth(reading.label, s.small), textWidth(reading.value, s.body, true));
+}
+
+std::string percent(double fraction) {
+  return std::isfinite(fraction) ? shortNumber(100 * fraction) + " %" : "\u2013";
+}
+
+std::vector<Reading> readingsOf(const Frame& frame) {
+  const bool marching = std::isfinite(frame.muMarch);
+  std::vector<Reading> readings;
+  readings.push_back(
+      {{{"friction coefficient \u03BC"}}, shortNumber(frame.muSteady, 3, Zeros::Keep), 0});
+  if (marching)
+    readings.push_back({{{"\u03BC (march)"}}, shortNumber(frame.muMarch, 3, Zeros::Keep), 5});
+  readings.push_back(
+      {{{"normal force F"}, {"N", false, true}}, quantity(frame.normalForce, "N"), 1});
+  readings.push_back({{{"indentation d"}}, quantity(frame.indentation, "m"), 3});
+  readings.push_back({{{"in contact"}}, percent(frame.contactFraction), 2});
+  if (frame.scene)
+    readings.push_back({{{"velocity v"}}, quantity(frame.scene->sliding.velocity, "m/s"), 4});
+  if (frame.timeScale > 0)
+    readings.push_back({{{"1 s on screen"}}, "= " + quantity(frame.timeScale, "s"), 6});
+  return readings;
+}
+
+/// Readings in rows, left to right.
+std::vector<std::vector<Reading>> flow(const std::vector<Reading>& readings, float width, float gap,
+                                       const Sizes& s) {
+  std::vector<std::vector<Reading>> rows(1);
+  float used = 0;
+  for (const Reading& reading : readings) {
+    const float needed = widthOf(reading, s);
+    if (!rows.back().empty() && used + gap + needed > width) {
+      rows.emplace_back();
+      used = 0;
+    }
+    used += needed + (rows.back().empty() ? 0 : gap);
+    rows.back().push_back(reading);
+  }
+  return rows;
+}
+
+void dropLeastImportant(std::vector<Reading>& readings) {
+  readings.erase(
+      std::max_element(readings.begin(), readings.end(),
+                       [](const Reading& a, const Reading& b) { return a.rank < b.rank; }));
+}
+
+std::string titleOf(const Frame& frame) {
+  if (frame.scene && !frame.scene->title.empty()) return frame.scene->title;
+  return "A rough rigid line slides over an elastomer";
+}
+
+/// "t = 3.2 ms, slid 1.5 mm", or nothing before the first step.
+std::string progressOf(const Frame& frame) {
+  if (!(frame.time > 0)) return {};
+  return "t = " + quantity(frame.time, "s", 3, Zeros::Keep) + ", slid " +
+         quantity(std::abs(frame.distance), "m", 3, Zeros::Keep);
+}
+
+float addTitle(DrawList& list, const Frame& frame, const Sizes& s, const Theme& theme, float side) {
+  const auto width = static_cast<float>(list.width);
+  const float baseline = std::round(10 * s.unit + s.title);
+  const std::string progress = progressOf(frame);
+  const float progressWidth = textWidth(progress, s.small);
+  const bool both = !progress.empty() && progressWidth < 0.4F * width;
+  const float room = width - 2 * side - (both ? progressWidth + 2 * side : 0);
+  const std::string title = elided(titleOf(frame), s.title, true, room);
+  if (!title.empty()) addText(list, {{title, true}}, {side, baseline}, s.title, theme.text);
+  if (both)
+    addText(list, {{progress}}, {std::floor(width - side - progressWidth), baseline}, s.small,
+            theme.faintText);
+  return baseline;
+}
+
+}  // namespace
+
+float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions& options) {
+  const Sizes s = sizesFor(options);
+  const Theme& theme = options.theme;
+  const float side = std::round(16 * s.unit), gap = std::round(26 * s.unit);
+  const float rowHeight = std::round(s.small + s.body + 14 * s.unit);
+  const float titleHeight = std::round(10 * s.unit + s.title * 1.25F);
+  const float most = 0.4F * static_cast<float>(list.height);
+  if (titleHeight > most) return 0;
+  float baseline = addTitle(list, frame, s, theme, side);
+
+  std::vector<Reading> readings = readingsOf(frame);
+  const float width = static_cast<float>(list.width) - 2 * side;
+  const auto tooMuch = [&](const auto& rows) {
+    return titleHeight + static_cast<float>(rows.size()) * rowHeight > most ||
+           widthOf(rows[0][0], s) > width;
+  };
+  while (!readings.empty() && tooMuch(flow(readings, width, gap, s))) dropLeastImportant(readings);
+  if (readings.empty()) return titleHeight;
+
+  for (const auto& row : flow(readings, width, gap, s)) {
+    float x = side;
+    for (const Reading& reading : row) {
+      addText(list, reading.label, {x, std::round(baseline + 11 * s.unit + s.small * 0.8F)},
+              s.small, theme.faintText);
+      const bool first = reading.rank == 0;
+      addText(list, {{reading.value, true}}, {x, std::round(baseline + rowHeight)}, s.body,
+              first ? theme.highlight : theme.text);
+      x += std::round(widthOf(reading, s) + gap);
+    }
+    baseline += rowHeight;
+  }
+  return std::round(baseline + s.body * 0.4F);
+}
+
+}  // namespace asperity

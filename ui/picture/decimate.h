@@ -1,0 +1,46 @@
+// Long curves reduced to what a pixel column can show. Pure; any thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/run/frame.h"
+
+namespace asperity {
+
+/// Maps positions to pixel columns; column 0 starts at `left`.
+struct Columns {
+  double left = 0;  // m
+  double pixelsPerMetre = 1;
+};
+
+struct CurveVertex {
+  double x = 0;         // m
+  double height = 0;    // m
+  double pressure = 0;  // N/m, the greatest of the points it stands for
+};
+
+/// Points first..last of the periodic frame; either index may be any whole number.
+struct PointRange {
+  std::int64_t first = 0, last = -1;
+  std::int64_t count() const { return last - first + 1; }
+};
+
+/// True if the arrays have one length, at least one point, and a positive finite spacing.
+bool isDrawable(const Frame& frame);
+
+/// The points from `left` to `left + width` and one more on either side.
+PointRange pointsWithin(const Frame& frame, double left, double width);
+
+/// `heights` is lineHeight or surfaceHeight of the frame. Every point where there are at most two a
+/// column; otherwise the lowest and the highest of each column, in their order along x. x ascends.
+std::vector<CurveVertex> decimated(const Frame& frame, const std::vector<double>& heights,
+                                   PointRange range, const Columns& columns);
+
+/// The stretches of the elastomer's surface in contact (pressure > 0), each decimated. Stretches
+/// less than a column apart become one; none is ever lost: one point alone is a stretch of one
+/// vertex.
+std::vector<std::vector<CurveVertex>> contactStretches(const Frame& frame, PointRange range,
+                                                       const Columns& columns);
+
+}  // namespace asperity

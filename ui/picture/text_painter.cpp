@@ -1,0 +1,90 @@
+#include "ui/picture/text_painter.h"
+
+#include <QColor>
+#include <QFont>
+#include <QFontDatabase>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QtMath>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "ui/render/osmesa_context.h"
+
+/// Outside any namespace, as Qt asks: makes the embedded files known where this is a static
+/// library.
+static void initFontResources() {
+  Q_INIT_RESOURCE(fonts);
+}
+
+namespace asperity {
+namespace {
+
+QColor colourOf(const Rgba& c) {
+  return QColor::fromRgbF(c.r, c.g, c.b, c.a);
+}
+
+qreal leftEnd(const DrawText& text, qreal advance) {
+  if (text.anchor == TextAnchor::Centre) return -advance / 2;
+  return text.anchor == TextAnchor::Right ? -advance : 0;
+}
+
+void paintText(QPainter& painter, const DrawText& text) {
+  const QFont font = fontOf(text);
+  const QString words = QString::fromStdString(text.utf8);
+  painter.save();
+  painter.translate(text.x, text.y);
+  if (text.angle != 0) painter.rotate(-qRadiansToDegrees(static_cast<qreal>(text.angle)));
+  painter.setFont(font);
+  painter.setPen(colourOf(text.colour));
+  qreal left = leftEnd(text, QFontMetricsF(font).horizontalAdvance(words));
+  if (text.angle == 0) left = std::round(text.x + left) - text.x;  // whole pixels: sharp stems
+  painter.drawText(QPointF(left, 0), words);
+  painter.restore();
+}
+
+}  // namespace
+
+void loadFonts() {
+  static const bool loaded = [] {
+    initFontResources();
+    for (const char* file :
+         {":/asperity/fonts/DejaVuSans.ttf", ":/asperity/fonts/DejaVuSans-Bold.ttf"})
+      if (QFontDatabase::addApplicationFont(QString::fromLatin1(file)) < 0)
+        throw std::runtime_error("The embedded font " + std::string(file) + " cannot be loaded.");
+    return true;
+  }();
+  static_cast<void>(loaded);
+}
+
+QFont fontOf(const DrawText& text) {
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPixelSize(std::max(1, qRound(text.size)));
+  font.setBold(text.bold);
+  font.setKerning(false);  // as textWidth() measures
+  font.setHintingPreference(QFont::PreferNoHinting);
+  return font;
+}
+
+void paintTexts(QPainter& painter, const DrawList& list) {
+  painter.save();
+  painter.setRenderHint(QPainter::TextAntialiasing);
+  for (const DrawText& text : list.texts) paintText(painter, text);
+  painter.restore();
+}
+
+QImage renderImage(OsmesaContext& context, const DrawList& list) {
+  const Pixels pixels = context.draw(list);
+  QImage image(pixels.width, pixels.height, QImage::Format_RGBA8888_Premultiplied);
+  const auto row = static_cast<std::size_t>(pixels.width) * 4;
+  for (int y = 0; y < pixels.height; ++y)
+    std::copy_n(pixels.rgba.data() + static_cast<std::size_t>(y) * row, row, image.scanLine(y));
+  QPainter painter(&image);
+  paintTexts(painter, list);
+  painter.end();
+  return image;
+}
+
+}  // namespace asperity

@@ -1,0 +1,42 @@
+// Numbers for people: round places on a linear axis, values with a prefixed unit. Pure; any thread.
+// Texts are UTF-8 with a true minus, micro and multiplication sign.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity {
+
+struct Tick {
+  double value;       // SI
+  std::string label;  // in the axis' unit
+};
+
+struct AxisTicks {
+  std::vector<Tick> ticks;  // ascending, inside [from, to]
+  std::string unit;         // "mm"
+  double unitSize = 1;      // SI value of one such unit
+};
+
+/// The smallest of 1, 2, 5 times a power of ten that is at least `value` (> 0).
+double roundUp125(double value);
+
+/// The next of 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten: ends for a scale.
+double roundUp(double value);
+
+/// At most `most` places with a step of 1, 2 or 5 times a power of ten; none if from >= to or the
+/// step is lost in rounding. `unit` is the SI unit; its prefix follows the larger end.
+AxisTicks linearTicks(double from, double to, int most, std::string_view unit);
+
+/// Significant digits kept as they are ("0.0120") or without trailing zeros ("0.012").
+enum class Zeros { Keep, Drop };
+
+/// "0.0123", "\u22121.5", "2.3\u00D710\u207B\u2075"; "\u2013" where it is not a finite number.
+std::string shortNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop);
+
+/// With a prefixed unit: "3.4 mN", "0 N".
+std::string quantity(double value, std::string_view unit, int digits = 3,
+                     Zeros zeros = Zeros::Drop);
+
+}  // namespace asperity

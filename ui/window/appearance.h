@@ -1,0 +1,22 @@
+// The window's colours: everything is derived from the picture's Theme, so that contact view, chart
+// and controls belong together. Pure functions; GUI thread.
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+
+#include "ui/charts/plot_view.h"
+#include "ui/picture/contact_picture.h"
+
+namespace asperity {
+
+QColor colourOf(const Rgba& rgba);
+bool isDark(const Theme& theme);
+QPalette paletteOf(const Theme& theme);
+PlotColours plotColoursOf(const Theme& theme);
+
+/// For the main window: bars, docks, menus, splitter, message bar.
+QString windowStyleSheet(const Theme& theme);
+
+}  // namespace asperity

@@ -1,0 +1,94 @@
+#include "ui/window/contact_canvas.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "ui/window/canvas_backend.h"
+
+namespace asperity {
+
+namespace {
+
+bool prefersOpenGl() {
+  const QString wish = qEnvironmentVariable("ASPERITY_CANVAS");
+  if (wish == QStringLiteral("software")) return false;
+  const OpenGlSupport support = openGlSupport();
+  if (wish == QStringLiteral("opengl")) return support != OpenGlSupport::None;
+  return support == OpenGlSupport::Hardware;
+}
+
+}  // namespace
+
+ContactCanvas::ContactCanvas(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
+  layout_->setContentsMargins(0, 0, 0, 0);
+  setMinimumSize(320, 160);
+  setAccessibleName(tr("contact view"));
+  clock_.start();
+  prefersOpenGl() ? useOpenGl() : useSoftware();
+}
+
+void ContactCanvas::setFrame(std::shared_ptr<const Frame> frame) {
+  frame_ = std::move(frame);
+  refresh();
+}
+
+void ContactCanvas::setTheme(const Theme& theme) {
+  theme_ = theme;
+  refresh();
+}
+
+QString ContactCanvas::backendName() const {
+  return backend_ ? backend_->name() : QString();
+}
+
+int ContactCanvas::framesPerSecond() const {
+  while (!pictures_.empty() && pictures_.front() < clock_.elapsed() - 1000) pictures_.pop_front();
+  return static_cast<int>(pictures_.size());
+}
+
+void ContactCanvas::useOpenGl() {
+  CanvasEvents events;
+  events.painted = [this] { countPicture(); };
+  events.failed = [this](const QString&) { useSoftware(); };
+  place(makeOpenGlCanvas(std::move(events), this));
+}
+
+void ContactCanvas::useSoftware() {
+  CanvasEvents events;
+  events.painted = [this] { countPicture(); };
+  events.failed = [this](const QString& reason) { giveUp(reason); };
+  place(makeSoftwareCanvas(std::move(events), this));
+}
+
+void ContactCanvas::place(CanvasBackend* backend) {
+  if (backend_) {
+    backend_->widget()->hide();
+    backend_->widget()->deleteLater();
+  }
+  backend_ = backend;
+  layout_->addWidget(backend_->widget());
+  refresh();
+}
+
+void ContactCanvas::giveUp(const QString& reason) {
+  backend_->widget()->hide();
+  backend_->widget()->deleteLater();
+  backend_ = nullptr;
+  auto* label = new QLabel(tr("The contact cannot be drawn here: %1").arg(reason));
+  label->setAlignment(Qt::AlignCenter);
+  label->setWordWrap(true);
+  layout_->addWidget(label);
+  emit failed(reason);
+}
+
+void ContactCanvas::countPicture() {
+  pictures_.push_back(clock_.elapsed());
+  emit painted();
+}
+
+void ContactCanvas::refresh() {
+  if (backend_ && frame_) backend_->show(frame_, theme_);
+}
+
+}  // namespace asperity

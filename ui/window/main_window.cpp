@@ -1,0 +1,198 @@
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QTimer>
+#include <QToolButton>
+#include <exception>
+
+#include "core/scene/atomic_file.h"
+#include "core/scene/input_error.h"
+#include "core/scene/scene_file.h"
+#include "ui/charts/plot_view.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/window/appearance.h"
+#include "ui/window/contact_canvas.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/session.h"
+#include "ui/window/status_line.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPollInterval = 16;     // ms, 60 times a second
+constexpr int kStatusInterval = 500;  // ms
+constexpr int kPlotPause = 80;        // ms; painting a diagram costs as much as several pictures
+
+/// A dock's title in the window's own look.
+QWidget* dockTitle(QDockWidget& dock) {
+  auto* title = new QWidget;
+  title->setObjectName("dockTitle");
+  title->setAttribute(Qt::WA_StyledBackground);
+  auto* layout = new QHBoxLayout(title);
+  layout->setContentsMargins(14, 5, 8, 5);
+  layout->addWidget(new QLabel(dock.windowTitle()), 1);
+  auto* close = new QToolButton;
+  close->setText(QStringLiteral("✕"));
+  close->setAccessibleName(MainWindow::tr("close"));
+  close->setFocusPolicy(Qt::NoFocus);
+  QObject::connect(close, &QToolButton::clicked, &dock, &QDockWidget::close);
+  layout->addWidget(close);
+  return title;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* parent)
+    : QMainWindow(parent), session_(new Session(scene, options, this)) {
+  setObjectName("mainWindow");
+  buildViews();
+  buildPanel();
+  buildActions();
+  connectSession();
+  setDark(palette().color(QPalette::Window).lightness() < 128);
+  showTitle();
+  resize(1280, 800);
+
+  auto* timer = new QTimer(this);
+  timer->setTimerType(Qt::PreciseTimer);
+  connect(timer, &QTimer::timeout, session_, &Session::poll);
+  timer->start(kPollInterval);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildViews() {
+  canvas_ = new ContactCanvas;
+  plot_ = makePlotView();
+  plot_->setMinimumHeight(170);
+  plot_->setAccessibleName(tr("coefficient of friction against velocity"));
+  auto* splitter = new QSplitter(Qt::Vertical);
+  splitter->setHandleWidth(1);
+  splitter->setChildrenCollapsible(false);
+  splitter->addWidget(canvas_);
+  splitter->addWidget(plot_);
+  splitter->setStretchFactor(0, 58);
+  splitter->setStretchFactor(1, 42);
+  splitter->setSizes({580, 420});
+
+  messages_ = new MessageBar;
+  auto* centre = new QWidget;
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(messages_);
+  column->addWidget(splitter, 1);
+  setCentralWidget(centre);
+
+  status_ = new StatusLine;
+  statusBar()->addWidget(status_, 1);
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->setContentsMargins(0, 0, 0, 0);
+  auto* timer = new QTimer(this);
+  connect(timer, &QTimer::timeout, this,
+          [this] { status_->showDrawing(canvas_->framesPerSecond(), canvas_->backendName()); });
+  timer->start(kStatusInterval);
+}
+
+void MainWindow::buildPanel() {
+  panel_ = new ParameterPanel(session_->scene());
+  dock_ = new QDockWidget(tr("Parameters"));
+  dock_->setObjectName("parameterDock");
+  dock_->setWidget(panel_);
+  dock_->setTitleBarWidget(dockTitle(*dock_));
+  addDockWidget(Qt::RightDockWidgetArea, dock_);
+  resizeDocks({dock_}, {panel_->sizeHint().width()}, Qt::Horizontal);
+  connect(panel_, &ParameterPanel::sceneEdited, session_, &Session::setScene);
+}
+
+void MainWindow::connectSession() {
+  connect(session_, &Session::frameArrived, this, [this] {
+    canvas_->setFrame(session_->frame());
+    status_->showFrame(*session_->frame());
+  });
+  plotPause_ = new QTimer(this);
+  plotPause_->setSingleShot(true);
+  plotPause_->setInterval(kPlotPause);
+  connect(plotPause_, &QTimer::timeout, this, [this] {
+    if (plotIsDue_) showPlot();
+  });
+  connect(session_, &Session::plotChanged, this, &MainWindow::showPlotSoon);
+  connect(session_, &Session::complained, this, [this](const QString& key, const QString& text) {
+    messages_->showMessage(key.isEmpty() ? text : key + ": " + text);
+    panel_->showError(key, text);
+  });
+  connect(session_, &Session::sceneRuns, messages_, &QWidget::hide);
+  connect(session_, &Session::playingChanged, this, &MainWindow::showPlaying);
+  connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
+  showPlot();
+}
+
+void MainWindow::showPlotSoon() {
+  if (plotPause_->isActive())
+    plotIsDue_ = true;
+  else
+    showPlot();
+}
+
+void MainWindow::showPlot() {
+  plotIsDue_ = false;
+  plot_->setPlot(session_->plot());
+  status_->showAverage(session_->realizationsDone(), session_->realizationsTotal());
+  plotPause_->start();
+}
+
+void MainWindow::showScene(const Scene& scene) {
+  panel_->setScene(scene);
+  session_->setScene(scene);
+  showTitle();
+}
+
+bool MainWindow::openScene(const QString& file) {
+  try {
+    showScene(readSceneFile(file.toStdString()));
+  } catch (const InputError& error) {
+    messages_->showMessage(QString::fromUtf8(error.what()));
+    return false;
+  }
+  file_ = file;
+  showTitle();
+  return true;
+}
+
+bool MainWindow::saveScene(const QString& file) {
+  try {
+    checkWritable(file.toStdString());
+    writeFileAtomically(file.toStdString(), writeScene(panel_->scene()));
+  } catch (const std::exception& error) {
+    messages_->showMessage(QString::fromUtf8(error.what()));
+    return false;
+  }
+  file_ = file;
+  showTitle();
+  return true;
+}
+
+void MainWindow::setDark(bool dark) {
+  dark_ = dark;
+  const Theme& theme = dark ? darkTheme() : lightTheme();
+  QApplication::setPalette(paletteOf(theme));
+  setStyleSheet(windowStyleSheet(theme));
+  canvas_->setTheme(theme);
+  plot_->setColours(plotColoursOf(theme));
+  paintIcons();
+}
+
+void MainWindow::showTitle() {
+  const QString title = QString::fromStdString(session_->scene().title);
+  const QString name = title.isEmpty() ? QFileInfo(file_).fileName() : title;
+  setWindowTitle(name.isEmpty() ? tr("Asperity") : tr("%1 – Asperity").arg(name));
+}
+
+}  // namespace asperity

@@ -1,0 +1,86 @@
+// The main window: contact view above, friction diagram below it, parameters at the right, bars for
+// commands and facts. Everything shown about a state comes from the frame; the controls only post
+// scenes. Owns its Session. GUI thread. Failure: complaints appear in a bar over the views and the
+// window goes on.
+#pragma once
+
+#include <QMainWindow>
+#include <functional>
+
+#include "core/run/runner.h"
+#include "ui/picture/contact_picture.h"
+#include "ui/window/icons.h"
+
+class QMenu;
+class QTimer;
+
+namespace asperity {
+
+class ContactCanvas;
+class MessageBar;
+class ParameterPanel;
+class PlotView;
+class Session;
+class StatusLine;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(const Scene& scene, RunnerOptions options = {}, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Session& session() { return *session_; }
+  ParameterPanel& panel() { return *panel_; }
+  PlotView& plotView() { return *plot_; }
+  ContactCanvas& canvas() { return *canvas_; }
+  MessageBar& messages() { return *messages_; }
+
+  /// Another scene for controls and runner.
+  void showScene(const Scene& scene);
+
+  /// False, with the reason in the message bar, where the file does not read or write.
+  bool openScene(const QString& file);
+  bool saveScene(const QString& file);
+
+  void setDark(bool dark);
+  bool isDark() const { return dark_; }
+
+ private:
+  void buildViews();
+  void buildPanel();
+  void connectSession();
+  void showPlotSoon();
+  void showPlot();
+  void showTitle();
+
+  // Commands, in main_window_actions.cpp.
+  void buildActions();
+  QAction* addCommand(const char* name, const QString& text, const QKeySequence& key, Symbol symbol,
+                      std::function<void()> run);
+  void buildMenus();
+  void buildToolBar();
+  void fillScenes(QMenu& menu);
+  void showPlaying(bool playing);
+  void paintIcons();
+  void askOpen();
+  void askSave();
+  void showAbout();
+
+  Session* session_ = nullptr;
+  ContactCanvas* canvas_ = nullptr;
+  PlotView* plot_ = nullptr;
+  ParameterPanel* panel_ = nullptr;
+  MessageBar* messages_ = nullptr;
+  StatusLine* status_ = nullptr;
+  QDockWidget* dock_ = nullptr;
+  QTimer* plotPause_ = nullptr;  // runs after the diagram was painted
+  bool plotIsDue_ = false;       // and something came meanwhile
+  QAction *play_ = nullptr, *step_ = nullptr, *reset_ = nullptr;
+  QAction *open_ = nullptr, *save_ = nullptr, *light_ = nullptr;
+  QMenu* scenes_ = nullptr;
+  QString file_;  // last opened or saved
+  bool dark_ = false;
+};
+
+}  // namespace asperity

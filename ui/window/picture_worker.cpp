@@ -1,0 +1,57 @@
+#include "ui/window/picture_worker.h"
+
+#include <exception>
+#include <utility>
+
+#include "ui/picture/text_painter.h"
+#include "ui/render/osmesa_context.h"
+
+namespace asperity {
+
+PictureWorker::PictureWorker(PictureWorkerEvents events)
+    : events_(std::move(events)), thread_([this] { run(); }) {}
+
+PictureWorker::~PictureWorker() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_one();
+  thread_.join();
+}
+
+void PictureWorker::request(PictureRequest request) {
+  {
+    const std::lock_guard lock(mutex_);
+    pending_ = std::make_unique<PictureRequest>(std::move(request));
+  }
+  changed_.notify_one();
+}
+
+/// Waits; null when it is time to stop.
+std::unique_ptr<PictureRequest> PictureWorker::next() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return stopping_ || pending_; });
+  if (stopping_) return {};
+  return std::move(pending_);
+}
+
+void PictureWorker::run() {
+  try {
+    drawAll();
+  } catch (const std::exception& error) {
+    events_.failed(QString::fromUtf8(error.what()));
+  }
+}
+
+void PictureWorker::drawAll() {
+  OsmesaContext context;
+  PictureSource source;
+  while (const std::unique_ptr<PictureRequest> request = next()) {
+    QImage image = renderImage(context, source.compose(*request));
+    image.setDevicePixelRatio(request->scale);
+    events_.finished(std::move(image));
+  }
+}
+
+}  // namespace asperity

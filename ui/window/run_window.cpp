@@ -1,0 +1,40 @@
+#include "ui/window/run_window.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QStyleFactory>
+
+#include "ui/picture/text_painter.h"
+#include "ui/window/main_window.h"
+#include "ui/window/scene_library.h"
+
+namespace asperity {
+
+namespace {
+
+Scene firstScene() {
+  const std::vector<LibraryScene> scenes = libraryScenes();
+  return scenes.empty() ? Scene{} : scenes.front().scene;
+}
+
+}  // namespace
+
+void prepareApplication(QApplication& application) {
+  QApplication::setApplicationName(QStringLiteral("asperity"));
+  QApplication::setApplicationDisplayName({});
+  QApplication::setApplicationVersion(QStringLiteral(ASPERITY_VERSION));
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  loadFonts();
+  QFont font = application.font();
+  if (font.pointSizeF() > 0 && font.pointSizeF() < 9.5) font.setPointSizeF(9.5);
+  QApplication::setFont(font);
+}
+
+int runWindow(QApplication& application, const std::optional<Scene>& scene, RunnerOptions options) {
+  prepareApplication(application);
+  MainWindow window(scene ? *scene : firstScene(), options);
+  window.show();
+  return application.exec();
+}
+
+}  // namespace asperity

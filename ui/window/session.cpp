@@ -1,0 +1,88 @@
+#include "ui/window/session.h"
+
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+bool sameOrBothMissing(double a, double b) {
+  return a == b || (!std::isfinite(a) && !std::isfinite(b));
+}
+
+/// Whether two frames put the diagram's marker at the same place.
+bool sameMark(const Frame* before, const Frame& now) {
+  return before && before->scene->sliding.velocity == now.scene->sliding.velocity &&
+         sameOrBothMissing(before->muSteady, now.muSteady);
+}
+
+}  // namespace
+
+Session::Session(const Scene& scene, RunnerOptions options, QObject* parent)
+    : QObject(parent), runner_(options) {
+  setScene(scene);
+  runner_.play();
+}
+
+void Session::setScene(const Scene& scene) {
+  scene_ = scene;
+  const bool wasStale = friction_.isStale();
+  friction_.expect(scene_);
+  sceneNumber_ = runner_.post(scene_);
+  if (friction_.isStale()) realizationsDone_ = 0;
+  if (wasStale != friction_.isStale()) emit plotChanged();
+}
+
+void Session::setPlaying(bool playing) {
+  playing ? runner_.play() : runner_.pause();
+  emit playingChanged(playing);
+}
+
+void Session::singleStep() {
+  if (runner_.isPlaying()) setPlaying(false);
+  runner_.singleStep();
+}
+
+void Session::reset() {
+  runner_.reset();
+}
+
+void Session::poll() {
+  takeMessages();
+  takeCurves();
+  takeFrame();
+}
+
+void Session::takeMessages() {
+  for (const RunnerMessage& message : runner_.takeMessages())
+    if (message.sceneNumber == sceneNumber_)
+      emit complained(QString::fromStdString(message.key), QString::fromStdString(message.text));
+}
+
+void Session::takeCurves() {
+  bool changed = false;
+  for (const CurveUpdate& update : runner_.takeCurveUpdates()) {
+    if (!friction_.take(update)) continue;
+    realizationsDone_ = update.realizationsDone;
+    realizationsTotal_ = update.realizationsTotal;
+    changed = true;
+  }
+  if (changed) emit plotChanged();
+}
+
+void Session::takeFrame() {
+  std::shared_ptr<const Frame> newest = runner_.newestFrame();
+  if (!newest || newest == frame_) return;
+  const bool marked = sameMark(frame_.get(), *newest);
+  frame_ = std::move(newest);
+  if (!marked) {
+    friction_.mark(*frame_);
+    emit plotChanged();
+  }
+  emit frameArrived();
+  if (frame_->sceneNumber != sceneNumber_ || runningNumber_ == sceneNumber_) return;
+  runningNumber_ = sceneNumber_;
+  emit sceneRuns();
+}
+
+}  // namespace asperity

@@ -1,0 +1,63 @@
+// What lies between the background runner and the widgets: the present scene and its number, the
+// newest frame, the friction diagram so far. The window's timer calls poll(); signals tell what has
+// changed. Owned by the main window; GUI thread. Failure: what the runner complains about arrives
+// as a signal; the session goes on.
+#pragma once
+
+#include <QObject>
+#include <cstdint>
+#include <memory>
+
+#include "core/run/runner.h"
+#include "ui/charts/friction_plot.h"
+
+namespace asperity {
+
+class Session : public QObject {
+  Q_OBJECT
+
+ public:
+  Session(const Scene& scene, RunnerOptions options, QObject* parent = nullptr);
+
+  /// Makes this the scene; the newest wins.
+  void setScene(const Scene& scene);
+  const Scene& scene() const { return scene_; }
+  std::uint64_t sceneNumber() const { return sceneNumber_; }
+
+  bool isPlaying() const { return runner_.isPlaying(); }
+  void setPlaying(bool playing);
+  void singleStep();  // pauses first
+  void reset();
+
+  /// Takes what the runner has made since the last call.
+  void poll();
+
+  std::shared_ptr<const Frame> frame() const { return frame_; }
+  Plot plot() const { return friction_.plot(); }
+  std::int64_t realizationsDone() const { return realizationsDone_; }
+  std::int64_t realizationsTotal() const { return realizationsTotal_; }
+
+ signals:
+  void playingChanged(bool playing);
+  void frameArrived();
+  void plotChanged();
+  /// The runner's word on the present scene; key may be empty.
+  void complained(const QString& key, const QString& text);
+  /// A frame of the present scene is here: whatever was wrong before is over.
+  void sceneRuns();
+
+ private:
+  void takeMessages();
+  void takeCurves();
+  void takeFrame();
+
+  Scene scene_;
+  Runner runner_;
+  std::uint64_t sceneNumber_ = 0;
+  std::uint64_t runningNumber_ = 0;  // newest scene of which a frame was seen
+  std::shared_ptr<const Frame> frame_;
+  FrictionPlot friction_;
+  std::int64_t realizationsDone_ = 0, realizationsTotal_ = 0;
+};
+
+}  // namespace asperity

@@ -1,0 +1,71 @@
+#include "ui/window/status_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <cmath>
+
+#include "ui/charts/decade_range.h"
+
+namespace asperity {
+
+namespace {
+
+double orMissing(double value) {
+  return std::isfinite(value) ? value : kNotApplicable;
+}
+
+}  // namespace
+
+double dimensionlessForce(const Frame& frame) {
+  return orMissing(frame.normalForce /
+                   (frame.scene->elastomer.shearModulus * frame.rmsHeight * frame.length));
+}
+
+double dimensionlessVelocity(const Frame& frame) {
+  const Elastomer& elastomer = frame.scene->elastomer;
+  if (elastomer.rheology == Rheology::Elastic) return kNotApplicable;
+  return orMissing(elastomer.relaxationTime * frame.scene->sliding.velocity * frame.rmsSlope /
+                   (std::sqrt(2.0) * frame.rmsHeight));
+}
+
+StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
+  auto* line = new QHBoxLayout(this);
+  line->setContentsMargins(12, 3, 12, 3);
+  line->setSpacing(26);
+  mu_ = addFact(*line, "factMu", tr("Coefficient of friction of this line in steady sliding"));
+  force_ = addFact(*line, "factForce",
+                   tr("Dimensionless force, normal force / (shear modulus × rms height × length)"));
+  velocity_ = addFact(*line, "factVelocity",
+                      tr("Dimensionless velocity, relaxation time × velocity × rms slope / "
+                         "(√2 × rms height)"));
+  average_ =
+      addFact(*line, "factAverage", tr("Random lines that the curve is averaged over so far"));
+  line->addStretch(1);
+  rate_ = addFact(*line, "factRate", tr("Pictures of the contact shown in the last second"));
+  backend_ = addFact(*line, "factBackend", tr("What draws the contact"));
+}
+
+QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name, const QString& tip) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setToolTip(tip);
+  line.addWidget(label);
+  return label;
+}
+
+void StatusLine::showFrame(const Frame& frame) {
+  mu_->setText(tr("μ = %1").arg(readingLabel(frame.muSteady)));
+  force_->setText(tr("F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
+  velocity_->setText(tr("v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame))));
+}
+
+void StatusLine::showAverage(std::int64_t done, std::int64_t total) {
+  average_->setText(total > 0 ? tr("%1 of %2 realizations").arg(done).arg(total) : QString());
+}
+
+void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {
+  rate_->setText(tr("%1 frames/s").arg(framesPerSecond));
+  backend_->setText(backend);
+}
+
+}  // namespace asperity
