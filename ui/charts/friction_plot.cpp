@@ -108,8 +108,8 @@ PlotSeries FrictionPlot::law() const {
 }
 
 QString FrictionPlot::note() const {
-  if (!curve_) return tr("waiting for the first line");
-  if (isStale()) return tr("older scene; new curve is on its way");
+  if (!curve_) return tr("no curve yet");
+  if (isStale()) return tr("curve of the scene before");
   return tr("%1 of %2 realizations").arg(curve_->realizationsDone).arg(curve_->realizationsTotal);
 }
 

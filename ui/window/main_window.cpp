@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QToolButton>
 #include <exception>
+#include <filesystem>
 
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
@@ -45,6 +46,19 @@ QWidget* dockTitle(QDockWidget& dock) {
   QObject::connect(close, &QToolButton::clicked, &dock, &QDockWidget::close);
   layout->addWidget(close);
   return title;
+}
+
+/// The scene as it has to be written into `folder`: a profile is named relative to its scene's
+/// file.
+Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
+  const std::filesystem::path profile = scene.surface.file;
+  if (profile.empty() || profile.is_absolute()) return scene;
+  scene.surface.file =
+      std::filesystem::absolute(scene.folder / profile)
+          .lexically_normal()
+          .lexically_proximate(std::filesystem::absolute(folder).lexically_normal())
+          .string();
+  return scene;
 }
 
 }  // namespace
@@ -110,6 +124,7 @@ void MainWindow::buildPanel() {
   addDockWidget(Qt::RightDockWidgetArea, dock_);
   resizeDocks({dock_}, {panel_->sizeHint().width()}, Qt::Horizontal);
   connect(panel_, &ParameterPanel::sceneEdited, session_, &Session::setScene);
+  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::showTitle);
 }
 
 void MainWindow::connectSession() {
@@ -168,8 +183,9 @@ bool MainWindow::openScene(const QString& file) {
 
 bool MainWindow::saveScene(const QString& file) {
   try {
-    checkWritable(file.toStdString());
-    writeFileAtomically(file.toStdString(), writeScene(panel_->scene()));
+    const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
+    checkWritable(path);
+    writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), panel_->scene())));
   } catch (const std::exception& error) {
     messages_->showMessage(QString::fromUtf8(error.what()));
     return false;

@@ -9,8 +9,8 @@
 #include <QString>
 #include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <memory>
+#include <mutex>
 #include <thread>
 
 #include "ui/window/picture_source.h"

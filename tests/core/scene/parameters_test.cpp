@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <set>
 
@@ -108,6 +109,12 @@ TEST(Parameters, TableTextsNameEveryKey) {
     EXPECT_THAT(parameterTableText(), HasSubstr(std::string(row.key)));
     EXPECT_THAT(parameterTableMarkdown(), HasSubstr("`" + std::string(row.key) + "`"));
   }
+}
+
+TEST(Parameters, TheReadmeHasTheTable) {
+  std::ifstream stream(ASPERITY_TESTS_DIR "/../README.md");
+  const std::string readme(std::istreambuf_iterator<char>(stream), {});
+  EXPECT_THAT(readme, HasSubstr(parameterTableMarkdown()));
 }
 
 }  // namespace

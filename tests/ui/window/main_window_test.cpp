@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QDir>
+#include <QFile>
 #include <QLabel>
 #include <QMenu>
 #include <QSignalSpy>
@@ -206,6 +208,29 @@ TEST_F(MainWindowTest, ScenesAreSavedAndOpened) {
   ASSERT_TRUE(window_.openScene(file));
   EXPECT_EQ(writeScene(window_.panel().scene()), writeScene(changed));
   EXPECT_EQ(writeScene(session().scene()), writeScene(changed));
+}
+
+TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
+  const QTemporaryDir folder;
+  ASSERT_TRUE(QDir(folder.path()).mkpath("a/b"));
+  QFile profile(folder.filePath("line.csv"));
+  ASSERT_TRUE(profile.open(QIODevice::WriteOnly));
+  profile.write("position,height\n");
+  for (int i = 0; i < 64; ++i)
+    profile.write(QStringLiteral("%1,%2\n").arg(i * 1e-4).arg(1e-6 * ((i * 7) % 13)).toUtf8());
+  profile.close();
+  Scene scene = smallScene();
+  scene.folder = folder.path().toStdString();
+  scene.surface.kind = SurfaceKind::Profile;
+  scene.surface.file = "line.csv";
+  scene.surface.length = 0;
+  scene.surface.elements = 0;
+  window_.showScene(scene);
+  ASSERT_TRUE(waitForFrame());
+  ASSERT_TRUE(window_.saveScene(folder.filePath("a/b/scene.json")));
+  ASSERT_TRUE(window_.openScene(folder.filePath("a/b/scene.json")));
+  EXPECT_EQ(window_.panel().scene().surface.file, "../../line.csv");
+  ASSERT_TRUE(waitForFrame());
 }
 
 TEST_F(MainWindowTest, FilesThatDoNotReadOrWriteAreExplained) {

@@ -1,0 +1,21 @@
+// One line at many velocities, force balance met at each: the shipped path of every curve.
+// Velocities run side by side in the lanes of the machine's vectors, sharing the line's data; the
+// widest instruction set is chosen at run time.
+// Threading: a function of its arguments. No allocation inside, beyond what the line holds.
+#pragma once
+
+#include <span>
+
+#include "core/contact/steady_sliding.h"
+#include "core/contact/travel_line.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// results[i] is for velocities[i] (m/s, ascending); both of one length. `conditions.velocity` is
+/// not used. Stops early where `stopped` (may be null) becomes true; the rest is left untouched.
+void slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
+                std::span<const double> velocities, std::span<SteadyResult> results,
+                const bool* stopped = nullptr);
+
+}  // namespace asperity
