@@ -40,7 +40,13 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
 }
 
 void LineSource::readProfileOf(const Scene& scene) {
-  const Profile profile = readProfile(scene.folder / surface_.file);
+  const Profile profile = [&] {
+    try {
+      return readProfile(scene.folder / surface_.file);
+    } catch (const InputError& error) {
+      throw InputError("", "surface.file", error.what());
+    }
+  }();
   if (length_ == 0) length_ = profile.length;
   if (length_ == 0)
     throw InputError("", "surface.length", "is missing; the profile has heights without positions");
