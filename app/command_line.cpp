@@ -29,8 +29,8 @@ class CommandLine {
     addCurve();
     addRender();
     addSurface();
-    app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.", kDone,
-                            kRunFailed, kBadInput));
+    app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.",
+                            kDone, kRunFailed, kBadInput));
   }
 
   int run(int argc, char** argv) {
@@ -101,7 +101,8 @@ class CommandLine {
   void addSurface() {
     CLI::App* verb = addVerb("surface", "The rigid line, its spectrum and its statistics",
                              surface_.common, [this] { return runSurface(surface_); });
-    addOutputs(verb, surface_.outputs, "FILE.csv (position, height), FILE.json or FILE.png; may repeat");
+    addOutputs(verb, surface_.outputs,
+               "FILE.csv (position, height), FILE.json or FILE.png; may repeat");
   }
   static void addOutputs(CLI::App* verb, std::vector<std::string>& outputs, const char* sentence) {
     verb->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);

@@ -38,9 +38,8 @@ HeadlessPictures::~HeadlessPictures() {
 void HeadlessPictures::writePng(const std::string& file, const DrawList& list) {
   QImage image = renderImage(*context_, list);
   finish();
-  writing_ = std::async(std::launch::async, [file, image = std::move(image)] {
-    asperity::writePng(file, image);
-  });
+  writing_ = std::async(std::launch::async,
+                        [file, image = std::move(image)] { asperity::writePng(file, image); });
 }
 
 void HeadlessPictures::finish() {

@@ -26,8 +26,8 @@ void checkOutputs(const std::vector<std::string>& files,
     checkWritable(file);
     const std::string extension = extensionOf(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
-      throw InputError(file, "", fmt::format("'{}' is not one of {}", extension,
-                                             fmt::join(extensions, ", ")));
+      throw InputError(
+          file, "", fmt::format("'{}' is not one of {}", extension, fmt::join(extensions, ", ")));
   }
 }
 

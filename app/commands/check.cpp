@@ -18,10 +18,9 @@ using Json = nlohmann::ordered_json;
 
 LawInput lawInputOf(const Scene& scene, const LineSource& source) {
   const SlidingConditions conditions = conditionsOf(scene, scene.sliding.velocity);
-  return {conditions.shearModulus,      conditions.relaxationTime,
-          source.length(),              source.statistics().rmsHeight,
-          source.statistics().rmsSlope, scene.surface.hurst,
-          scene.load.normalForce,       scene.sliding.velocity};
+  return {conditions.shearModulus,       conditions.relaxationTime,    source.length(),
+          source.statistics().rmsHeight, source.statistics().rmsSlope, scene.surface.hurst,
+          scene.load.normalForce,        scene.sliding.velocity};
 }
 
 std::string summaryOf(const Scene& scene, const LineSource& source, const LawInput& in) {
@@ -44,8 +43,7 @@ int runCheck(const CommonOptions& command) {
   const Scene scene = sceneOf(command);
   try {
     const LineSource source(scene, scene.accuracy.oversampling);
-    printSummary(command.json, command.quiet,
-                 summaryOf(scene, source, lawInputOf(scene, source)));
+    printSummary(command.json, command.quiet, summaryOf(scene, source, lawInputOf(scene, source)));
   } catch (const InputError& error) {
     throw error.file().empty() ? error.in(command.scene) : error;
   }

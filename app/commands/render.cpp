@@ -36,8 +36,9 @@ Size sizeFrom(const std::string& text) {
   }
   const auto fits = [](int pixels) { return pixels >= kSmallest && pixels <= kLargest; };
   if (!good || !fits(size.width) || !fits(size.height))
-    throw InputError("", "--size", fmt::format("{} is not WIDTHxHEIGHT with {} to {} pixels each",
-                                               text, kSmallest, kLargest));
+    throw InputError(
+        "", "--size",
+        fmt::format("{} is not WIDTHxHEIGHT with {} to {} pixels each", text, kSmallest, kLargest));
   return size;
 }
 
@@ -104,8 +105,8 @@ int runRender(const RenderCommand& command) {
     }
     pictures.finish();
   }
-  const std::string what = count == 1 ? files.front()
-                                      : fmt::format("{} frames in {}", count, command.output);
+  const std::string what =
+      count == 1 ? files.front() : fmt::format("{} frames in {}", count, command.output);
   printSummary(command.common.json, command.common.quiet,
                fmt::format("mu = {:.6g}\nwrote {}\n", frames.result().mu, what));
   if (command.common.json) printJson(frames.result(), files);

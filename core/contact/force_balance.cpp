@@ -17,7 +17,10 @@ class Iteration {
  public:
   Iteration(const TravelLine& line, double memory, double load)
       // Full contact is the lightest way to carry a load at a depth: the root is not beyond it.
-      : line_(line), memory_(memory), load_(load), low_(load / line.length),
+      : line_(line),
+        memory_(memory),
+        load_(load),
+        low_(load / line.length),
         high_(low_ + line.meanRise) {
     best_.residual = std::numeric_limits<double>::infinity();
   }

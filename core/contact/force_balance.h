@@ -26,8 +26,9 @@ Balance balanceResolved(const TravelLine& line, double memoryLength, double load
 
 struct NodalBalance {
   Balance balance;
-  NodalState state;          // at that depth; the marginal element counted by its share
-  double marginalShare = 1;  // of the load that the entering element would carry; 1: none is partial
+  NodalState state;  // at that depth; the marginal element counted by its share
+  double marginalShare =
+      1;  // of the load that the entering element would carry; 1: none is partial
 };
 
 NodalBalance balanceNodal(const TravelLine& line, double memoryLength, double load);

@@ -75,7 +75,8 @@ class NodalPass {
     const double pressed = line_.rise[i] + memory_ * line_.slopeIn[i];
     double reached = 0;
     if (i > 0)
-      reached = (line_.rise[i] - line_.rise[lastTouch_] * decaySinceTouch_) / (1 - decaySinceTouch_);
+      reached =
+          (line_.rise[i] - line_.rise[lastTouch_] * decaySinceTouch_) / (1 - decaySinceTouch_);
     return std::max({pressed, reached, 0.0});
   }
 

@@ -9,8 +9,8 @@
 namespace asperity {
 
 struct NodalState {
-  StateSums sums;          // stiffness counts loaded elements; pressure is Eq. (3), work Eq. (4)
-  double threshold = 0;    // m, largest indentation below which a loaded element is not loaded
+  StateSums sums;        // stiffness counts loaded elements; pressure is Eq. (3), work Eq. (4)
+  double threshold = 0;  // m, largest indentation below which a loaded element is not loaded
 };
 
 /// depth: indentation below the lowest node (m, >= 0; below 0 nothing touches).

@@ -40,8 +40,8 @@ class ForceGatherer {
 /// All sums. Energy in by p w', out by c y'^2, are gathered independently of one another.
 class StateGatherer {
  public:
-  StateGatherer(double memory, double inverse) : force_(memory, inverse), memory_(memory),
-                                                 inverse_(inverse) {}
+  StateGatherer(double memory, double inverse)
+      : force_(memory, inverse), memory_(memory), inverse_(inverse) {}
 
   void wholeSegment(const SegmentBounds& bounds, const Cubic& rise, double depth, double length) {
     force_.wholeSegment(bounds, rise, depth, length);

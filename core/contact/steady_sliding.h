@@ -32,7 +32,7 @@ struct SteadyResult {
   double forceFromPressure = 0;  // N, integral of p over contact; equal in steady sliding
   double marginalShare = 1;      // nodal: load share of the element on the edge; 1: none
   int passes = 0;
-  double residual = 0;           // |F_N - wanted| / wanted
+  double residual = 0;  // |F_N - wanted| / wanted
 };
 
 /// At a constant normal force (N, > 0). guess: indentation nearby (m), or 0; it changes the cost,

@@ -20,26 +20,26 @@
 namespace asperity {
 
 struct MarchConditions {
-  double shearModulus = 0;            // Pa
-  double relaxationTime = 0;          // s
+  double shearModulus = 0;    // Pa
+  double relaxationTime = 0;  // s
   LoadKind load = LoadKind::Force;
-  double normalForce = 0;             // N, for LoadKind::Force
-  double depth = 0;                   // m, for LoadKind::Indentation
+  double normalForce = 0;  // N, for LoadKind::Force
+  double depth = 0;        // m, for LoadKind::Indentation
 };
 
 /// What happened in one step, over one period.
 struct MarchStep {
-  double indentation = 0;      // m, at its end, from the lowest point of the line
-  double normalForce = 0;      // N
-  double work = 0;             // J, done on the elements: integral of p du
-  double dissipated = 0;       // J, in the dashpots
-  double stored = 0;           // J, gained by the springs
-  double slidingWork = 0;      // J, work less what the normal force did by sinking; in steady sliding
-                               // all of it is dissipated, at any resolution
-  double lineWork = 0;         // J, pressure times the line's own advance: F_x times distance. Second
-                               // order in dx everywhere; slidingWork is first order where elements
-                               // enter, because p acts on them before the line has reached them
-  double contactLength = 0;    // m
+  double indentation = 0;    // m, at its end, from the lowest point of the line
+  double normalForce = 0;    // N
+  double work = 0;           // J, done on the elements: integral of p du
+  double dissipated = 0;     // J, in the dashpots
+  double stored = 0;         // J, gained by the springs
+  double slidingWork = 0;    // J, work less what the normal force did by sinking; in steady sliding
+                             // all of it is dissipated, at any resolution
+  double lineWork = 0;       // J, pressure times the line's own advance: F_x times distance. Second
+                             // order in dx everywhere; slidingWork is first order where elements
+                             // enter, because p acts on them before the line has reached them
+  double contactLength = 0;  // m
 };
 
 class TimeMarch {
@@ -57,11 +57,11 @@ class TimeMarch {
   /// Moves the line by `distance` (m, either sign) in the time dt (s, > 0).
   MarchStep step(const MarchConditions& conditions, double dt, double distance);
 
-  double distance() const { return distance_; }                   // m, slid so far
-  double indentation() const { return indentation_; }             // m
-  const std::vector<double>& depth() const { return depth_; }     // m, y at x_i = i spacing
+  double distance() const { return distance_; }                      // m, slid so far
+  double indentation() const { return indentation_; }                // m
+  const std::vector<double>& depth() const { return depth_; }        // m, y at x_i = i spacing
   const std::vector<double>& pressure() const { return pressure_; }  // N/m
-  const std::vector<double>& rise() const { return rise_; }       // m, of the line above each element
+  const std::vector<double>& rise() const { return rise_; }  // m, of the line above each element
   const Line& line() const { return *line_; }
 
  private:

@@ -125,8 +125,7 @@ void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
   if (travel.startsInsideSegment) addLastPart(travel, cubicFrom(node), t, h);
   travel.rise.push_back(0);
   for (std::size_t i = 0; i < travel.rise.size(); ++i)
-    travel.position.push_back(
-        std::clamp((static_cast<double>(i) - t) * h, 0.0, travel.length));
+    travel.position.push_back(std::clamp((static_cast<double>(i) - t) * h, 0.0, travel.length));
   travel.position.back() = travel.length;
   for (std::size_t i = 0; i < travel.segments(); ++i) {
     travel.bounds.push_back(boundsOf(travel.segment(i), travel.segmentLength(i)));

@@ -27,19 +27,19 @@ struct SegmentBounds {
 
 struct TravelLine {
   Scheme scheme = Scheme::Cubic;
-  double length = 0;                // m, period
-  double spacing = 0;               // m, of all segments but perhaps the first and the last
-  std::vector<double> position;     // m, s of the nodes, n + 1
-  std::vector<double> rise;         // m, n + 1; first and last are the lowest point: 0
-  std::vector<double> slopeIn;      // d rise / ds at the start of each segment, n (nodal: at nodes)
-  std::vector<double> slopeOut;     // at its end, n; empty for nodal
-  std::vector<SegmentBounds> bounds;  // n; empty for nodal
-  double lowestHeight = 0;          // m, z of the lowest point, where rise is 0
-  double meanRise = 0;              // m, of the line as the scheme sees it
+  double length = 0;             // m, period
+  double spacing = 0;            // m, of all segments but perhaps the first and the last
+  std::vector<double> position;  // m, s of the nodes, n + 1
+  std::vector<double> rise;      // m, n + 1; first and last are the lowest point: 0
+  std::vector<double> slopeIn;   // d rise / ds at the start of each segment, n (nodal: at nodes)
+  std::vector<double> slopeOut;  // at its end, n; empty for nodal
+  std::vector<SegmentBounds> bounds;   // n; empty for nodal
+  double lowestHeight = 0;             // m, z of the lowest point, where rise is 0
+  double meanRise = 0;                 // m, of the line as the scheme sees it
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself
 
-  std::size_t firstNode = 0;        // node of the Line at or just before s = 0, in travel order
-  bool startsInsideSegment = false; // the lowest point is not a node: first and last are parts
+  std::size_t firstNode = 0;         // node of the Line at or just before s = 0, in travel order
+  bool startsInsideSegment = false;  // the lowest point is not a node: first and last are parts
 
   std::size_t segments() const { return slopeIn.size(); }
   double segmentLength(std::size_t i) const { return position[i + 1] - position[i]; }

@@ -10,14 +10,14 @@ namespace asperity {
 inline constexpr double kNotApplicable = std::numeric_limits<double>::quiet_NaN();
 
 struct CurvePoint {
-  double velocity = 0;                          // m/s
-  double mu = 0;                                // mean over realizations
-  double muStandardError = kNotApplicable;      // of that mean; needs two realizations
-  double muLaw = kNotApplicable;                // Eq. (11)
-  double contactFraction = 0;                   // L_cont / L
-  double rmsSlopeContact = kNotApplicable;      // grad z_cont
-  double indentation = 0;                       // m, d above the line's lowest point
-  double normalizedMu = kNotApplicable;         // mu / rms slope of the whole line
+  double velocity = 0;                            // m/s
+  double mu = 0;                                  // mean over realizations
+  double muStandardError = kNotApplicable;        // of that mean; needs two realizations
+  double muLaw = kNotApplicable;                  // Eq. (11)
+  double contactFraction = 0;                     // L_cont / L
+  double rmsSlopeContact = kNotApplicable;        // grad z_cont
+  double indentation = 0;                         // m, d above the line's lowest point
+  double normalizedMu = kNotApplicable;           // mu / rms slope of the whole line
   double dimensionlessVelocity = kNotApplicable;  // Eq. (13)
   double dimensionlessForce = kNotApplicable;     // Eq. (14)
   std::int64_t realizations = 0;

@@ -145,9 +145,9 @@ class Averaging {
   void addLaw(CurvePoint& point, double normalForce) const {
     const LineStatistics& line = source_.statistics();
     const SlidingConditions conditions = conditionsOf(scene_, point.velocity);
-    const LawInput in{conditions.shearModulus, conditions.relaxationTime, source_.length(),
-                      line.rmsHeight,          line.rmsSlope,             scene_.surface.hurst,
-                      normalForce,             point.velocity};
+    const LawInput in{
+        conditions.shearModulus, conditions.relaxationTime, source_.length(), line.rmsHeight,
+        line.rmsSlope,           scene_.surface.hurst,      normalForce,      point.velocity};
     if (!(line.rmsHeight > 0)) return;
     point.normalizedMu = point.mu / line.rmsSlope;
     point.dimensionlessVelocity = dimensionlessVelocity(in);

@@ -22,17 +22,17 @@ struct CurveProgress {
 };
 
 struct CurveOptions {
-  int threads = 0;       // 0: as many as the machine has
+  int threads = 0;  // 0: as many as the machine has
   std::stop_token stop;
   std::function<void(const CurveProgress&)> progress;  // from one thread at a time; may be empty
 };
 
 struct Curve {
   std::vector<CurvePoint> points;
-  bool isComplete = false;           // false: cancelled, and the points are those of the part done
-  double largestResidual = 0;        // of all force balances
-  double meanPasses = 0;             // over the line, per force balance
-  double marginalFraction = 0;       // nodal: part of the solves with a partly loaded element
+  bool isComplete = false;      // false: cancelled, and the points are those of the part done
+  double largestResidual = 0;   // of all force balances
+  double meanPasses = 0;        // over the line, per force balance
+  double marginalFraction = 0;  // nodal: part of the solves with a partly loaded element
 };
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options = {});

@@ -12,7 +12,9 @@ namespace {
 constexpr std::array<double, 11> kBeta{2.70, 2.17, 1.92, 1.80, 1.75, 1.72,
                                        1.70, 1.66, 1.60, 1.48, 1.28};
 
-double squared(double value) { return value * value; }
+double squared(double value) {
+  return value * value;
+}
 
 }  // namespace
 
@@ -26,13 +28,17 @@ double contactFriction(const LawInput& in, double contactLength, double rmsSlope
   return 4 * contactLength * viscosity * squared(rmsSlopeContact) / in.normalForce * in.velocity;
 }
 
-double forceExponent(double hurst) { return hurst / (1 + hurst); }
+double forceExponent(double hurst) {
+  return hurst / (1 + hurst);
+}
 
 double fullContactFriction(const LawInput& in) {
   return contactFriction(in, in.length, in.rmsSlope);
 }
 
-double plateauFriction(double rmsSlopeContact) { return std::numbers::sqrt2 * rmsSlopeContact; }
+double plateauFriction(double rmsSlopeContact) {
+  return std::numbers::sqrt2 * rmsSlopeContact;
+}
 
 double onesidedFriction(std::span<const double> slopesInContact) {
   double squares = 0, magnitudes = 0;
@@ -49,7 +55,9 @@ double frictionLaw(const LawInput& in, double beta) {
   return 1 / std::hypot(1 / plateauFriction(in.rmsSlope), 1 / fullContactFriction(in), 1 / slow);
 }
 
-double frictionLaw(const LawInput& in) { return frictionLaw(in, betaOf(in.hurst)); }
+double frictionLaw(const LawInput& in) {
+  return frictionLaw(in, betaOf(in.hurst));
+}
 
 double dimensionlessFriction(double velocity, double force, double hurst) {
   const double resistance = squared(force / 4) + std::pow(force, 2 * forceExponent(hurst));

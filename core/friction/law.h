@@ -25,7 +25,8 @@ struct LawInput {
 /// Eq. (5): mu = beta tau v grad^2 / h (G h L / F_N)^alpha, at low velocities and partial contact.
 double lowVelocityFriction(const LawInput& in, double alpha, double beta);
 
-/// Eq. (6): mu = 4 L_cont eta grad_cont^2 v / F_N; contactLength in m, slope of the line in contact.
+/// Eq. (6): mu = 4 L_cont eta grad_cont^2 v / F_N; contactLength in m, slope of the line in
+/// contact.
 double contactFriction(const LawInput& in, double contactLength, double rmsSlopeContact);
 
 /// Eq. (7): alpha = H / (1 + H).

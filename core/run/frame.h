@@ -24,15 +24,15 @@ struct Frame {
   double distance = 0;                 // m slid
   double timeScale = 0;                // simulated seconds per second on screen
 
-  double length = 0;                   // m, period
-  double spacing = 0;                  // m between points
-  std::vector<double> lineHeight;      // m, z - d
-  std::vector<double> surfaceHeight;   // m, u
-  std::vector<double> pressure;        // N/m, line load p >= 0; 0 where not in contact
+  double length = 0;                  // m, period
+  double spacing = 0;                 // m between points
+  std::vector<double> lineHeight;     // m, z - d
+  std::vector<double> surfaceHeight;  // m, u
+  std::vector<double> pressure;       // N/m, line load p >= 0; 0 where not in contact
 
-  double indentation = 0;              // m, d above the line's lowest point
-  double normalForce = 0;              // N
-  double tangentialForce = 0;          // N, magnitude along the motion
+  double indentation = 0;      // m, d above the line's lowest point
+  double normalForce = 0;      // N
+  double tangentialForce = 0;  // N, magnitude along the motion
   double contactFraction = 0;
   double rmsHeight = 0, rmsSlope = 0;  // of the line
 

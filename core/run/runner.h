@@ -33,9 +33,9 @@ struct RunnerMessage {
 };
 
 struct RunnerOptions {
-  int threads = 0;              // for the curve; 0: as many as the machine has
-  double framesPerSecond = 60;  // frames made at most
-  double secondsPerPeriod = 12; // on screen, for the line to pass by once
+  int threads = 0;               // for the curve; 0: as many as the machine has
+  double framesPerSecond = 60;   // frames made at most
+  double secondsPerPeriod = 12;  // on screen, for the line to pass by once
 };
 
 class Runner {

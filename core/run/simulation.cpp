@@ -46,8 +46,8 @@ Simulation::Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number)
 
 void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number) {
   const auto next = std::make_shared<Ready>(std::move(scene), number);
-  const bool sameElements = next->line->nodes() == ready_->line->nodes() &&
-                            next->line->length == ready_->line->length;
+  const bool sameElements =
+      next->line->nodes() == ready_->line->nodes() && next->line->length == ready_->line->length;
   ready_ = next;
   if (!sameElements) return reset();
   TimeMarch march(ready_->line, ready_->travel.lowestHeight);
@@ -89,8 +89,8 @@ void Simulation::stepOnce(double dt, double distance) {
   last_ = march_->step(ready_->marchConditions(), dt, distance);
   lineWork_ += last_.lineWork;
   normalWork_ += last_.normalForce * distance;
-  resolves_ = distance > 0 && distance <= 2 * ready_->conditions.velocity *
-                                             ready_->conditions.relaxationTime;
+  resolves_ = distance > 0 &&
+              distance <= 2 * ready_->conditions.velocity * ready_->conditions.relaxationTime;
   time_ += dt;
   ++steps_;
 }
@@ -100,8 +100,8 @@ void Simulation::advance(double part, double wallSeconds) {
   const double velocity = ready_->conditions.velocity;
   const double before = time_;
   if (velocity > 0) {
-    const double most = std::max(1.0, std::floor(kStepsPerFrame /
-                                                 static_cast<double>(ready_->line->nodes())));
+    const double most =
+        std::max(1.0, std::floor(kStepsPerFrame / static_cast<double>(ready_->line->nodes())));
     const double wanted = part * ready_->line->length;
     const double finest = std::ceil(wanted / naturalStep());
     // Where the budget binds, steps grow up to one node; only then the line slows down.

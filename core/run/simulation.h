@@ -45,7 +45,7 @@ class Simulation {
   std::uint64_t steps_ = 0;
   double time_ = 0, timeScale_ = 0;
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
-  bool resolves_ = false;                    // steps were short enough to read friction
+  bool resolves_ = false;                 // steps were short enough to read friction
 };
 
 }  // namespace asperity

@@ -13,8 +13,7 @@ namespace {
 constexpr std::int64_t kPicturePoints = 8192;
 
 SteadyResult solve(const TravelLine& line, const Scene& scene) {
-  SteadyResult result =
-      slideAtLoad(line, conditionsOf(scene, scene.sliding.velocity), scene.load);
+  SteadyResult result = slideAtLoad(line, conditionsOf(scene, scene.sliding.velocity), scene.load);
   if (result.status != SteadyStatus::Balanced)
     throw std::runtime_error("the force balance is not met");
   return result;
@@ -36,8 +35,7 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene) : scene_(std::mov
   const std::int64_t finer =
       accuracy.scheme == Scheme::Nodal
           ? accuracy.oversampling
-          : std::max(accuracy.oversampling,
-                     (kPicturePoints + own.elements() - 1) / own.elements());
+          : std::max(accuracy.oversampling, (kPicturePoints + own.elements() - 1) / own.elements());
   const LineSource source(*scene_, finer);
   const Line line = source.make(0);
   const TravelLine travel = prepareTravel(line, accuracy.scheme);

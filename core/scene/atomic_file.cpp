@@ -78,7 +78,8 @@ void checkWritable(const fs::path& file) {
   if (!fs::is_directory(folder, ignored))
     throw InputError(file.string(), "", fmt::format("folder {} does not exist", folder.string()));
   if (::access(folder.c_str(), W_OK) != 0)
-    throw InputError(file.string(), "", fmt::format("folder {} cannot be written to", folder.string()));
+    throw InputError(file.string(), "",
+                     fmt::format("folder {} cannot be written to", folder.string()));
 }
 
 void writeFileAtomically(const fs::path& file, std::string_view bytes) {
@@ -93,13 +94,15 @@ std::string readWholeFile(const fs::path& file, std::size_t limit) {
   if (fs::is_directory(file, error)) throw InputError(file.string(), "", "is a folder, not a file");
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> handle(std::fopen(file.c_str(), "rb"),
                                                                &std::fclose);
-  if (!handle) throw InputError(file.string(), "", fmt::format("cannot be opened: {}", std::strerror(errno)));
+  if (!handle)
+    throw InputError(file.string(), "", fmt::format("cannot be opened: {}", std::strerror(errno)));
   std::string bytes;
   char buffer[1 << 16];
   while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, handle.get())) {
     bytes.append(buffer, count);
     if (bytes.size() > limit)
-      throw InputError(file.string(), "", fmt::format("is larger than the {} bytes allowed", limit));
+      throw InputError(file.string(), "",
+                       fmt::format("is larger than the {} bytes allowed", limit));
   }
   if (std::ferror(handle.get())) throw InputError(file.string(), "", "cannot be read");
   return bytes;

@@ -33,7 +33,9 @@ bool containsWord(std::string_view words, std::string_view word) {
 }
 
 /// The accessors take a Scene&; reading through them leaves the scene as it is.
-Scene& readable(const Scene& scene) { return const_cast<Scene&>(scene); }
+Scene& readable(const Scene& scene) {
+  return const_cast<Scene&>(scene);
+}
 
 [[noreturn]] void refuse(const Parameter& parameter, std::string message) {
   throw InputError("", std::string(parameter.key), std::move(message));
@@ -46,17 +48,17 @@ bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double numb
 }
 
 double numberFrom(const Parameter& parameter, const ParameterValue& value) {
-  const double number = std::visit(
-      Overloaded{[](double real) { return real; },
-                 [](std::int64_t integer) { return static_cast<double>(integer); },
-                 [&](const std::string& text) -> double {
-                   refuse(parameter, fmt::format("'{}' is not a number; allowed is {}", text,
-                                                 allowedText(parameter)));
-                 }},
-      value);
+  const double number =
+      std::visit(Overloaded{[](double real) { return real; },
+                            [](std::int64_t integer) { return static_cast<double>(integer); },
+                            [&](const std::string& text) -> double {
+                              refuse(parameter, fmt::format("'{}' is not a number; allowed is {}",
+                                                            text, allowedText(parameter)));
+                            }},
+                 value);
   if (!std::isfinite(number))
-    refuse(parameter, fmt::format("{} is not a finite number; allowed is {}", number,
-                                  allowedText(parameter)));
+    refuse(parameter,
+           fmt::format("{} is not a finite number; allowed is {}", number, allowedText(parameter)));
   return number;
 }
 
@@ -77,8 +79,8 @@ void setInteger(const Parameter& parameter, const IntegerField& field, Scene& sc
                 const ParameterValue& value) {
   const double number = numberFrom(parameter, value);
   if (number != std::floor(number))
-    refuse(parameter, fmt::format("{} is not a whole number; allowed is {}", number,
-                                  allowedText(parameter)));
+    refuse(parameter,
+           fmt::format("{} is not a whole number; allowed is {}", number, allowedText(parameter)));
   checkRange(parameter, scene, number, static_cast<double>(field.minimum),
              static_cast<double>(field.maximum));
   field.member(scene) = static_cast<std::int64_t>(number);
@@ -87,8 +89,8 @@ void setInteger(const Parameter& parameter, const IntegerField& field, Scene& sc
 void setChoice(const Parameter& parameter, const ChoiceField& field, Scene& scene,
                const ParameterValue& value) {
   const auto* word = std::get_if<std::string>(&value);
-  const auto found = word ? std::find(field.choices.begin(), field.choices.end(), *word)
-                          : field.choices.end();
+  const auto found =
+      word ? std::find(field.choices.begin(), field.choices.end(), *word) : field.choices.end();
   if (found == field.choices.end()) {
     const std::string given = word ? fmt::format("'{}'", *word) : std::string("a number");
     refuse(parameter, fmt::format("{} is not {}", given, allowedText(parameter)));
@@ -113,33 +115,29 @@ bool isApplicable(const Parameter& parameter, const Scene& scene) {
 
 ParameterValue valueOf(const Parameter& parameter, const Scene& scene) {
   return std::visit(
-      Overloaded{[&](const RealField& field) -> ParameterValue {
-                   return field.member(readable(scene));
-                 },
-                 [&](const IntegerField& field) -> ParameterValue {
-                   return field.member(readable(scene));
-                 },
-                 [&](const ChoiceField& field) -> ParameterValue {
-                   return std::string(field.choices[static_cast<std::size_t>(field.read(scene))]);
-                 },
-                 [&](const TextField& field) -> ParameterValue {
-                   return field.member(readable(scene));
-                 }},
+      Overloaded{
+          [&](const RealField& field) -> ParameterValue { return field.member(readable(scene)); },
+          [&](const IntegerField& field) -> ParameterValue {
+            return field.member(readable(scene));
+          },
+          [&](const ChoiceField& field) -> ParameterValue {
+            return std::string(field.choices[static_cast<std::size_t>(field.read(scene))]);
+          },
+          [&](const TextField& field) -> ParameterValue { return field.member(readable(scene)); }},
       parameter.field);
 }
 
-ParameterValue defaultOf(const Parameter& parameter) { return valueOf(parameter, Scene{}); }
+ParameterValue defaultOf(const Parameter& parameter) {
+  return valueOf(parameter, Scene{});
+}
 
 void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& value) {
-  std::visit(Overloaded{[&](const RealField& field) { setReal(parameter, field, scene, value); },
-                        [&](const IntegerField& field) {
-                          setInteger(parameter, field, scene, value);
-                        },
-                        [&](const ChoiceField& field) {
-                          setChoice(parameter, field, scene, value);
-                        },
-                        [&](const TextField& field) { setText(parameter, field, scene, value); }},
-             parameter.field);
+  std::visit(
+      Overloaded{[&](const RealField& field) { setReal(parameter, field, scene, value); },
+                 [&](const IntegerField& field) { setInteger(parameter, field, scene, value); },
+                 [&](const ChoiceField& field) { setChoice(parameter, field, scene, value); },
+                 [&](const TextField& field) { setText(parameter, field, scene, value); }},
+      parameter.field);
 }
 
 void setFromText(const Parameter& parameter, Scene& scene, std::string_view text) {
@@ -157,18 +155,18 @@ void setFromText(const Parameter& parameter, Scene& scene, std::string_view text
 }
 
 std::string allowedText(const Parameter& parameter) {
-  return std::visit(
-      Overloaded{[](const RealField& field) {
-                   return fmt::format("{} to {}", field.minimum, field.maximum);
-                 },
-                 [](const IntegerField& field) {
-                   return fmt::format("{} to {}", field.minimum, field.maximum);
-                 },
-                 [](const ChoiceField& field) {
-                   return (field.choices.size() > 1 ? "one of " : "") + joined(field.choices);
-                 },
-                 [](const TextField&) { return std::string("text"); }},
-      parameter.field);
+  return std::visit(Overloaded{[](const RealField& field) {
+                                 return fmt::format("{} to {}", field.minimum, field.maximum);
+                               },
+                               [](const IntegerField& field) {
+                                 return fmt::format("{} to {}", field.minimum, field.maximum);
+                               },
+                               [](const ChoiceField& field) {
+                                 return (field.choices.size() > 1 ? "one of " : "") +
+                                        joined(field.choices);
+                               },
+                               [](const TextField&) { return std::string("text"); }},
+                    parameter.field);
 }
 
 }  // namespace asperity

@@ -22,14 +22,16 @@ constexpr std::int64_t kLargestInteger = (std::int64_t{1} << 53) - 1;  // exact 
 
 /// A field that reads and writes `scene.section.member`.
 #define ASPERITY_MEMBER(section, member) \
-  +[](Scene& scene) -> auto& { return scene.section.member; }
-#define ASPERITY_CHOICE(section, member, words)                                         \
-  ChoiceField {                                                                         \
-    [](const Scene& scene) { return static_cast<int>(scene.section.member); },          \
-        [](Scene& scene, int index) {                                                   \
-          scene.section.member = static_cast<decltype(scene.section.member)>(index);    \
-        },                                                                              \
-        words                                                                           \
+  +[](Scene & scene) -> auto& {          \
+    return scene.section.member;         \
+  }
+#define ASPERITY_CHOICE(section, member, words)                                      \
+  ChoiceField {                                                                      \
+    [](const Scene& scene) { return static_cast<int>(scene.section.member); },       \
+        [](Scene& scene, int index) {                                                \
+          scene.section.member = static_cast<decltype(scene.section.member)>(index); \
+        },                                                                           \
+        words                                                                        \
   }
 
 // clang-format off
@@ -113,7 +115,9 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::span<const Parameter> parameters() { return kTable; }
+std::span<const Parameter> parameters() {
+  return kTable;
+}
 
 const Parameter* findParameter(std::string_view key) {
   const auto row = std::find_if(kTable.begin(), kTable.end(),

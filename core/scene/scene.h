@@ -35,8 +35,8 @@ struct Surface {
 
 struct Elastomer {
   Rheology rheology = Rheology::Kelvin;
-  double shearModulus = 1e7;      // Pa, G
-  double relaxationTime = 1e-3;   // s, tau = eta / G
+  double shearModulus = 1e7;     // Pa, G
+  double relaxationTime = 1e-3;  // s, tau = eta / G
 
   bool operator==(const Elastomer&) const = default;
 };

@@ -21,7 +21,7 @@ constexpr std::size_t kLargestScene = 1 << 20;
 struct Assignment {
   std::string key;
   ParameterValue value;
-  bool typed = true;       // false: text from --set, still to be read as a number
+  bool typed = true;  // false: text from --set, still to be read as a number
   bool fromFile = true;
 };
 
@@ -57,7 +57,8 @@ Json parseJson(std::string_view text) {
 
 const Parameter& rowOf(const std::string& key) {
   if (const Parameter* row = findParameter(key)) return *row;
-  throw InputError("", key, fmt::format("unknown key; the nearest known one is {}", nearestKey(key)));
+  throw InputError("", key,
+                   fmt::format("unknown key; the nearest known one is {}", nearestKey(key)));
 }
 
 ParameterValue valueFrom(const std::string& key, const Json& json) {
@@ -67,11 +68,12 @@ ParameterValue valueFrom(const std::string& key, const Json& json) {
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
   if (json.is_string()) return json.get<std::string>();
-  throw InputError("", key, fmt::format("{} is not allowed here; allowed is {}",
-                                        json.is_object()  ? "an object"
-                                        : json.is_array() ? "a list"
-                                                          : json.dump(),
-                                        allowedText(row)));
+  throw InputError("", key,
+                   fmt::format("{} is not allowed here; allowed is {}",
+                               json.is_object()  ? "an object"
+                               : json.is_array() ? "a list"
+                                                 : json.dump(),
+                               allowedText(row)));
 }
 
 void checkSchema(const Json& schema) {

@@ -29,7 +29,9 @@ struct Buffer {
 
 using Complex = std::complex<double>;
 
-fftw_complex* raw(Complex* values) { return reinterpret_cast<fftw_complex*>(values); }
+fftw_complex* raw(Complex* values) {
+  return reinterpret_cast<fftw_complex*>(values);
+}
 
 }  // namespace
 
@@ -58,7 +60,9 @@ FourierTransform::FourierTransform(std::size_t nodes) : plans_(std::make_unique<
 FourierTransform::~FourierTransform() = default;
 FourierTransform::FourierTransform(FourierTransform&&) noexcept = default;
 
-std::size_t FourierTransform::nodes() const { return plans_->nodes; }
+std::size_t FourierTransform::nodes() const {
+  return plans_->nodes;
+}
 
 void FourierTransform::evaluate(const FourierLine& line, std::vector<double>& height,
                                 std::vector<double>& slope) const {

@@ -8,9 +8,9 @@
 namespace asperity {
 
 struct Line {
-  double length = 0;   // m, period
-  double spacing = 0;  // m, between neighbouring nodes; node i stands at x = i * spacing
-  std::vector<double> height;       // m, n nodes; the rigid body is above, so low nodes touch first
+  double length = 0;           // m, period
+  double spacing = 0;          // m, between neighbouring nodes; node i stands at x = i * spacing
+  std::vector<double> height;  // m, n nodes; the rigid body is above, so low nodes touch first
   std::vector<double> slopeAfter;   // dz/dx just right of each node, n
   std::vector<double> slopeBefore;  // dz/dx just left of each node, n; empty: the same (no corners)
   double rmsHeight = 0;  // m, of the whole line, from its exact description (spectrum or formula)

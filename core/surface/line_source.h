@@ -34,8 +34,8 @@ class LineSource {
   /// The modes of a realization; empty for lines given by a formula.
   FourierLine spectrum(std::int64_t realization) const;
 
-  double length() const { return length_; }             // m
-  std::int64_t elements() const { return elements_; }   // per period, without oversampling
+  double length() const { return length_; }            // m
+  std::int64_t elements() const { return elements_; }  // per period, without oversampling
 
  private:
   void readProfileOf(const Scene& scene);
@@ -44,10 +44,10 @@ class LineSource {
   double length_;
   std::int64_t elements_;
   std::size_t nodes_ = 0;
-  std::vector<double> amplitudes_;              // of a self-affine line
+  std::vector<double> amplitudes_;  // of a self-affine line
   FourierLine profile_;
   LineStatistics statistics_;
-  std::optional<FourierTransform> transform_;   // for lines that have a spectrum
+  std::optional<FourierTransform> transform_;  // for lines that have a spectrum
 };
 
 }  // namespace asperity

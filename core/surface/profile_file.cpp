@@ -52,9 +52,7 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& message) const {
-    throw InputError(name_, "", message);
-  }
+  [[noreturn]] void fail(const std::string& message) const { throw InputError(name_, "", message); }
 
   void takeLine() {
     ++row_;
@@ -69,7 +67,8 @@ class Reader {
     for (const std::string_view field : fields) {
       double number = 0;
       if (!readNumber(field, number)) return takeHeader(field);
-      if (!std::isfinite(number)) fail(fmt::format("row {}: {} is not a finite number", row_, field));
+      if (!std::isfinite(number))
+        fail(fmt::format("row {}: {} is not a finite number", row_, field));
       numbers.push_back(number);
     }
     if (height_.empty()) columns_ = numbers.size();
@@ -94,8 +93,9 @@ class Reader {
     for (std::size_t i = 1; i < position_.size(); ++i) {
       const double step = position_[i] - position_[i - 1];
       if (std::abs(step - spacing) > 1e-6 * spacing + 4e-16 * std::abs(position_[i]))
-        fail(fmt::format("spacing {} after data row {} differs from {}; positions must be uniform to 1e-6",
-                         step, i, spacing));
+        fail(fmt::format(
+            "spacing {} after data row {} differs from {}; positions must be uniform to 1e-6", step,
+            i, spacing));
     }
     return spacing * rows;
   }

@@ -5,7 +5,9 @@
 
 namespace asperity {
 
-std::size_t modesOf(std::size_t elements) { return (elements - 1) / 2; }
+std::size_t modesOf(std::size_t elements) {
+  return (elements - 1) / 2;
+}
 
 std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, double rmsHeight) {
   std::vector<double> amplitudes(modesOf(elements));

@@ -41,9 +41,9 @@ std::string surfaceJson(const Scene& scene, const LineSource& source, const Line
   root["verb"] = "surface";
   root["version"] = ASPERITY_VERSION;
   root["scene"] = Json::parse(writeScene(scene));
-  root["statistics"] = {{"length", line.length},       {"points", line.nodes()},
-                        {"spacing", line.spacing},     {"rms_height", line.rmsHeight},
-                        {"rms_slope", line.rmsSlope},  {"lowest", *lowest},
+  root["statistics"] = {{"length", line.length},      {"points", line.nodes()},
+                        {"spacing", line.spacing},    {"rms_height", line.rmsHeight},
+                        {"rms_slope", line.rmsSlope}, {"lowest", *lowest},
                         {"highest", *highest}};
   const FourierLine modes = source.spectrum(0);
   root["spectrum"] = modes.coefficients.empty() ? Json(nullptr) : spectrumJson(modes);

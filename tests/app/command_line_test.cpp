@@ -73,7 +73,8 @@ TEST_F(CommandLineTest, BadInputIsExitTwoAndOneClearLine) {
     const std::string v = std::string(verb) + " ";
     expectRefused(v + "missing.json", 2, "missing.json: cannot be opened");
     expectRefused(v + "broken.json", 2, "broken.json: is not valid JSON");
-    expectRefused(v + "unknown.json", 2, "surface.hurts: unknown key; the nearest known one is surface.hurst");
+    expectRefused(v + "unknown.json", 2,
+                  "surface.hurts: unknown key; the nearest known one is surface.hurst");
     expectRefused(v + "text.json", 2, "load.normal_force: 'much' is not a number");
     expectRefused(v + "nan.json", 2, "nan.json: is not valid JSON");
     expectRefused(v + "negative.json", 2, "elastomer.shear_modulus: -10000000 is outside");
@@ -191,8 +192,7 @@ TEST_F(CommandLineTest, SurfaceWritesWhatTheProfileReaderTakesBack) {
   const Said said = program.run("check p.json");
   EXPECT_EQ(said.status, 0) << said.err;
   EXPECT_THAT(said.out, HasSubstr("rms height 5e-07"));
-  const auto root =
-      nlohmann::json::parse(TemporaryFolder::read(program.folder / "line.json"));
+  const auto root = nlohmann::json::parse(TemporaryFolder::read(program.folder / "line.json"));
   EXPECT_NEAR(root["statistics"]["rms_height"].get<double>(), 5e-7, 1e-18);
   EXPECT_EQ(root["spectrum"]["wave_number"].size(), 99U);
   EXPECT_THAT(TemporaryFolder::read(program.folder / "line.png"), StartsWith("\x89PNG"));
@@ -201,20 +201,21 @@ TEST_F(CommandLineTest, SurfaceWritesWhatTheProfileReaderTakesBack) {
 TEST_F(CommandLineTest, AProfileIsFoundBesideItsScene) {
   EXPECT_EQ(program.run("surface s.json -o line.csv").status, 0);
   program.folder.write("p.json", R"({"surface":{"kind":"profile","file":"line.csv"}})");
-  EXPECT_EQ(program.run("check p.json", "mkdir -p other; cd other;").status, 2);  // p.json is not there
+  EXPECT_EQ(program.run("check p.json", "mkdir -p other; cd other;").status,
+            2);  // p.json is not there
   EXPECT_EQ(program.run("check ../p.json", "cd other;").status, 0);
 }
 
 TEST_F(CommandLineTest, WithoutADisplayTheWindowSaysWhatToDoInstead) {
-  expectRefused("s.json", 1, "no display",
-                "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM");
+  expectRefused("s.json", 1, "no display", "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM");
 }
 
 /// A killed run leaves no half file under the final name.
 TEST_F(CommandLineTest, AKilledRunLeavesNoHalfFile) {
   for (const char* delay : {"0.02", "0.1", "0.3"}) {
-    program.run("curve s.json --set surface.elements=5000 --set ensemble.realizations=5000 -o a.csv",
-                std::string("timeout -s KILL ") + delay);
+    program.run(
+        "curve s.json --set surface.elements=5000 --set ensemble.realizations=5000 -o a.csv",
+        std::string("timeout -s KILL ") + delay);
     EXPECT_FALSE(std::filesystem::exists(program.folder / "a.csv"));
   }
 }

@@ -31,13 +31,14 @@ class Program {
     return said;
   }
 
-  /// The same where no file may grow: a size limit stands for a full disk. What is said goes through
-  /// a pipe, which the limit does not touch, and comes back as err.
+  /// The same where no file may grow: a size limit stands for a full disk. What is said goes
+  /// through a pipe, which the limit does not touch, and comes back as err.
   Said runOnFullDisk(const std::string& arguments) const {
     const auto err = folder / ".err";
     const std::string line = "cd '" + folder.path().string() +
                              "' && bash -c '(trap \"\" XFSZ; ulimit -f 0; exec \"" ASPERITY_PROGRAM
-                             "\" " + arguments + ") 2>&1 >/dev/null | cat >.err; exit ${PIPESTATUS[0]}'";
+                             "\" " +
+                             arguments + ") 2>&1 >/dev/null | cat >.err; exit ${PIPESTATUS[0]}'";
     const int status = std::system(line.c_str());
     Said said{WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", TemporaryFolder::read(err)};
     std::filesystem::remove(err);

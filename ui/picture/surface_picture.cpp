@@ -68,8 +68,9 @@ class SurfacePicture {
 
   void addHeader() {
     const float left = 24 * unit_;
-    text(scene_.title.empty() ? "Rigid line" : elided(scene_.title, 18 * unit_, true,
-                                                      static_cast<float>(list_.width) - 2 * left),
+    text(scene_.title.empty()
+             ? "Rigid line"
+             : elided(scene_.title, 18 * unit_, true, static_cast<float>(list_.width) - 2 * left),
          {left, 30 * unit_}, 18 * unit_, theme_.text, TextAnchor::Left, true);
     std::string facts = "one period L = " + quantity(line_.length, "m") +
                         "     rms height h = " + quantity(line_.rmsHeight, "m") +
@@ -89,8 +90,13 @@ class SurfacePicture {
     for (const LabelledTick& tick : axes.along)
       addLine(layer, {{axes.px(tick.value), box.y}, {axes.px(tick.value), box.bottom()}}, unit_,
               theme_.grid);
-    addLine(layer, {{box.x, box.y}, {box.right(), box.y}, {box.right(), box.bottom()},
-                    {box.x, box.bottom()}, {box.x, box.y}}, unit_, theme_.axis);
+    addLine(layer,
+            {{box.x, box.y},
+             {box.right(), box.y},
+             {box.right(), box.bottom()},
+             {box.x, box.bottom()},
+             {box.x, box.y}},
+            unit_, theme_.axis);
     list_.layers.push_back(std::move(layer));
     const float small = 12 * unit_;
     for (const LabelledTick& tick : axes.along)
@@ -101,8 +107,8 @@ class SurfacePicture {
            theme_.faintText, TextAnchor::Right);
     text(axes.titleAlong, {box.x + box.width / 2, box.bottom() + 40 * unit_}, small, theme_.text,
          TextAnchor::Centre);
-    text(axes.titleUp, {24 * unit_, box.y + box.height / 2}, small, theme_.text,
-         TextAnchor::Centre, false, std::numbers::pi_v<float> / 2);
+    text(axes.titleUp, {24 * unit_, box.y + box.height / 2}, small, theme_.text, TextAnchor::Centre,
+         false, std::numbers::pi_v<float> / 2);
   }
 
   static std::vector<LabelledTick> linear(const AxisTicks& ticks) {
@@ -177,8 +183,15 @@ class SurfacePicture {
       low = std::min(low, point.second);
       high = std::max(high, point.second);
     }
-    Axes axes{box, points.front().first - 0.1, points.back().first + 0.1, std::max(low, high - 20) - 0.5,
-              high + 0.5, {}, {}, "wave number q (1/m)", "power spectral density C (m³)"};
+    Axes axes{box,
+              points.front().first - 0.1,
+              points.back().first + 0.1,
+              std::max(low, high - 20) - 0.5,
+              high + 0.5,
+              {},
+              {},
+              "wave number q (1/m)",
+              "power spectral density C (m³)"};
     axes.along = logarithmic(std::pow(10, axes.left), std::pow(10, axes.right), 10);
     axes.up = logarithmic(std::pow(10, axes.bottom), std::pow(10, axes.top), 8);
     addFrame(axes);

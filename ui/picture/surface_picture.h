@@ -16,7 +16,8 @@ struct SurfacePictureOptions {
   Theme theme = lightTheme();
 };
 
-/// modes: the line's spectrum; no coefficients: the line is given by a formula and fills the picture.
+/// modes: the line's spectrum; no coefficients: the line is given by a formula and fills the
+/// picture.
 DrawList composeSurface(const Scene& scene, const Line& line, const FourierLine& modes,
                         const SurfacePictureOptions& options);
 

@@ -26,16 +26,19 @@ Forces wedgeForces(double t, double d, double c) {
 Forces parabolaForces(double radius, double d, double c) {
   const double g = kModulus, a = std::sqrt(2 * radius * d), b = std::hypot(a, c) - c;
   const double edge = a * a - b * b;
-  return {2 * g / radius *
-              (a * a * (a + b) - (a * a * a + b * b * b) / 3 + c * edge),
+  return {2 * g / radius * (a * a * (a + b) - (a * a * a + b * b * b) / 3 + c * edge),
           4 * g / (radius * radius) * (edge * edge / 8 + c * (a * a * a + b * b * b) / 3)};
 }
 
 /// Memory lengths over contact half-widths, and a period that isolates the contact.
 constexpr double kMemories[] = {0, 0.01, 0.3, 1, 1.7, 5};
-double isolated(double a, double c) { return 2 * a + 40 * c + a; }
+double isolated(double a, double c) {
+  return 2 * a + 40 * c + a;
+}
 
-double relative(double value, double exact) { return std::abs(value / exact - 1); }
+double relative(double value, double exact) {
+  return std::abs(value / exact - 1);
+}
 
 class Represented : public testing::TestWithParam<Scheme> {};
 

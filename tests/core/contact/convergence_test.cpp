@@ -46,9 +46,13 @@ void expectOrder(Scheme scheme, int highest, double least) {
           << force << " N, " << velocity << " m/s";
 }
 
-TEST(Convergence, LinearIsSecondOrder) { expectOrder(Scheme::Linear, 32, 1.8); }
+TEST(Convergence, LinearIsSecondOrder) {
+  expectOrder(Scheme::Linear, 32, 1.8);
+}
 
-TEST(Convergence, CubicIsFourthOrder) { expectOrder(Scheme::Cubic, 16, 3.5); }
+TEST(Convergence, CubicIsFourthOrder) {
+  expectOrder(Scheme::Cubic, 16, 3.5);
+}
 
 }  // namespace
 }  // namespace asperity

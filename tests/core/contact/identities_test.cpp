@@ -14,9 +14,9 @@ struct Case {
   double force, velocity;
 };
 
-constexpr Case kCases[] = {{1e-4, 1e-3}, {1e-4, 1},    {1e-4, 1e3},  {0.0034, 1e-4}, {0.0034, 0.1},
-                           {0.0034, 10}, {0.0034, 1e3}, {1, 1e-2},    {1, 3},         {1, 1e3},
-                           {100, 1},     {100, 1e3}};
+constexpr Case kCases[] = {{1e-4, 1e-3},  {1e-4, 1},    {1e-4, 1e3},   {0.0034, 1e-4},
+                           {0.0034, 0.1}, {0.0034, 10}, {0.0034, 1e3}, {1, 1e-2},
+                           {1, 3},        {1, 1e3},     {100, 1},      {100, 1e3}};
 
 template <class Check>
 void forEachCase(Check check) {
@@ -24,9 +24,9 @@ void forEachCase(Check check) {
     for (const std::int64_t oversampling : {1, 2, 5}) {
       const TravelLine line = prepareTravel(roughLine(400, oversampling), scheme);
       for (const Case& each : kCases) {
-        SCOPED_TRACE(testing::Message() << "scheme " << static_cast<int>(scheme) << " x"
-                                        << oversampling << ", " << each.force << " N, "
-                                        << each.velocity << " m/s");
+        SCOPED_TRACE(testing::Message()
+                     << "scheme " << static_cast<int>(scheme) << " x" << oversampling << ", "
+                     << each.force << " N, " << each.velocity << " m/s");
         const SlidingConditions conditions{kModulus, kTau, each.velocity};
         check(line, conditions, each.force, slideAtForce(line, conditions, each.force));
       }
@@ -34,13 +34,13 @@ void forEachCase(Check check) {
 }
 
 TEST(Identities, ForceBalanceIsMetToThirteenDigits) {
-  forEachCase([](const TravelLine&, const SlidingConditions&, double force,
-                 const SteadyResult& result) {
-    EXPECT_EQ(result.status, SteadyStatus::Balanced);
-    EXPECT_LE(result.residual, 1e-12);
-    EXPECT_NEAR(result.normalForce / force, 1, 1e-12);
-    EXPECT_LE(result.passes, 15);
-  });
+  forEachCase(
+      [](const TravelLine&, const SlidingConditions&, double force, const SteadyResult& result) {
+        EXPECT_EQ(result.status, SteadyStatus::Balanced);
+        EXPECT_LE(result.residual, 1e-12);
+        EXPECT_NEAR(result.normalForce / force, 1, 1e-12);
+        EXPECT_LE(result.passes, 15);
+      });
 }
 
 /// F_N = integral of p over contact = -4 G integral of u over all elements.
@@ -123,7 +123,8 @@ TEST(Identities, MirrorSymmetry) {
   }
 }
 
-/// mu depends on F_N / G h L, v tau / L and the shape alone: scaling by powers of two changes no bit.
+/// mu depends on F_N / G h L, v tau / L and the shape alone: scaling by powers of two changes no
+/// bit.
 TEST(Identities, ScalingByPowersOfTwoGivesTheSameBits) {
   const Line line = roughLine(300, 2);
   Line scaled = line;
@@ -135,9 +136,9 @@ TEST(Identities, ScalingByPowersOfTwoGivesTheSameBits) {
     for (const Case& each : kCases) {
       const SteadyResult one =
           slideAtForce(prepareTravel(line, scheme), {kModulus, kTau, each.velocity}, each.force);
-      const SteadyResult two = slideAtForce(
-          prepareTravel(scaled, scheme), {kModulus * 2, kTau * 16, each.velocity / 4},
-          each.force * 2 * 8 * 4);
+      const SteadyResult two =
+          slideAtForce(prepareTravel(scaled, scheme), {kModulus * 2, kTau * 16, each.velocity / 4},
+                       each.force * 2 * 8 * 4);
       EXPECT_EQ(one.mu * 2, two.mu);
       EXPECT_EQ(one.contactFraction, two.contactFraction);
     }

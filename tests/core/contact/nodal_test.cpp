@@ -13,8 +13,7 @@ namespace {
 TEST(Nodal, ForceIsMetExactlyEvenInAJump) {
   int jumps = 0;
   for (int realization = 0; realization < 10; ++realization) {
-    const TravelLine line =
-        prepareTravel(roughLine(1000, 1, 0.7, realization), Scheme::Nodal);
+    const TravelLine line = prepareTravel(roughLine(1000, 1, 0.7, realization), Scheme::Nodal);
     for (const double velocity : {1e-5, 1e-2, 0.1, 1.0, 10.0, 1000.0}) {
       const SteadyResult result = slideAtForce(line, {kModulus, kTau, velocity}, 0.0034);
       EXPECT_EQ(result.status, SteadyStatus::Balanced);
@@ -62,9 +61,11 @@ TEST(Nodal, AgreesWithTheResolvedLineAtLowVelocity) {
   for (int realization = 0; realization < 10; ++realization) {
     const SlidingConditions slow{kModulus, kTau, 1e-2};
     nodal += slideAtForce(prepareTravel(roughLine(5000, 1, 0.7, realization), Scheme::Nodal), slow,
-                          0.0034).mu;
+                          0.0034)
+                 .mu;
     cubic += slideAtForce(prepareTravel(roughLine(5000, 4, 0.7, realization), Scheme::Cubic), slow,
-                          0.0034).mu;
+                          0.0034)
+                 .mu;
   }
   EXPECT_NEAR(nodal / cubic, 1, 0.02);
 }

@@ -9,15 +9,18 @@
 namespace asperity {
 namespace {
 
-double relative(double value, double exact) { return std::abs(value / exact - 1); }
+double relative(double value, double exact) {
+  return std::abs(value / exact - 1);
+}
 
-TEST(Reference, HasAllItsRows) { EXPECT_EQ(convergedRows().size(), 30U); }
+TEST(Reference, HasAllItsRows) {
+  EXPECT_EQ(convergedRows().size(), 30U);
+}
 
 TEST(Reference, CubicAtTwoPointsPerElement) {
   const TravelLine line = prepareTravel(referenceProfile(2), Scheme::Cubic);
   for (const ConvergedRow& row : convergedRows()) {
-    const SteadyResult result =
-        slideAtForce(line, {kModulus, kTau, row.velocity}, row.normalForce);
+    const SteadyResult result = slideAtForce(line, {kModulus, kTau, row.velocity}, row.normalForce);
     ASSERT_EQ(result.status, SteadyStatus::Balanced);
     const bool resolved = row.contactFraction >= 5e-4;
     EXPECT_LT(relative(result.mu, row.mu), resolved ? 5e-3 : 3e-2)
@@ -31,8 +34,7 @@ TEST(Reference, CubicAtEightPointsPerElement) {
   const TravelLine line = prepareTravel(referenceProfile(8), Scheme::Cubic);
   for (const ConvergedRow& row : convergedRows()) {
     if (row.velocity > 100) continue;
-    const SteadyResult result =
-        slideAtForce(line, {kModulus, kTau, row.velocity}, row.normalForce);
+    const SteadyResult result = slideAtForce(line, {kModulus, kTau, row.velocity}, row.normalForce);
     EXPECT_LT(relative(result.mu, row.mu), 1e-3)
         << row.normalForce << " N, " << row.velocity << " m/s";
     EXPECT_LT(relative(result.rmsSlopeContact, row.rmsSlopeContact), 2e-3);

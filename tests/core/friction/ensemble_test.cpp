@@ -62,8 +62,7 @@ TEST(Ensemble, MeanAndStandardErrorAreThoseOfTheRealizations) {
   }
   const double mean = sum / n;
   EXPECT_NEAR(point.mu / mean, 1, 1e-10);
-  EXPECT_NEAR(point.muStandardError, std::sqrt((squares / n - mean * mean) / (n - 1)),
-              1e-7 * mean);
+  EXPECT_NEAR(point.muStandardError, std::sqrt((squares / n - mean * mean) / (n - 1)), 1e-7 * mean);
   EXPECT_EQ(point.realizations, scene.ensemble.realizations);
 }
 

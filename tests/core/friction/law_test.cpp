@@ -26,8 +26,8 @@ TEST(Law, Equation5IsLinearInVelocityAndAPowerOfForce) {
   EXPECT_NEAR(lowVelocityFriction(heavier, alpha, beta) / lowVelocityFriction(in, alpha, beta),
               std::pow(10, -alpha), 1e-12);
   in.normalForce = in.shearModulus * in.rmsHeight * in.length;  // Fbar = 1
-  EXPECT_NEAR(lowVelocityFriction(in, alpha, beta),
-              beta * 1e-3 * 1e-3 * 1.8e-3 * 1.8e-3 / 5e-7, 1e-18);
+  EXPECT_NEAR(lowVelocityFriction(in, alpha, beta), beta * 1e-3 * 1e-3 * 1.8e-3 * 1.8e-3 / 5e-7,
+              1e-18);
 }
 
 /// Eq. (6) is exact as v -> 0 with the contact's own length and slope.
@@ -36,9 +36,9 @@ TEST(Law, Equation6IsExactAtLowVelocity) {
   const double v = 1e-9;
   const SteadyResult result = slideAtForce(line, {kModulus, kTau, v}, 0.01);
   LawInput in{kModulus, kTau, line.length, line.rmsHeight, line.rmsSlope, 0.7, 0.01, v};
-  EXPECT_NEAR(contactFriction(in, result.contactFraction * line.length, result.rmsSlopeContact) /
-                  result.mu,
-              1, 1e-5);
+  EXPECT_NEAR(
+      contactFriction(in, result.contactFraction * line.length, result.rmsSlopeContact) / result.mu,
+      1, 1e-5);
 }
 
 TEST(Law, Equation7) {
@@ -59,7 +59,8 @@ TEST(Law, Equation10GivesEquation9ForExponentialSlopes) {
   for (int i = 0; i < n; ++i) {
     const double part = (i + 0.5) / n;
     exponential.push_back(-std::log(part));
-    gaussian.push_back(std::sqrt(-2 * std::log(part)) * std::cos(2 * std::numbers::pi * i * 0.618034));
+    gaussian.push_back(std::sqrt(-2 * std::log(part)) *
+                       std::cos(2 * std::numbers::pi * i * 0.618034));
   }
   const auto rms = [](const std::vector<double>& values) {
     double sum = 0;
@@ -73,8 +74,11 @@ TEST(Law, Equation10GivesEquation9ForExponentialSlopes) {
 TEST(Law, Equation11HasTheThreeRegionsAsLimits) {
   LawInput in = paperInput();
   in.velocity = 1e-12;
-  EXPECT_NEAR(frictionLaw(in, 1.66) / std::hypot(0, 1 / std::hypot(1 / fullContactFriction(in),
-              1 / lowVelocityFriction(in, forceExponent(0.7), 1.66))), 1, 1e-12);
+  EXPECT_NEAR(
+      frictionLaw(in, 1.66) /
+          std::hypot(0, 1 / std::hypot(1 / fullContactFriction(in),
+                                       1 / lowVelocityFriction(in, forceExponent(0.7), 1.66))),
+      1, 1e-12);
   in.velocity = 1e12;
   EXPECT_NEAR(frictionLaw(in, 1.66) / plateauFriction(in.rmsSlope), 1, 1e-12);
   in = paperInput();

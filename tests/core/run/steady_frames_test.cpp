@@ -25,7 +25,7 @@ TEST(SteadyFrames, FramesDivideOnePeriod) {
     EXPECT_EQ(third.pressure[(i + shift) % n], first.pressure[i]);
   }
   EXPECT_NEAR(third.distance, 0.25 * 0.02, 1e-15);
-  EXPECT_NEAR(third.time, 0.005, 1e-15);           // at 1 m/s
+  EXPECT_NEAR(third.time, 0.005, 1e-15);  // at 1 m/s
   EXPECT_NEAR(third.timeScale, 0.02 / 8 * 25, 1e-15);
 }
 

@@ -20,7 +20,9 @@ std::string errorOf(const std::string& json, const std::vector<std::string>& ass
   return "no error";
 }
 
-TEST(SceneFile, WhatIsLeftOutHasItsDefault) { EXPECT_EQ(readScene("{}", "s.json"), Scene{}); }
+TEST(SceneFile, WhatIsLeftOutHasItsDefault) {
+  EXPECT_EQ(readScene("{}", "s.json"), Scene{});
+}
 
 TEST(SceneFile, EveryKindOfSceneReadsBackFromItsOwnText) {
   for (const char* kind : {"self_affine", "sine", "wedge", "parabola", "profile"})

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "core/scene/input_error.h"
-#include "core/surface/surface_file.h"
 #include "core/surface/profile_file.h"
+#include "core/surface/surface_file.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {

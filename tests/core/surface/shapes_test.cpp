@@ -15,8 +15,8 @@ double rmsAboutMean(const std::vector<double>& values) {
 }
 
 TEST(Shapes, StatedStatisticsAreThoseOfTheLine) {
-  for (const Line& line : {sineLine(2, 20000, 3, 5), wedgeLine(2, 20000, 0.1),
-                           parabolaLine(2, 20000, 7)})
+  for (const Line& line :
+       {sineLine(2, 20000, 3, 5), wedgeLine(2, 20000, 0.1), parabolaLine(2, 20000, 7)})
     EXPECT_NEAR(rmsAboutMean(line.height) / line.rmsHeight, 1, 1e-7);
 }
 
