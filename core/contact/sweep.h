@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 
 #include "core/contact/steady_sliding.h"
 #include "core/contact/travel_line.h"
@@ -13,9 +14,10 @@
 namespace asperity {
 
 /// results[i] is for velocities[i] (m/s, ascending); both of one length. `conditions.velocity` is
-/// not used. Stops early where `stopped` (may be null) becomes true; the rest is left untouched.
-void slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
+/// not used. Of resolved lines each force is summed one way only: powerIn and forceFromPressure are
+/// NaN. Returns false where `stop` was requested in between; the rest is then left untouched.
+bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
-                const bool* stopped = nullptr);
+                const std::stop_token& stop = {});
 
 }  // namespace asperity

@@ -102,6 +102,28 @@ void addLastPart(TravelLine& travel, const Cubic& whole, double t, double h) {
   addSegment(travel, hermite(whole(0), 0, whole.derivative(0) * t, 0), length);
 }
 
+SegmentBounds merged(const SegmentBounds* four) {
+  SegmentBounds all = four[0];
+  for (int i = 1; i < 4; ++i) {
+    all.lowest = std::min(all.lowest, four[i].lowest);
+    all.highest = std::max(all.highest, four[i].highest);
+    all.steepest = std::max(all.steepest, four[i].steepest);
+    all.riseIntegral += four[i].riseIntegral;
+    all.slopeSquared += four[i].slopeSquared;
+  }
+  return all;
+}
+
+/// Blocks of 1, 4, 16, ... segments, as far as whole ones go.
+void addBlocks(TravelLine& travel, std::vector<SegmentBounds> inner) {
+  while (!inner.empty()) {
+    std::vector<SegmentBounds> coarser(inner.size() / 4);
+    for (std::size_t i = 0; i < coarser.size(); ++i) coarser[i] = merged(&inner[4 * i]);
+    travel.blocks.push_back(std::move(inner));
+    inner = std::move(coarser);
+  }
+}
+
 void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
                          const Lowest& lowest) {
   const double h = line.spacing;
@@ -131,6 +153,7 @@ void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
     travel.bounds.push_back(boundsOf(travel.segment(i), travel.segmentLength(i)));
     travel.meanRise += travel.bounds.back().riseIntegral / travel.length;
   }
+  addBlocks(travel, {travel.bounds.begin() + 1, travel.bounds.end() - 1});
 }
 
 void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,

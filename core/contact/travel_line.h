@@ -35,6 +35,9 @@ struct TravelLine {
   std::vector<double> slopeOut;  // at its end, n; empty for nodal
   std::vector<SegmentBounds> bounds;   // n; empty for nodal
   double lowestHeight = 0;             // m, z of the lowest point, where rise is 0
+  /// blocks[k][b] bounds and sums up the 4^k whole segments from segment 1 + b 4^k on; the first and
+  /// the last segment, which may be parts, stand outside. For nodal, likewise of nodes.
+  std::vector<std::vector<SegmentBounds>> blocks;
   double meanRise = 0;                 // m, of the line as the scheme sees it
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/contact/steady_sliding.h"
+#include "core/contact/sweep.h"
 #include "core/friction/law.h"
 #include "core/surface/line_source.h"
 
@@ -85,20 +86,16 @@ class Averaging {
     return rows;
   }
 
-  /// The indentation falls as velocity grows, so each answer starts the next from the right side.
   Row sweep(std::int64_t realization) const {
     const TravelLine line = prepareTravel(source_.make(realization), scene_.accuracy.scheme);
-    Row row;
-    double guess = 0;
-    for (const double velocity : velocities_) {
-      if (stopped()) break;
-      row.push_back(slideAtLoad(line, conditionsOf(scene_, velocity), scene_.load, guess));
-      guess = row.back().indentation;
-      if (row.back().status != SteadyStatus::Balanced)
+    Row row(velocities_.size());
+    if (!slideSweep(line, conditionsOf(scene_, 0), scene_.load, velocities_, row, options_.stop))
+      return {};
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (row[i].status != SteadyStatus::Balanced)
         throw std::runtime_error(fmt::format(
             "the force balance is not met at velocity {} on realization {}: relative residual {}",
-            velocity, realization, row.back().residual));
-    }
+            velocities_[i], realization, row[i].residual));
     return row;
   }
 

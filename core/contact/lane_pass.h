@@ -1,0 +1,43 @@
+// The steady pass of resolved_pass.h for several velocities at once, one in each lane of a vector,
+// all on the same line: whole blocks are taken in one step where every lane is free above them or
+// pressed on them throughout, and contact edges are found in all lanes together. Compiled for
+// several instruction sets; the best one that the machine has is chosen at run time.
+// Pure functions; any thread. No allocation.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/contact/travel_line.h"
+
+namespace asperity {
+
+inline constexpr std::size_t kMostLanes = 8;
+using LaneValues = std::array<double, kMostLanes>;
+
+/// Sums per 4G as in StateSums, a lane a velocity; the forces come one way only.
+struct LaneSums {
+  LaneValues depth{};          // m^2, integral of y: F_N / 4G
+  LaneValues stiffness{};      // m, its derivative with respect to the indentation
+  LaneValues dissipation{};    // m^2, c integral of y'^2: F_x / 4G
+  LaneValues contactLength{};  // m
+  LaneValues slopeSquared{};   // m, integral of z'^2 over contact
+};
+
+enum class InstructionSet { Best, Scalar, Avx2, Avx512 };
+
+/// Restricts the choice for the whole program, for tests and benchmarks; false: not on this machine.
+bool chooseInstructionSet(InstructionSet wanted);
+
+/// The one in use, never Best.
+InstructionSet instructionSet();
+const char* nameOf(InstructionSet set);
+
+/// Velocities in one pass, at most kMostLanes.
+std::size_t laneCount();
+
+/// depth (m, > 0) and memory (c = v tau, m, >= 0) for laneCount() lanes.
+void lanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,
+              LaneSums& sums);
+
+}  // namespace asperity
