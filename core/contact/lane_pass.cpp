@@ -8,6 +8,8 @@
 #include <hwy/highway.h>
 
 #include "core/contact/lane_pass-inl.h"
+// After it, because it uses its names.
+#include "core/contact/nodal_lane_pass-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace asperity {
@@ -20,6 +22,14 @@ void passLinear(const TravelLine& line, const double* depth, const double* memor
 void passCubic(const TravelLine& line, const double* depth, const double* memory, LaneSums& sums) {
   LanePass<false>(line, depth, memory).run(sums);
 }
+void passNodal(const TravelLine& line, const double* depth, const double* memory,
+               NodalLaneSums& sums) {
+  NodalLanePass<false>(line, depth, memory).run(sums);
+}
+void passNodalAll(const TravelLine& line, const double* depth, const double* memory,
+                  NodalLaneSums& sums) {
+  NodalLanePass<true>(line, depth, memory).run(sums);
+}
 std::size_t lanes() { return hn::Lanes(d); }
 
 }  // namespace HWY_NAMESPACE
@@ -31,6 +41,8 @@ namespace asperity {
 
 HWY_EXPORT(passLinear);
 HWY_EXPORT(passCubic);
+HWY_EXPORT(passNodal);
+HWY_EXPORT(passNodalAll);
 HWY_EXPORT(lanes);
 
 namespace {
@@ -95,6 +107,15 @@ void lanePass(const TravelLine& line, const LaneValues& depth, const LaneValues&
     HWY_DYNAMIC_DISPATCH(passLinear)(line, d.data(), c.data(), sums);
   else
     HWY_DYNAMIC_DISPATCH(passCubic)(line, d.data(), c.data(), sums);
+}
+
+void nodalLanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,
+                   Wanted wanted, NodalLaneSums& sums) {
+  alignas(64) LaneValues d = depth, c = memory;
+  if (wanted == Wanted::Force)
+    HWY_DYNAMIC_DISPATCH(passNodal)(line, d.data(), c.data(), sums);
+  else
+    HWY_DYNAMIC_DISPATCH(passNodalAll)(line, d.data(), c.data(), sums);
 }
 
 }  // namespace asperity

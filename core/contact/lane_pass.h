@@ -24,6 +24,20 @@ struct LaneSums {
   LaneValues slopeSquared{};   // m, integral of z'^2 over contact
 };
 
+/// The same of the paper's separate elements, Eqs. (2) to (4).
+struct NodalLaneSums {
+  LaneValues pressure{};       // m^2, over loaded elements: F_N / 4G
+  LaneValues loaded{};         // number of loaded elements
+  // Only where everything is wanted:
+  LaneValues depth{};          // m^2, sum of y over all elements
+  LaneValues work{};           // m^2, Eq. (4)
+  LaneValues dissipation{};    // m^2
+  LaneValues slopeSquared{};   // m
+  LaneValues threshold{};      // m, largest indentation below which a loaded element is not loaded
+};
+
+enum class Wanted { Force, Everything };
+
 enum class InstructionSet { Best, Scalar, Avx2, Avx512 };
 
 /// Restricts the choice for the whole program, for tests and benchmarks; false: not on this machine.
@@ -39,5 +53,9 @@ std::size_t laneCount();
 /// depth (m, > 0) and memory (c = v tau, m, >= 0) for laneCount() lanes.
 void lanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,
               LaneSums& sums);
+
+/// depth (m, >= 0) and memory (m, >= 0) for laneCount() lanes.
+void nodalLanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,
+                   Wanted wanted, NodalLaneSums& sums);
 
 }  // namespace asperity

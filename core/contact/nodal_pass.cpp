@@ -61,6 +61,7 @@ class NodalPass {
     const double slope = -line_.slopeIn[i];  // w' = z'
     StateSums& sums = state_.sums;
     sums.stiffness += spacing_;
+    state_.loaded += 1;
     sums.pressure += pressure * spacing_;
     sums.work += pressure * slope * spacing_;
     sums.dissipation += memory_ * slope * slope * spacing_;

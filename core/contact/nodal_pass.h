@@ -9,7 +9,8 @@
 namespace asperity {
 
 struct NodalState {
-  StateSums sums;        // stiffness counts loaded elements; pressure is Eq. (3), work Eq. (4)
+  StateSums sums;        // stiffness is that of loaded elements; pressure Eq. (3), work Eq. (4)
+  double loaded = 0;     // elements that carry load
   double threshold = 0;  // m, largest indentation below which a loaded element is not loaded
 };
 

@@ -49,17 +49,20 @@ StateSums sumsAt(const TravelLine& line, double depth, double memory, NodeShape*
 
 }  // namespace
 
+SteadyResult resultOfNodal(const TravelLine& line, const SlidingConditions& conditions,
+                           const NodalBalance& nodal) {
+  SteadyResult result = resultOf(line, conditions, nodal.balance.depth, nodal.state.sums);
+  addBalance(result, nodal.balance);
+  result.marginalShare = nodal.marginalShare;
+  return result;
+}
+
 SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& conditions,
                           double normalForce, double guess) {
   const double memory = memoryOf(conditions);
   const double load = normalForce / (4 * conditions.shearModulus);
-  if (line.scheme == Scheme::Nodal) {
-    const NodalBalance nodal = balanceNodal(line, memory, load);
-    SteadyResult result = resultOf(line, conditions, nodal.balance.depth, nodal.state.sums);
-    addBalance(result, nodal.balance);
-    result.marginalShare = nodal.marginalShare;
-    return result;
-  }
+  if (line.scheme == Scheme::Nodal)
+    return resultOfNodal(line, conditions, balanceNodal(line, memory, load));
   const Balance balance = balanceResolved(line, memory, load, guess);
   SteadyResult result =
       resultOf(line, conditions, balance.depth, stateAt(line, balance.depth, memory));

@@ -4,6 +4,7 @@
 // Failure: no exception; `status` says whether the balance was met, `residual` how far.
 #pragma once
 
+#include "core/contact/force_balance.h"
 #include "core/contact/pass_sums.h"
 #include "core/contact/travel_line.h"
 #include "core/scene/scene.h"
@@ -34,6 +35,10 @@ struct SteadyResult {
   int passes = 0;
   double residual = 0;  // |F_N - wanted| / wanted
 };
+
+/// A balance of the paper's elements in SI units.
+SteadyResult resultOfNodal(const TravelLine& line, const SlidingConditions& conditions,
+                           const NodalBalance& nodal);
 
 /// At a constant normal force (N, > 0). guess: indentation nearby (m), or 0; it changes the cost,
 /// not the answer beyond the residual.

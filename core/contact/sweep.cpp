@@ -7,6 +7,7 @@
 #include "core/contact/flush_denormals.h"
 #include "core/contact/force_balance.h"
 #include "core/contact/lane_pass.h"
+#include "core/contact/nodal_group.h"
 
 namespace asperity {
 namespace {
@@ -182,11 +183,11 @@ LaneValues guessesFor(std::span<const double> velocities, std::span<const double
   return guesses;
 }
 
-bool sweepByLanes(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
-                  std::span<const double> velocities, std::span<SteadyResult> results,
-                  const std::stop_token& stop) {
+/// Neighbouring velocities go side by side, group after group.
+template <class Group>
+bool sweepInGroups(Group group, std::span<const double> velocities,
+                   std::span<SteadyResult> results, const std::stop_token& stop) {
   const FlushDenormals flush;
-  LaneGroup group(line, conditions, load);
   const std::size_t lanes = laneCount();
   for (std::size_t i = 0; i < velocities.size(); i += lanes) {
     if (stop.stop_requested()) return false;
@@ -198,27 +199,14 @@ bool sweepByLanes(const TravelLine& line, const SlidingConditions& conditions, c
   return true;
 }
 
-bool sweepOneByOne(const TravelLine& line, SlidingConditions conditions, const Load& load,
-                   std::span<const double> velocities, std::span<SteadyResult> results,
-                   const std::stop_token& stop) {
-  double guess = 0;
-  for (std::size_t i = 0; i < velocities.size(); ++i) {
-    if (stop.stop_requested()) return false;
-    conditions.velocity = velocities[i];
-    results[i] = slideAtLoad(line, conditions, load, guess);
-    guess = results[i].indentation;
-  }
-  return true;
-}
-
 }  // namespace
 
 bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
                 const std::stop_token& stop) {
   if (line.scheme == Scheme::Nodal)
-    return sweepOneByOne(line, conditions, load, velocities, results, stop);
-  return sweepByLanes(line, conditions, load, velocities, results, stop);
+    return sweepInGroups(NodalGroup(line, conditions, load), velocities, results, stop);
+  return sweepInGroups(LaneGroup(line, conditions, load), velocities, results, stop);
 }
 
 }  // namespace asperity

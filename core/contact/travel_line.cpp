@@ -170,6 +170,9 @@ void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
     }
     node = traveller.next(node);
   }
+  std::vector<SegmentBounds> inner(count - 1);
+  for (std::size_t i = 1; i < count; ++i) inner[i - 1].lowest = travel.rise[i];
+  addBlocks(travel, std::move(inner));
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+// A few velocities on the paper's elements, one in each lane: their searches share every pass.
+// Private to core/contact. One thread; no allocation.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "core/contact/lane_pass.h"
+#include "core/contact/nodal_search.h"
+#include "core/contact/steady_sliding.h"
+
+namespace asperity {
+
+class NodalGroup {
+ public:
+  NodalGroup(const TravelLine& line, const SlidingConditions& conditions, const Load& load)
+      : line_(line), conditions_(conditions), load_(load) {}
+
+  /// At most laneCount() velocities (m/s); guesses: depths nearby (m), or 0.
+  void solve(std::span<const double> velocities, std::span<SteadyResult> results,
+             const LaneValues& guesses);
+
+ private:
+  SlidingConditions at(double velocity) const {
+    return {conditions_.shearModulus, conditions_.relaxationTime, velocity};
+  }
+  bool look(LaneValues& depth, const LaneValues& memory, std::size_t used);
+
+  const TravelLine& line_;
+  SlidingConditions conditions_;
+  Load load_;
+  NodalLaneSums sums_;
+  std::array<NodalSearch, kMostLanes> searches_;
+};
+
+}  // namespace asperity
