@@ -20,13 +20,13 @@ StateSums stateOf(const NodalLaneSums& sums, std::size_t lane, double spacing) {
 
 }  // namespace
 
-void NodalGroup::solve(std::span<const double> velocities, std::span<SteadyResult> results,
-                       const LaneValues& guesses) {
+bool NodalGroup::solve(std::span<const double> velocities, std::span<SteadyResult> results,
+                       const LaneValues& guesses, const std::stop_token& stop) {
   const std::size_t used = velocities.size();
   if (load_.kind == LoadKind::Indentation) {
     for (std::size_t lane = 0; lane < used; ++lane)
       results[lane] = slideAtDepth(line_, at(velocities[lane]), load_.depth);
-    return;
+    return true;
   }
   const double load = load_.normalForce / (4 * conditions_.shearModulus);
   LaneValues depth{}, memory{};
@@ -35,10 +35,11 @@ void NodalGroup::solve(std::span<const double> velocities, std::span<SteadyResul
   for (std::size_t lane = 0; lane < used; ++lane)
     searches_[lane].start(load, line_.spacing, load / line_.length + line_.meanRise,
                           guesses[lane]);
-  while (look(depth, memory, used)) {
-  }
+  while (look(depth, memory, used))
+    if (stop.stop_requested()) return false;
   for (std::size_t lane = 0; lane < used; ++lane)
     results[lane] = resultOfNodal(line_, at(velocities[lane]), searches_[lane].answer());
+  return true;
 }
 
 /// One pass for all searches that go on; false where none does.

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <span>
+#include <stop_token>
 
 #include "core/contact/lane_pass.h"
 #include "core/contact/nodal_search.h"
@@ -17,8 +18,9 @@ class NodalGroup {
       : line_(line), conditions_(conditions), load_(load) {}
 
   /// At most laneCount() velocities (m/s); guesses: depths nearby (m), or 0.
-  void solve(std::span<const double> velocities, std::span<SteadyResult> results,
-             const LaneValues& guesses);
+  /// False where `stop` was requested in between.
+  bool solve(std::span<const double> velocities, std::span<SteadyResult> results,
+             const LaneValues& guesses, const std::stop_token& stop);
 
  private:
   SlidingConditions at(double velocity) const {

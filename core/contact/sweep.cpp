@@ -112,8 +112,9 @@ class LaneGroup {
         load_(load.normalForce / stiffness_),
         depth_(load.depth) {}
 
-  void solve(std::span<const double> velocities, std::span<SteadyResult> results,
-             const LaneValues& guesses) {
+  /// False where `stop` was requested in between.
+  bool solve(std::span<const double> velocities, std::span<SteadyResult> results,
+             const LaneValues& guesses, const std::stop_token& stop) {
     const std::size_t used = velocities.size();
     LaneValues depth{}, memory{};
     const double lowest = load_ / line_.length;
@@ -121,8 +122,12 @@ class LaneGroup {
       memory[lane] = velocities[std::min(lane, used - 1)] * tau_;
       balances_[lane].start(lowest, lowest + line_.meanRise, guesses[std::min(lane, used - 1)]);
     }
-    if (!byForce_) return once(velocities, results, memory);
+    if (!byForce_) {
+      once(velocities, results, memory);
+      return true;
+    }
     for (bool open = true; open;) {
+      if (stop.stop_requested()) return false;
       for (std::size_t lane = 0; lane < kMostLanes; ++lane)
         depth[lane] = balances_[std::min(lane, used - 1)].depth();
       lanePass(line_, depth, memory, sums_);
@@ -132,6 +137,7 @@ class LaneGroup {
         open |= !balances_[lane].isDone();
       }
     }
+    return true;
   }
 
  private:
@@ -190,11 +196,10 @@ bool sweepInGroups(Group group, std::span<const double> velocities,
   const FlushDenormals flush;
   const std::size_t lanes = laneCount();
   for (std::size_t i = 0; i < velocities.size(); i += lanes) {
-    if (stop.stop_requested()) return false;
     const std::size_t count = std::min(lanes, velocities.size() - i);
     const auto now = velocities.subspan(i, count);
-    group.solve(now, results.subspan(i, count),
-                guessesFor(now, velocities.first(i), results.first(i)));
+    const LaneValues guesses = guessesFor(now, velocities.first(i), results.first(i));
+    if (!group.solve(now, results.subspan(i, count), guesses, stop)) return false;
   }
   return true;
 }

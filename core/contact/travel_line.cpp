@@ -11,11 +11,6 @@ Cubic hermite(double h0, double h1, double m0, double m1) {
   return {h0, m0, 3 * step - 2 * m0 - m1, m0 + m1 - 2 * step};
 }
 
-/// One segment in travel order: heights (m) and d z / d s at both ends.
-struct Piece {
-  double heightIn, heightOut, slopeIn, slopeOut;
-};
-
 /// Nodes and slopes of a line as material meets them, for either direction. Sliding towards +x,
 /// the line's right end comes first: s runs against x.
 class Traveller {
@@ -33,12 +28,12 @@ class Traveller {
   double slopeBefore(std::size_t node) const {
     return forward_ ? -line_.slopeAfter[node] : line_.slopeLeftOf(node);
   }
-  Piece piece(std::size_t from, Scheme scheme) const {
-    const std::size_t to = next(from);
-    Piece piece{line_.height[from], line_.height[to], slopeAfter(from), slopeBefore(to)};
-    if (scheme == Scheme::Linear)
-      piece.slopeIn = piece.slopeOut = (piece.heightOut - piece.heightIn) / line_.spacing;
-    return piece;
+  /// The cubic over the segment after a node, heights above `level`.
+  Cubic cubicAfter(std::size_t node, double level) const {
+    const std::size_t to = next(node);
+    const double h = line_.spacing;
+    return hermite(line_.height[node] - level, line_.height[to] - level, slopeAfter(node) * h,
+                   slopeBefore(to) * h);
   }
 
  private:
@@ -57,49 +52,52 @@ Lowest findLowest(const Line& line, const Traveller& traveller, Scheme scheme) {
   const auto node = std::min_element(line.height.begin(), line.height.end());
   Lowest lowest{*node, static_cast<std::size_t>(node - line.height.begin())};
   if (scheme != Scheme::Cubic) return lowest;
+  const double third = line.spacing / 3;
   for (std::size_t i = 0; i < line.nodes(); ++i) {
-    const Piece piece = traveller.piece(i, scheme);
-    // Only where it first falls or at last rises can a segment dip below its ends.
-    if (piece.slopeIn >= 0 && piece.slopeOut <= 0) continue;
-    const Cubic cubic = hermite(piece.heightIn, piece.heightOut, piece.slopeIn * line.spacing,
-                                piece.slopeOut * line.spacing);
+    // A cubic lies above the lowest of its control points, two of which are its ends.
+    const std::size_t to = traveller.next(i);
+    const double control = std::min(line.height[i] + third * traveller.slopeAfter(i),
+                                    line.height[to] - third * traveller.slopeBefore(to));
+    if (control >= lowest.height) continue;
+    const Cubic cubic = traveller.cubicAfter(i, 0);
     for (const double t : stationaryPoints(cubic))
       if (cubic(t) < lowest.height) lowest = {cubic(t), i, t};
   }
   return lowest;
 }
 
-SegmentBounds boundsOf(const Cubic& rise, double length) {
-  SegmentBounds bounds{};
-  bounds.lowest = std::min(rise(0), rise(1));
-  bounds.highest = std::max(rise(0), rise(1));
-  for (const double t : stationaryPoints(rise)) {
-    bounds.lowest = std::min(bounds.lowest, rise(t));
-    bounds.highest = std::max(bounds.highest, rise(t));
+/// Bounds by control points (a cubic lies within theirs), integrals exactly.
+SegmentBounds boundsOf(double in, double out, double slopeIn, double slopeOut, double length) {
+  const double first = in + slopeIn * length / 3, second = out - slopeOut * length / 3;
+  const double middle = 3 * (second - first) / length;  // the slope's own middle control point
+  const Cubic rise = hermite(in, out, slopeIn * length, slopeOut * length);
+  return {std::min(std::min(in, out), std::min(first, second)),
+          std::max(std::max(in, out), std::max(first, second)),
+          std::max(std::max(slopeIn, slopeOut), middle),
+          length * (0.5 * (in + out) + length * (slopeIn - slopeOut) / 12),
+          rise.integralOfSlopeSquared(1) / length};
+}
+
+void setSegment(TravelLine& travel, std::size_t i, double rise, double slopeIn, double slopeOut) {
+  travel.rise[i] = rise;
+  travel.slopeIn[i] = slopeIn;
+  travel.slopeOut[i] = slopeOut;
+}
+
+/// Rises and slopes of `count` whole segments from `node` on, as segments `first` and on.
+std::size_t setWholeSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
+                             std::size_t node, std::size_t first, std::size_t count) {
+  const double perSpacing = 1 / line.spacing;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const std::size_t to = traveller.next(node);
+    const double straight = (line.height[to] - line.height[node]) * perSpacing;
+    const bool linear = travel.scheme == Scheme::Linear;
+    setSegment(travel, i, line.height[node] - travel.lowestHeight,
+               linear ? straight : traveller.slopeAfter(node),
+               linear ? straight : traveller.slopeBefore(to));
+    node = to;
   }
-  double steepest = std::max(rise.derivative(0), rise.derivative(1));
-  const double inflection = rise.c3 != 0 ? -rise.c2 / (3 * rise.c3) : -1;
-  if (inflection > 0 && inflection < 1) steepest = std::max(steepest, rise.derivative(inflection));
-  bounds.steepest = steepest / length;
-  bounds.riseIntegral = rise.integral(1) * length;
-  bounds.slopeSquared = rise.integralOfSlopeSquared(1) / length;
-  return bounds;
-}
-
-void addSegment(TravelLine& travel, const Cubic& rise, double length) {
-  travel.rise.push_back(rise(0));
-  travel.slopeIn.push_back(rise.derivative(0) / length);
-  travel.slopeOut.push_back(rise.derivative(1) / length);
-}
-
-/// The parts of `whole` (length h) before and after the fraction t, where its rise and slope are 0.
-void addFirstPart(TravelLine& travel, const Cubic& whole, double t, double h) {
-  const double length = (1 - t) * h;
-  addSegment(travel, hermite(0, whole(1), 0, whole.derivative(1) * (1 - t)), length);
-}
-void addLastPart(TravelLine& travel, const Cubic& whole, double t, double h) {
-  const double length = t * h;
-  addSegment(travel, hermite(whole(0), 0, whole.derivative(0) * t, 0), length);
+  return node;
 }
 
 SegmentBounds merged(const SegmentBounds* four) {
@@ -124,52 +122,72 @@ void addBlocks(TravelLine& travel, std::vector<SegmentBounds> inner) {
   }
 }
 
+void resizeFor(TravelLine& travel, std::size_t segments) {
+  travel.position.resize(segments + 1);
+  travel.rise.resize(segments + 1);
+  travel.slopeIn.resize(segments);
+  travel.slopeOut.resize(segments);
+}
+
+void addBounds(TravelLine& travel) {
+  const std::size_t last = travel.segments() - 1;
+  const auto bounds = [&travel](std::size_t i) {
+    return boundsOf(travel.rise[i], travel.rise[i + 1], travel.slopeIn[i], travel.slopeOut[i],
+                    travel.segmentLength(i));
+  };
+  travel.firstBounds = bounds(0);
+  travel.lastBounds = bounds(last);
+  std::vector<SegmentBounds> inner(last - 1);
+  double integral = travel.firstBounds.riseIntegral + travel.lastBounds.riseIntegral;
+  for (std::size_t i = 1; i < last; ++i) {
+    inner[i - 1] = bounds(i);
+    integral += inner[i - 1].riseIntegral;
+  }
+  travel.meanRise = integral / travel.length;
+  addBlocks(travel, std::move(inner));
+}
+
 void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
                          const Lowest& lowest) {
-  const double h = line.spacing;
-  const auto cubicFrom = [&](std::size_t node) {
-    const Piece piece = traveller.piece(node, travel.scheme);
-    return hermite(piece.heightIn - lowest.height, piece.heightOut - lowest.height,
-                   piece.slopeIn * h, piece.slopeOut * h);
-  };
-  const double t = lowest.fraction;
-  const std::size_t count = line.nodes();
-  std::size_t node = lowest.node;
+  const double h = line.spacing, t = lowest.fraction;
+  const std::size_t count = line.nodes(), split = t > 0 ? 1 : 0;
   travel.startsInsideSegment = t > 0;
-  if (travel.startsInsideSegment) {
-    addFirstPart(travel, cubicFrom(node), t, h);
-    node = traveller.next(node);
+  resizeFor(travel, count + split);
+  std::size_t node = lowest.node;
+  if (split > 0) node = traveller.next(node);
+  node = setWholeSegments(travel, line, traveller, node, split, count - split);
+  if (split > 0) {
+    // The segment of the lowest point: its two parts, level at that point.
+    const Cubic whole = traveller.cubicAfter(node, lowest.height);
+    setSegment(travel, 0, 0, 0, whole.derivative(1) / h);
+    setSegment(travel, count, whole(0), whole.derivative(0) / h, 0);
   }
-  for (std::size_t i = travel.startsInsideSegment ? 1 : 0; i < count; ++i) {
-    addSegment(travel, cubicFrom(node), h);
-    node = traveller.next(node);
-  }
-  if (travel.startsInsideSegment) addLastPart(travel, cubicFrom(node), t, h);
-  travel.rise.push_back(0);
-  for (std::size_t i = 0; i < travel.rise.size(); ++i)
-    travel.position.push_back(std::clamp((static_cast<double>(i) - t) * h, 0.0, travel.length));
+  travel.rise.back() = 0;
+  for (std::size_t i = 0; i <= travel.segments(); ++i)
+    travel.position[i] = (static_cast<double>(i) - t) * h;
+  travel.position.front() = 0;
   travel.position.back() = travel.length;
-  for (std::size_t i = 0; i < travel.segments(); ++i) {
-    travel.bounds.push_back(boundsOf(travel.segment(i), travel.segmentLength(i)));
-    travel.meanRise += travel.bounds.back().riseIntegral / travel.length;
-  }
-  addBlocks(travel, {travel.bounds.begin() + 1, travel.bounds.end() - 1});
+  addBounds(travel);
 }
 
 void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
               const Lowest& lowest) {
   const std::size_t count = line.nodes();
+  travel.position.resize(count + 1);
+  travel.rise.resize(count + 1);
+  travel.slopeIn.resize(count);
   std::size_t node = lowest.node;
-  for (std::size_t i = 0; i <= count; ++i) {
-    travel.position.push_back(static_cast<double>(i) * line.spacing);
-    travel.rise.push_back(line.height[node] - lowest.height);
-    if (i < count) {
-      // At a corner the element takes the mean of both sides.
-      travel.slopeIn.push_back(0.5 * (traveller.slopeBefore(node) + traveller.slopeAfter(node)));
-      travel.meanRise += travel.rise.back() / static_cast<double>(count);
-    }
+  for (std::size_t i = 0; i < count; ++i) {
+    travel.position[i] = static_cast<double>(i) * line.spacing;
+    travel.rise[i] = line.height[node] - lowest.height;
+    // At a corner the element takes the mean of both sides.
+    travel.slopeIn[i] = 0.5 * (traveller.slopeBefore(node) + traveller.slopeAfter(node));
+    travel.meanRise += travel.rise[i];
     node = traveller.next(node);
   }
+  travel.position[count] = travel.length;
+  travel.rise[count] = 0;
+  travel.meanRise /= static_cast<double>(count);
   std::vector<SegmentBounds> inner(count - 1);
   for (std::size_t i = 1; i < count; ++i) inner[i - 1].lowest = travel.rise[i];
   addBlocks(travel, std::move(inner));

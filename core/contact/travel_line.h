@@ -19,8 +19,8 @@ enum class Direction { Forward, Backward };  // sliding towards +x or -x
 
 /// What a pass needs to know of a whole segment to decide without looking inside.
 struct SegmentBounds {
-  double lowest, highest;  // m, extremes of the rise
-  double steepest;         // largest d rise / d s: pressure is lowest there
+  double lowest, highest;  // m, bounds of the rise
+  double steepest;         // bound of d rise / d s: pressure is lowest there
   double riseIntegral;     // m^2
   double slopeSquared;     // m, integral of (d rise / ds)^2
 };
@@ -33,8 +33,8 @@ struct TravelLine {
   std::vector<double> rise;      // m, n + 1; first and last are the lowest point: 0
   std::vector<double> slopeIn;   // d rise / ds at the start of each segment, n (nodal: at nodes)
   std::vector<double> slopeOut;  // at its end, n; empty for nodal
-  std::vector<SegmentBounds> bounds;   // n; empty for nodal
   double lowestHeight = 0;             // m, z of the lowest point, where rise is 0
+  SegmentBounds firstBounds{}, lastBounds{};  // of the first and the last segment; not for nodal
   /// blocks[k][b] bounds and sums up the 4^k whole segments from segment 1 + b 4^k on; the first and
   /// the last segment, which may be parts, stand outside. For nodal, likewise of nodes.
   std::vector<std::vector<SegmentBounds>> blocks;
@@ -46,6 +46,10 @@ struct TravelLine {
 
   std::size_t segments() const { return slopeIn.size(); }
   double segmentLength(std::size_t i) const { return position[i + 1] - position[i]; }
+  const SegmentBounds& bounds(std::size_t i) const {
+    if (i == 0) return firstBounds;
+    return i + 1 == segments() ? lastBounds : blocks[0][i - 1];
+  }
   /// The rise over segment i as a function of t = (s - s_i) / segmentLength(i).
   Cubic segment(std::size_t i) const;
 };

@@ -1,0 +1,74 @@
+// Figs. 2 and 4 of the paper at N = 5000: the shipped path on every instruction set, and the scalar
+// pass. Lines and their block minima are given.
+#include "core/contact/lane_pass.h"
+#include "tests/bench/fields.h"
+#include "tests/bench/line_store.h"
+#include "tests/bench/workload.h"
+
+namespace asperity::bench {
+namespace {
+
+using Lines = std::vector<const TravelLine*>;
+
+Lines linesOf(const Resolution& resolution, int count) {
+  Lines lines;
+  for (int i = 0; i < count; ++i)
+    lines.push_back(&travelLine({5000, resolution.scheme, resolution.oversampling, i}));
+  return lines;
+}
+
+/// What `sweep` does for every line and force, one after the other.
+template <class Sweep>
+Body over(const Resolution& resolution, int lineCount, const std::vector<double>& forces,
+          const Sweep& sweep) {
+  return [lines = linesOf(resolution, lineCount), forces, sweep] {
+    Tally tally{0};
+    for (const TravelLine* line : lines)
+      for (const double force : forces) add(tally, sweep(*line, force));
+    return tally;
+  };
+}
+
+/// The shipped path restricted to one instruction set.
+struct Restricted {
+  InstructionSet set;
+  Tally operator()(const TravelLine& line, double force) const {
+    chooseInstructionSet(set);
+    const Tally tally = shippedSweep(line, force, figure2Velocities());
+    chooseInstructionSet(InstructionSet::Best);
+    return tally;
+  }
+};
+
+void addShipped(const Resolution& resolution, int lineCount) {
+  for (const InstructionSet set :
+       {InstructionSet::Scalar, InstructionSet::Avx2, InstructionSet::Avx512}) {
+    if (!chooseInstructionSet(set)) continue;
+    addCase(figure2Name(nameOf(set), resolution.name),
+            [=] { return over(resolution, lineCount, {kFigure2Force}, Restricted{set}); });
+    if (resolution.scheme == Scheme::Cubic)
+      addCase(figure4Name(nameOf(set)),
+              [=] { return over(resolution, 1, figure4Forces(), Restricted{set}); });
+  }
+  chooseInstructionSet(InstructionSet::Best);
+}
+
+void addScalar(const Resolution& resolution) {
+  for (const bool warm : {false, true})
+    addCase(figure2Name(warm ? "scalar_pass_warm" : "scalar_pass_cold", resolution.name), [=] {
+      return over(resolution, 1, {kFigure2Force}, [warm](const TravelLine& line, double force) {
+        return scalarSweep(line, force, figure2Velocities(), warm);
+      });
+    });
+}
+
+}  // namespace
+
+void addSweepCases(bool quick) {
+  for (const Resolution& resolution : kResolutions) {
+    addShipped(resolution, quick ? 2 : 8);
+    addScalar(resolution);
+  }
+}
+
+}  // namespace asperity::bench

@@ -1,0 +1,112 @@
+#include "tests/bench/targets.h"
+
+#include "tests/bench/fields.h"
+#include "tests/bench/table.h"
+
+namespace asperity::bench {
+namespace {
+
+enum class Wanted { AtMost, AtLeast };
+
+struct Target {
+  const char* what;
+  const char* set;  // instruction set it belongs to; empty: the one in use
+  const char* unit;
+  Wanted wanted;
+  double limit;
+  std::optional<double> (*measure)(const Measured&, const char* set);
+  const char* limitedBy;  // what stands in the way, printed where the target is missed
+};
+
+std::optional<double> times(std::optional<double> value, double factor) {
+  return value ? std::optional(*value * factor) : std::nullopt;
+}
+std::optional<double> secondsOf(const Measured& measured, const std::string& name) {
+  const auto sample = measured.samples.find(name);
+  return sample ? std::optional(sample->seconds) : std::nullopt;
+}
+
+template <int kResolution>
+std::optional<double> figure2(const Measured& measured, const char* set) {
+  return times(secondsOf(measured, figure2Name(set, kResolutions[kResolution].name)), 1e6);
+}
+std::optional<double> figure4(const Measured& measured, const char* set) {
+  return times(secondsOf(measured, figure4Name(set)), 1e6);
+}
+std::optional<double> literalRatio(const Measured& measured, const char*) {
+  return measured.ratio(figure2Name("literal", "nodal"),
+                        figure2Name(measured.instructionSets.back(), "cubic_x2"));
+}
+std::optional<double> sameContact(const Measured& measured, const char*) {
+  return measured.ratio(sameContactName(kSameContact[1]), sameContactName(kSameContact[0]));
+}
+std::optional<double> studyCubic(const Measured& measured, const char*) {
+  if (!measured.studyCubic) return std::nullopt;
+  return measured.studyCubic->secondsOn(2);
+}
+std::optional<double> studyLinear(const Measured& measured, const char*) {
+  if (!measured.studyLinear) return std::nullopt;
+  return measured.studyLinear->secondsOn(2);
+}
+std::optional<double> memory(const Measured& measured, const char*) {
+  return times(measured.peakMemory, 1.0 / (1 << 20));
+}
+template <int kResolution, std::int64_t kLines>
+std::optional<double> curve(const Measured& measured, const char*) {
+  return times(secondsOf(measured, curveName(kResolutions[kResolution].name, kLines)), 1e3);
+}
+
+constexpr auto kMost = Wanted::AtMost;
+
+// clang-format off
+constexpr Target kTargets[] = {
+    {"Fig. 2, `linear`, N = 5000", "AVX-512", "us", kMost, 4, figure2<1>, ""},
+    {"Fig. 2, `linear`, N = 5000", "AVX2", "us", kMost, 8, figure2<1>, ""},
+    {"Fig. 2, `nodal`, N = 5000", "AVX-512", "us", kMost, 15, figure2<0>, ""},
+    {"Fig. 2, `nodal`, N = 5000", "AVX2", "us", kMost, 25, figure2<0>, ""},
+    {"Fig. 2, `cubic` x2, N = 5000", "AVX-512", "us", kMost, 12, figure2<2>, ""},
+    {"Fig. 2, `cubic` x2, N = 5000", "AVX2", "us", kMost, 15, figure2<2>, ""},
+    {"Fig. 4, `cubic` x2, N = 5000", "AVX-512", "us", kMost, 60, figure4, ""},
+    {"Fig. 4, `cubic` x2, N = 5000", "AVX2", "us", kMost, 80, figure4, ""},
+    {"Fig. 2, literal algorithm over `cubic` x2", "", "times", Wanted::AtLeast, 2000, literalRatio, ""},
+    {"N = 1e6 over N = 1e4, 500 elements in contact", "", "times", kMost, 20, sameContact, ""},
+    {"the paper's study, `cubic` x2 (scaled up)", "", "s", kMost, 150, studyCubic, ""},
+    {"the paper's study, `linear` (scaled up)", "", "s", kMost, 30, studyLinear, ""},
+    {"peak memory, 200 lines, N = 5000, `cubic` x2", "", "MiB", kMost, 100, memory, ""},
+    {"first curve, 1 line, `cubic` x2", "", "ms", kMost, 16, curve<2, 1>, ""},
+    {"first curve, 1 line, `nodal`", "", "ms", kMost, 16, curve<0, 1>, ""},
+    {"whole curve, 200 lines, `nodal`", "", "ms", kMost, 200, curve<0, kRealizations>, ""},
+    {"whole curve, 200 lines, `cubic` x2", "", "ms", kMost, 1000, curve<2, kRealizations>, ""},
+};
+// clang-format on
+
+std::string verdict(const Target& target, double value) {
+  const bool isMet =
+      target.wanted == Wanted::AtMost ? value <= target.limit : value >= target.limit;
+  if (isMet) return "met";
+  return *target.limitedBy != '\0' ? std::string("missed: ") + target.limitedBy : "missed";
+}
+
+}  // namespace
+
+std::optional<double> Measured::ratio(const std::string& slow, const std::string& fast) const {
+  const auto above = samples.find(slow), below = samples.find(fast);
+  return above && below ? std::optional(above->seconds / below->seconds) : std::nullopt;
+}
+
+std::string targetTable(const Measured& measured) {
+  Table table({"what", "instruction set", "target", "measured", "of the target", ""});
+  for (const Target& target : kTargets) {
+    const std::string set = *target.set != '\0' ? target.set : measured.instructionSets.back();
+    const auto value = target.measure(measured, set.c_str());
+    if (!value) continue;
+    const char* bound = target.wanted == Wanted::AtMost ? "<=" : ">=";
+    table.add({target.what, set,
+               std::string(bound) + " " + number(target.limit) + " " + target.unit,
+               number(*value) + " " + target.unit, number(*value / target.limit),
+               verdict(target, *value)});
+  }
+  return table.isEmpty() ? "" : table.text();
+}
+
+}  // namespace asperity::bench

@@ -1,0 +1,30 @@
+// The targets, each a row: what was wanted and what was measured. Threading: the main thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/bench/paper_study.h"
+#include "tests/bench/samples.h"
+
+namespace asperity::bench {
+
+/// Everything measured in one run; what a filter left out is absent.
+struct Measured {
+  Samples samples;
+  std::vector<std::string> instructionSets;  // narrowest first
+  double clock = 0;                          // Hz
+  bool isQuick = false;
+  std::optional<double> peakMemory;       // bytes, cubic x2
+  std::optional<double> peakMemoryNodal;  // bytes
+  std::optional<StudyEstimate> studyLinear, studyCubic;
+
+  /// The literal algorithm at Fig. 2 over the shipped path: seconds over seconds.
+  std::optional<double> ratio(const std::string& slow, const std::string& fast) const;
+};
+
+/// Target, measured, and met or missed, as a Markdown table.
+std::string targetTable(const Measured& measured);
+
+}  // namespace asperity::bench

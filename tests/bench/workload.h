@@ -1,0 +1,46 @@
+// What is timed, as functions: the shipped path and the scalar pass over given lines, velocities
+// and forces. Threading: the main thread.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/contact/steady_sliding.h"
+#include "core/contact/travel_line.h"
+#include "tests/bench/samples.h"
+
+namespace asperity::bench {
+
+inline constexpr double kModulus = 1e7;          // Pa
+inline constexpr double kRelaxation = 1e-3;      // s
+inline constexpr double kFigure2Force = 0.0034;  // N
+inline constexpr double kSlow = 0.01;            // m/s, where contact fractions are chosen
+
+/// The 41 velocities of Fig. 2 (m/s).
+const std::vector<double>& figure2Velocities();
+
+/// 16 velocities (m/s) from kSlow to 1.35 kSlow: two full vectors of neighbours at one contact
+/// fraction.
+const std::vector<double>& nearlyOneVelocity();
+
+/// The 20 forces of Fig. 4, 1e-3 to 1e2 N.
+std::vector<double> figure4Forces();
+
+/// `count` values from low to high, evenly spaced in their logarithm.
+std::vector<double> logarithmic(double low, double high, int count);
+
+/// The force (N) at which this part of the line is in contact at kSlow; 1: just full contact.
+double forceForContact(const TravelLine& line, double fraction);
+
+/// The shipped path: the whole sweep at one force. Every balance is checked to be met; throws
+/// std::runtime_error where one is not.
+Tally shippedSweep(const TravelLine& line, double force, std::span<const double> velocities);
+
+/// One velocity after the other by the scalar pass, each from the last indentation (warm) or from
+/// nothing (cold).
+Tally scalarSweep(const TravelLine& line, double force, std::span<const double> velocities,
+                  bool warm);
+
+void add(Tally& sum, const Tally& part);
+
+}  // namespace asperity::bench

@@ -1,0 +1,200 @@
+// The shipped path, in vector lanes, against the plain pass, on every instruction set of the
+// machine.
+#include "core/contact/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/contact/lane_pass.h"
+#include "core/surface/shapes.h"
+#include "tests/core/contact/allocation_counter.h"
+#include "tests/core/contact/csv_table.h"
+#include "tests/core/contact/lines.h"
+
+namespace asperity {
+namespace {
+
+class Sweep : public testing::TestWithParam<InstructionSet> {
+ protected:
+  void SetUp() override {
+    if (!chooseInstructionSet(GetParam())) GTEST_SKIP() << "not on this machine";
+    ASSERT_EQ(instructionSet(), GetParam());
+  }
+  void TearDown() override { chooseInstructionSet(InstructionSet::Best); }
+};
+
+std::vector<double> decades(double from, double to, int points) {
+  std::vector<double> values;
+  for (int i = 0; i < points; ++i) values.push_back(from * std::pow(to / from, i / (points - 1.0)));
+  return values;
+}
+
+std::vector<SteadyResult> sweep(const TravelLine& line, double force,
+                                const std::vector<double>& velocities) {
+  std::vector<SteadyResult> results(velocities.size());
+  Load load;
+  load.normalForce = force;
+  EXPECT_TRUE(slideSweep(line, {kModulus, kTau, 0}, load, velocities, results));
+  return results;
+}
+
+/// Equal to 1e-12; a contact shorter than the spacing h knows its ends to h / length digits less.
+void expectSame(const SteadyResult& a, const SteadyResult& b, const TravelLine& line) {
+  const double contact = b.contactFraction * line.length;
+  const double tolerance = 1e-12 * std::max(1.0, line.spacing / contact);
+  EXPECT_NEAR(a.mu, b.mu, tolerance * std::abs(b.mu)) << line.spacing / contact;
+  EXPECT_NEAR(a.indentation, b.indentation, 1e-12 * b.indentation);
+  // A contact that only just touches is as long as the square root of the rounding of the depth.
+  EXPECT_NEAR(a.contactFraction * line.length, contact, 1e-5 * line.spacing);
+}
+
+TEST_P(Sweep, AgreesWithThePlainPass) {
+  const auto velocities = decades(1e-5, 1e4, 19);
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
+    for (const std::int64_t oversampling : {1, 3}) {
+      const TravelLine line = prepareTravel(roughLine(701, oversampling), scheme);
+      for (const double force : {1e-5, 1e-3, 0.1, 3.0, 100.0}) {
+        const auto results = sweep(line, force, velocities);
+        for (std::size_t i = 0; i < velocities.size(); ++i) {
+          SCOPED_TRACE(testing::Message() << force << " N, " << velocities[i] << " m/s");
+          const SteadyResult plain =
+              slideAtForce(line, {kModulus, kTau, velocities[i]}, force);
+          EXPECT_EQ(results[i].status, SteadyStatus::Balanced);
+          EXPECT_LE(results[i].residual, 1e-12);
+          EXPECT_NEAR(results[i].normalForce, plain.normalForce, 1e-12 * force);
+          expectSame(results[i], plain, line);
+        }
+      }
+    }
+}
+
+TEST_P(Sweep, AgreesWithThePlainPassForThePapersElements) {
+  const auto velocities = decades(1e-5, 1e3, 17);
+  for (int realization = 0; realization < 3; ++realization) {
+    const TravelLine line = prepareTravel(roughLine(700, 1, 0.7, realization), Scheme::Nodal);
+    for (const double force : {1e-4, 0.0034, 0.1, 10.0}) {
+      const auto results = sweep(line, force, velocities);
+      for (std::size_t i = 0; i < velocities.size(); ++i) {
+        SCOPED_TRACE(testing::Message() << force << " N, " << velocities[i] << " m/s");
+        const SteadyResult plain = slideAtForce(line, {kModulus, kTau, velocities[i]}, force);
+        EXPECT_EQ(results[i].status, SteadyStatus::Balanced);
+        EXPECT_NEAR(results[i].normalForce, force, 1e-10 * force);
+        // An element on the edge: its threshold is known to about 1e-11 of the depth.
+        EXPECT_NEAR(results[i].mu, plain.mu, 1e-9 * std::abs(plain.mu) + 1e-18);
+        EXPECT_NEAR(results[i].indentation, plain.indentation, 1e-10 * plain.indentation);
+        EXPECT_NEAR(results[i].marginalShare, plain.marginalShare, 1e-7);
+      }
+    }
+  }
+}
+
+/// Corners, plateaus and lowest points at nodes: shapes that rough lines do not have.
+TEST_P(Sweep, AgreesWithThePlainPassOnShapes) {
+  const auto velocities = decades(1e-4, 1e4, 11);
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
+    for (const Line& shape : {wedgeLine(0.02, 101, 1e-3), parabolaLine(0.02, 64, 1.0),
+                              sineLine(0.02, 300, 5e-7, 7), sineLine(0.02, 300, 0, 7)}) {
+      const TravelLine line = prepareTravel(shape, scheme);
+      for (const double force : {1e-3, 1.0, 1e3}) {
+        const auto results = sweep(line, force, velocities);
+        for (std::size_t i = 0; i < velocities.size(); ++i)
+          expectSame(results[i], slideAtForce(line, {kModulus, kTau, velocities[i]}, force),
+                     line);
+      }
+    }
+}
+
+/// The public profile within the limits of the reference test.
+TEST_P(Sweep, MeetsTheReference) {
+  const TravelLine line = prepareTravel(referenceProfile(2), Scheme::Cubic);
+  const auto rows = convergedRows();
+  for (std::size_t first = 0; first < rows.size(); first += 10) {
+    std::vector<double> velocities;
+    for (std::size_t i = first; i < first + 10; ++i) velocities.push_back(rows[i].velocity);
+    const auto results = sweep(line, rows[first].normalForce, velocities);
+    for (std::size_t i = 0; i < 10; ++i) {
+      const ConvergedRow& row = rows[first + i];
+      const bool resolved = row.contactFraction >= 5e-4;
+      EXPECT_NEAR(results[i].mu / row.mu, 1, resolved ? 5e-3 : 3e-2);
+      EXPECT_NEAR(results[i].contactFraction / row.contactFraction, 1, resolved ? 1e-2 : 3e-2);
+    }
+  }
+}
+
+/// A lane that is finished stays as it was, whoever goes on beside it.
+TEST_P(Sweep, NeighboursDoNotMatter) {
+  const TravelLine line = prepareTravel(roughLine(500, 2), Scheme::Cubic);
+  const auto velocities = decades(1e-4, 1e3, 17);
+  const auto all = sweep(line, 0.01, velocities);
+  for (std::size_t i = 0; i < velocities.size(); ++i)
+    expectSame(sweep(line, 0.01, {velocities[i]}).front(), all[i], line);
+  for (std::size_t count = 1; count < velocities.size(); ++count) {
+    const auto some = sweep(line, 0.01, {velocities.begin(), velocities.begin() + static_cast<long>(count)});
+    for (std::size_t i = 0; i < count; ++i)
+      expectSame(some[i], all[i], line);
+  }
+}
+
+TEST_P(Sweep, TheSameCallGivesTheSameBits) {
+  const TravelLine line = prepareTravel(roughLine(500, 2), Scheme::Cubic);
+  const auto velocities = decades(1e-4, 1e3, 17);
+  const auto one = sweep(line, 0.01, velocities), two = sweep(line, 0.01, velocities);
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    EXPECT_EQ(one[i].mu, two[i].mu);
+    EXPECT_EQ(one[i].contactFraction, two[i].contactFraction);
+  }
+}
+
+TEST_P(Sweep, AllocatesNothing) {
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
+    const TravelLine line = prepareTravel(roughLine(500), scheme);
+    const auto velocities = decades(1e-4, 1e3, 17);
+    std::vector<SteadyResult> results(velocities.size());
+    const Load load;
+    const long before = allocationsSoFar();
+    slideSweep(line, {kModulus, kTau, 0}, load, velocities, results);
+    EXPECT_EQ(allocationsSoFar(), before);
+  }
+}
+
+TEST_P(Sweep, ConstantIndentation) {
+  const auto velocities = decades(1e-4, 1e3, 9);
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
+    const TravelLine line = prepareTravel(roughLine(300), scheme);
+    Load load;
+    load.kind = LoadKind::Indentation;
+    load.depth = 8e-7;
+    std::vector<SteadyResult> results(velocities.size());
+    slideSweep(line, {kModulus, kTau, 0}, load, velocities, results);
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+      const SteadyResult plain = slideAtDepth(line, {kModulus, kTau, velocities[i]}, 8e-7);
+      EXPECT_NEAR(results[i].normalForce / plain.normalForce, 1, 1e-12);
+      EXPECT_NEAR(results[i].mu / plain.mu, 1, 1e-12);
+    }
+  }
+}
+
+TEST_P(Sweep, StopsWhenAsked) {
+  const TravelLine line = prepareTravel(roughLine(300), Scheme::Cubic);
+  std::stop_source source;
+  source.request_stop();
+  std::vector<SteadyResult> results(1);
+  const double velocity = 1;
+  EXPECT_FALSE(slideSweep(line, {kModulus, kTau, 0}, {}, {&velocity, 1}, results,
+                          source.get_token()));
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, Sweep,
+                         testing::Values(InstructionSet::Scalar, InstructionSet::Avx2,
+                                         InstructionSet::Avx512),
+                         [](const auto& param) {
+                           std::string name = nameOf(param.param);
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace asperity
