@@ -70,7 +70,7 @@ struct Elements {
       const double deep = indentation - rise[i], last = y[i];
       const double force = deep + c * slope[i];
       y[i] = deep > last ? deep : last;
-      work += force * ((force > 0) & (deep > last) ? slope[i] : 0.0);
+      work += force * (((force > 0) & (deep > last)) ? slope[i] : 0.0);
     }
     return work;
   }

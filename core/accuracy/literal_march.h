@@ -51,7 +51,7 @@ bool canUse(LiteralVectors vectors);
 
 struct LiteralOptions {
   std::int64_t steps = 0;  // 0: N of them; fewer only to measure the time of one
-  /// Depths y >= 0 (m) of the elements one step before the first, and the indentation (m) to try
+  /// Depths y >= 0 (m) of all N elements one step before the first, and the indentation (m) to try
   /// first; empty: a flat elastomer. A march that starts steady shows what a steady step costs.
   std::span<const double> startDepth{};
   double startIndentation = 0;

@@ -17,15 +17,29 @@ std::int64_t oversamplingOf(const Scene& scene) {
 
 }  // namespace
 
+/// The rigid line, made once for as long as scenes agree on it.
+struct Simulation::Rigid {
+  explicit Rigid(const Scene& scene)
+      : line(std::make_shared<Line>(LineSource(scene, oversamplingOf(scene)).make(0))),
+        travel(prepareTravel(*line, scene.accuracy.scheme)) {}
+
+  std::shared_ptr<const Line> line;
+  TravelLine travel;
+};
+
 struct Simulation::Ready {
-  Ready(std::shared_ptr<const Scene> wanted, std::uint64_t itsNumber)
+  Ready(std::shared_ptr<const Scene> wanted, std::uint64_t itsNumber, const Ready* last)
       : scene(std::move(wanted)),
         number(itsNumber),
-        line(std::make_shared<Line>(LineSource(*scene, oversamplingOf(*scene)).make(0))),
-        travel(prepareTravel(*line, scene->accuracy.scheme)),
+        rigid(last && last->scene->surface == scene->surface &&
+                      last->scene->accuracy == scene->accuracy &&
+                      last->scene->folder == scene->folder
+                  ? last->rigid
+                  : std::make_shared<Rigid>(*scene)),
         conditions(conditionsOf(*scene, scene->sliding.velocity)),
-        steady(slideAtLoad(travel, conditions, scene->load)) {}
+        steady(slideAtLoad(rigid->travel, conditions, scene->load)) {}
 
+  const Line& line() const { return *rigid->line; }
   MarchConditions marchConditions() const {
     return {conditions.shearModulus, conditions.relaxationTime, scene->load.kind,
             scene->load.normalForce, scene->load.depth};
@@ -33,24 +47,23 @@ struct Simulation::Ready {
 
   std::shared_ptr<const Scene> scene;
   std::uint64_t number;
-  std::shared_ptr<const Line> line;
-  TravelLine travel;
+  std::shared_ptr<const Rigid> rigid;
   SlidingConditions conditions;
   SteadyResult steady;
 };
 
 Simulation::Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number)
-    : ready_(std::make_shared<Ready>(std::move(scene), number)) {
+    : ready_(std::make_shared<Ready>(std::move(scene), number, nullptr)) {
   reset();
 }
 
 void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number) {
-  const auto next = std::make_shared<Ready>(std::move(scene), number);
+  const auto next = std::make_shared<Ready>(std::move(scene), number, ready_.get());
   const bool sameElements =
-      next->line->nodes() == ready_->line->nodes() && next->line->length == ready_->line->length;
+      next->line().nodes() == ready_->line().nodes() && next->line().length == ready_->line().length;
   ready_ = next;
   if (!sameElements) return reset();
-  TimeMarch march(ready_->line, ready_->travel.lowestHeight);
+  TimeMarch march(ready_->rigid->line, ready_->rigid->travel.lowestHeight);
   march.setState(march_->depth(), march_->indentation());
   march.setDistance(march_->distance());
   march_ = std::move(march);
@@ -58,16 +71,16 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
 }
 
 void Simulation::reset() {
-  march_.emplace(ready_->line, ready_->travel.lowestHeight);
-  const NodeShape shape = shapeAt(ready_->travel, ready_->conditions, ready_->steady.indentation);
-  march_->setState(inLineOrder(ready_->travel, shape.depth), ready_->steady.indentation);
-  std::vector<double> pressure = inLineOrder(ready_->travel, shape.pressure);
+  march_.emplace(ready_->rigid->line, ready_->rigid->travel.lowestHeight);
+  const NodeShape shape = shapeAt(ready_->rigid->travel, ready_->conditions, ready_->steady.indentation);
+  march_->setState(inLineOrder(ready_->rigid->travel, shape.depth), ready_->steady.indentation);
+  std::vector<double> pressure = inLineOrder(ready_->rigid->travel, shape.pressure);
   for (double& p : pressure) p *= 4 * ready_->conditions.shearModulus;
   march_->setPressure(pressure);
   last_ = {};
   last_.indentation = ready_->steady.indentation;
   last_.normalForce = ready_->steady.normalForce;
-  last_.contactLength = ready_->steady.contactFraction * ready_->line->length;
+  last_.contactLength = ready_->steady.contactFraction * ready_->line().length;
   steps_ = 0;
   time_ = 0;
   clearReading();
@@ -81,7 +94,7 @@ void Simulation::clearReading() {
 /// The line moves by one node at most, and by less where that resolves the relaxation.
 double Simulation::naturalStep() const {
   const double memory = ready_->conditions.velocity * ready_->conditions.relaxationTime;
-  const double spacing = ready_->line->spacing;
+  const double spacing = ready_->line().spacing;
   return memory > 0 ? std::clamp(memory / 2, spacing / 8, spacing) : spacing;
 }
 
@@ -101,12 +114,12 @@ void Simulation::advance(double part, double wallSeconds) {
   const double before = time_;
   if (velocity > 0) {
     const double most =
-        std::max(1.0, std::floor(kStepsPerFrame / static_cast<double>(ready_->line->nodes())));
-    const double wanted = part * ready_->line->length;
+        std::max(1.0, std::floor(kStepsPerFrame / static_cast<double>(ready_->line().nodes())));
+    const double wanted = part * ready_->line().length;
     const double finest = std::ceil(wanted / naturalStep());
     // Where the budget binds, steps grow up to one node; only then the line slows down.
     const double steps = std::min(finest, most);
-    const double distance = std::min(wanted / steps, ready_->line->spacing);
+    const double distance = std::min(wanted / steps, ready_->line().spacing);
     for (double i = 0; i < steps; ++i) stepOnce(distance / velocity, distance);
   } else {
     const double rest = std::max(ready_->conditions.relaxationTime, 1e-6) / 30;
@@ -132,16 +145,16 @@ Frame Simulation::frame() const {
   frame.time = time_;
   frame.distance = march_->distance();
   frame.timeScale = timeScale_;
-  frame.length = ready_->line->length;
-  frame.spacing = ready_->line->spacing;
+  frame.length = ready_->line().length;
+  frame.spacing = ready_->line().spacing;
   frame.pressure = march_->pressure();
   frame.indentation = last_.indentation;
   for (const double depth : march_->depth()) frame.surfaceHeight.push_back(-depth);
   for (const double rise : march_->rise()) frame.lineHeight.push_back(rise - last_.indentation);
   frame.normalForce = last_.normalForce;
   frame.contactFraction = last_.contactLength / frame.length;
-  frame.rmsHeight = ready_->line->rmsHeight;
-  frame.rmsSlope = ready_->line->rmsSlope;
+  frame.rmsHeight = ready_->line().rmsHeight;
+  frame.rmsSlope = ready_->line().rmsSlope;
   if (resolves_ && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
   if (ready_->steady.status == SteadyStatus::Balanced) frame.muSteady = ready_->steady.mu;
   const double mu = std::isfinite(frame.muMarch) ? frame.muMarch : frame.muSteady;

@@ -34,7 +34,8 @@ class Simulation {
   Frame frame() const;
 
  private:
-  struct Ready;  // a scene made ready: line, travel line, steady result
+  struct Rigid;  // the line, ready for contact
+  struct Ready;  // a scene made ready: line, conditions, steady result
   void stepOnce(double dt, double distance);
   void clearReading();
   double naturalStep() const;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/scene/input_error.h"
+#include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
 #include "core/surface/random_phase.h"
 #include "core/surface/shapes.h"
@@ -31,12 +32,23 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
                      fmt::format("{} is outside 1 to {}, what {} elements carry", surface_.waves,
                                  (elements_ - 1) / 2, elements_));
   if (surface_.kind == SurfaceKind::SelfAffine)
-    amplitudes_ = selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst,
-                                       surface_.rmsHeight);
+    setAmplitudes();
   if (surface_.kind == SurfaceKind::SelfAffine || surface_.kind == SurfaceKind::Profile)
     transform_.emplace(nodes_);
-  const Line line = make(0);
-  statistics_ = {line.rmsHeight, line.rmsSlope};
+  if (isRandom()) {
+    const FourierLine modes = spectrum(0);
+    statistics_ = {rmsHeightOf(modes), rmsSlopeOf(modes)};
+  } else {
+    only_ = transform_ ? fromSpectrum(profile_) : makeShape();
+    statistics_ = {only_.rmsHeight, only_.rmsSlope};
+  }
+}
+
+/// Half of each cosine's amplitude: the coefficient of exp(i q x).
+void LineSource::setAmplitudes() {
+  amplitudes_ = selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst,
+                                     surface_.rmsHeight);
+  for (double& amplitude : amplitudes_) amplitude /= 2;
 }
 
 void LineSource::readProfileOf(const Scene& scene) {
@@ -58,30 +70,31 @@ void LineSource::readProfileOf(const Scene& scene) {
 
 FourierLine LineSource::spectrum(std::int64_t number) const {
   if (!isRandom()) return profile_;
-  FourierLine line{length_, std::vector<std::complex<double>>(amplitudes_.size())};
+  const std::size_t modes = amplitudes_.size();
+  std::vector<double> phases(modes + 2);  // of modes 0, 1, ...
   const auto seed = static_cast<std::uint64_t>(surface_.seed);
-  for (std::size_t mode = 0; mode <= amplitudes_.size(); mode += 2) {
-    const PhasePair phases = randomPhases(seed, static_cast<std::uint64_t>(number), mode / 2);
-    if (mode > 0) line.coefficients[mode - 1] = std::polar(amplitudes_[mode - 1] / 2, phases.even);
-    if (mode < amplitudes_.size())
-      line.coefficients[mode] = std::polar(amplitudes_[mode] / 2, phases.odd);
+  for (std::size_t pair = 0; 2 * pair <= modes; ++pair) {
+    const PhasePair two = randomPhases(seed, static_cast<std::uint64_t>(number), pair);
+    phases[2 * pair] = two.even;
+    phases[2 * pair + 1] = two.odd;
   }
+  FourierLine line{length_, std::vector<std::complex<double>>(modes)};
+  phaseFactors(amplitudes_, {phases.data() + 1, modes}, line.coefficients);
   return line;
 }
 
-Line LineSource::make(std::int64_t number) const {
+Line LineSource::makeShape() const {
   switch (surface_.kind) {
-    case SurfaceKind::Sine:
-      return sineLine(length_, nodes_, surface_.amplitude, surface_.waves);
     case SurfaceKind::Wedge:
       return wedgeLine(length_, nodes_, surface_.slope);
     case SurfaceKind::Parabola:
       return parabolaLine(length_, nodes_, surface_.radius);
-    case SurfaceKind::SelfAffine:
-    case SurfaceKind::Profile:
-      break;
+    default:
+      return sineLine(length_, nodes_, surface_.amplitude, surface_.waves);
   }
-  const FourierLine modes = spectrum(number);
+}
+
+Line LineSource::fromSpectrum(const FourierLine& modes) const {
   Line line;
   line.length = length_;
   line.spacing = length_ / static_cast<double>(nodes_);
@@ -89,6 +102,10 @@ Line LineSource::make(std::int64_t number) const {
   line.rmsHeight = rmsHeightOf(modes);
   line.rmsSlope = rmsSlopeOf(modes);
   return line;
+}
+
+Line LineSource::make(std::int64_t number) const {
+  return isRandom() ? fromSpectrum(spectrum(number)) : only_;
 }
 
 }  // namespace asperity

@@ -38,13 +38,17 @@ class LineSource {
   std::int64_t elements() const { return elements_; }  // per period, without oversampling
 
  private:
+  void setAmplitudes();
   void readProfileOf(const Scene& scene);
+  Line makeShape() const;
+  Line fromSpectrum(const FourierLine& modes) const;
 
   Surface surface_;
   double length_;
   std::int64_t elements_;
   std::size_t nodes_ = 0;
-  std::vector<double> amplitudes_;  // of a self-affine line
+  std::vector<double> amplitudes_;  // |c_k| of a self-affine line
+  Line only_;                       // of a scene that is not random
   FourierLine profile_;
   LineStatistics statistics_;
   std::optional<FourierTransform> transform_;  // for lines that have a spectrum
