@@ -24,8 +24,8 @@ using M = hn::Mask<D>;
 
 constexpr D d;
 constexpr int kMostRootSteps = 100;
-/// A root's last step; what is left of the error is its square.
-constexpr double kRootStep = 1e-8;
+/// A root's last step; what is left of the error is its cube.
+constexpr double kRootStep = 1e-6;
 
 HWY_INLINE V set(double value) { return hn::Set(d, value); }
 HWY_INLINE M noLane() { return hn::FirstN(d, 0); }
@@ -41,6 +41,7 @@ struct Segment {
   HWY_INLINE V slopeAt(V t) const {
     return hn::MulAdd(t, hn::MulAdd(t, set(3 * c3), set(2 * c2)), set(c1));
   }
+  HWY_INLINE V halfCurvatureAt(V t) const { return hn::MulAdd(t, set(3 * c3), set(c2)); }
 };
 
 /// p over a segment, per 4G: a polynomial that differs from lane to lane.
@@ -53,21 +54,23 @@ struct Pressure {
   HWY_INLINE V slopeAt(V t) const {
     return hn::MulAdd(t, hn::MulAdd(t, hn::Mul(c3, set(3)), hn::Add(c2, c2)), c1);
   }
+  HWY_INLINE V halfCurvatureAt(V t) const { return hn::MulAdd(hn::Mul(c3, set(3)), t, c2); }
 };
 
-/// Newton's method inside [low, high] for the lanes wanted, bisection where it would leave.
-/// function(t, value, slope); the sign of its value at `low` is given.
+/// Halley's method inside [low, high] for the lanes wanted, bisection where it would leave.
+/// function(t, value, slope, half of the curvature); the sign of its value at `low` is given.
 template <class Function>
 HWY_INLINE V rootBetween(V low, V high, M negativeAtLow, V guess, M wanted,
                          const Function& function) {
   V t = guess;
   for (int step = 0; step < kMostRootSteps; ++step) {
-    V value, slope;
-    function(t, value, slope);
+    V value, slope, halfCurvature;
+    function(t, value, slope, halfCurvature);
     const M before = hn::Xor(hn::Lt(value, hn::Zero(d)), hn::Not(negativeAtLow));
     low = hn::IfThenElse(before, t, low);
     high = hn::IfThenElse(before, high, t);
-    V next = hn::Sub(t, hn::Div(value, slope));
+    const V below = hn::NegMulAdd(value, halfCurvature, hn::Mul(slope, slope));
+    V next = hn::Sub(t, hn::Div(hn::Mul(value, slope), below));
     const M inside = hn::And(hn::Ge(next, low), hn::Le(next, high));
     next = hn::IfThenElse(inside, next, hn::Mul(set(0.5), hn::Add(low, high)));
     const V moved = hn::Abs(hn::Sub(next, t));
@@ -249,9 +252,10 @@ class LanePass {
         hn::MulAdd(hn::Sub(to, from), hn::Div(pFrom, hn::Sub(pFrom, pTo)), from);
     if (kLinear) return hn::IfThenElse(wanted, guess, from);
     const V t = rootBetween(from, to, hn::Lt(pFrom, hn::Zero(d)), guess, wanted,
-                            [&p](V at, V& value, V& slope) {
+                            [&p](V at, V& value, V& slope, V& halfCurvature) {
                               value = p.at(at);
                               slope = p.slopeAt(at);
+                              halfCurvature = p.halfCurvatureAt(at);
                             });
     return hn::IfThenElse(wanted, t, from);
   }
@@ -280,10 +284,13 @@ class LanePass {
                                  hn::Div(gapAtBegin, hn::Sub(gapAtBegin, gapAtEnd)), begin);
       const V rate = hn::Mul(set(span_), inverse_);
       const V t = rootBetween(begin, end, inside, guess, inside,
-                              [&](V at, V& value, V& slope) {
+                              [&](V at, V& value, V& slope, V& halfCurvature) {
                                 const V free = freeDepth(placeOf(at));
                                 value = hn::Sub(hn::Sub(depth_, segment_.at(at)), free);
                                 slope = hn::MulSub(rate, free, segment_.slopeAt(at));
+                                halfCurvature = hn::NegMulSub(hn::Mul(rate, hn::Mul(rate, free)),
+                                                              set(0.5),
+                                                              segment_.halfCurvatureAt(at));
                               });
       entry = hn::IfThenElse(inside, t, begin);
     }

@@ -60,7 +60,7 @@ std::string growthSection(const Measured& measured) {
   const std::string same = sameContact(measured);
   if (elements.empty() && contact.empty() && same.empty()) return "";
   return "## Growth of the shipped path's cost (cubic x2, v = 0.01 m/s)\n\n" + elements + same +
-         "N = 5000:\n\n" + contact;
+         (contact.empty() ? "" : "N = 5000:\n\n" + contact);
 }
 
 std::string peakSection(const Measured& measured) {
