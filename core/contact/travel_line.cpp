@@ -112,14 +112,17 @@ SegmentBounds merged(const SegmentBounds* four) {
   return all;
 }
 
-/// Blocks of 1, 4, 16, ... segments, as far as whole ones go.
-void addBlocks(TravelLine& travel, std::vector<SegmentBounds> inner) {
-  while (!inner.empty()) {
-    std::vector<SegmentBounds> coarser(inner.size() / 4);
-    for (std::size_t i = 0; i < coarser.size(); ++i) coarser[i] = merged(&inner[4 * i]);
-    travel.blocks.push_back(std::move(inner));
-    inner = std::move(coarser);
+/// Blocks of 4, 16, ... segments over those of one, as far as whole ones go.
+void addBlocks(TravelLine& travel) {
+  std::size_t level = 0;
+  while (travel.blocks[level].size() >= 4) {
+    if (travel.blocks.size() == level + 1) travel.blocks.emplace_back();
+    const std::vector<SegmentBounds>& finer = travel.blocks[level];
+    std::vector<SegmentBounds>& coarser = travel.blocks[++level];
+    coarser.resize(finer.size() / 4);
+    for (std::size_t i = 0; i < coarser.size(); ++i) coarser[i] = merged(&finer[4 * i]);
   }
+  travel.blocks.resize(level + 1);
 }
 
 void resizeFor(TravelLine& travel, std::size_t segments) {
@@ -137,14 +140,16 @@ void addBounds(TravelLine& travel) {
   };
   travel.firstBounds = bounds(0);
   travel.lastBounds = bounds(last);
-  std::vector<SegmentBounds> inner(last - 1);
+  travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
+  std::vector<SegmentBounds>& inner = travel.blocks[0];
+  inner.resize(last - 1);
   double integral = travel.firstBounds.riseIntegral + travel.lastBounds.riseIntegral;
   for (std::size_t i = 1; i < last; ++i) {
     inner[i - 1] = bounds(i);
     integral += inner[i - 1].riseIntegral;
   }
   travel.meanRise = integral / travel.length;
-  addBlocks(travel, std::move(inner));
+  addBlocks(travel);
 }
 
 void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
@@ -176,6 +181,9 @@ void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
   travel.position.resize(count + 1);
   travel.rise.resize(count + 1);
   travel.slopeIn.resize(count);
+  travel.slopeOut.clear();
+  travel.startsInsideSegment = false;
+  travel.meanRise = 0;
   std::size_t node = lowest.node;
   for (std::size_t i = 0; i < count; ++i) {
     travel.position[i] = static_cast<double>(i) * line.spacing;
@@ -188,9 +196,10 @@ void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
   travel.position[count] = travel.length;
   travel.rise[count] = 0;
   travel.meanRise /= static_cast<double>(count);
-  std::vector<SegmentBounds> inner(count - 1);
-  for (std::size_t i = 1; i < count; ++i) inner[i - 1].lowest = travel.rise[i];
-  addBlocks(travel, std::move(inner));
+  travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
+  travel.blocks[0].assign(count - 1, SegmentBounds{});
+  for (std::size_t i = 1; i < count; ++i) travel.blocks[0][i - 1].lowest = travel.rise[i];
+  addBlocks(travel);
 }
 
 }  // namespace
@@ -215,8 +224,7 @@ std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<doub
   return ordered;
 }
 
-TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction) {
-  TravelLine travel;
+void prepareTravelInto(TravelLine& travel, const Line& line, Scheme scheme, Direction direction) {
   travel.scheme = scheme;
   travel.length = line.length;
   travel.spacing = line.spacing;
@@ -230,6 +238,11 @@ TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction) {
     addNodes(travel, line, traveller, lowest);
   else
     addResolvedSegments(travel, line, traveller, lowest);
+}
+
+TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction) {
+  TravelLine travel;
+  prepareTravelInto(travel, line, scheme, direction);
   return travel;
 }
 

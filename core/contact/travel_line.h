@@ -60,4 +60,8 @@ std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<doub
 
 TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction = Direction::Forward);
 
+/// The same into one whose memory is used again.
+void prepareTravelInto(TravelLine& travel, const Line& line, Scheme scheme,
+                       Direction direction = Direction::Forward);
+
 }  // namespace asperity

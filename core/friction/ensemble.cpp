@@ -1,6 +1,7 @@
 #include "core/friction/ensemble.h"
 
 #include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -42,6 +43,12 @@ struct VelocityAverage {
 
 /// One realization: a result for each velocity done.
 using Row = std::vector<SteadyResult>;
+
+/// What a thread uses again for one realization after another.
+struct Memory {
+  Line line;
+  TravelLine travel;
+};
 
 class Averaging {
  public:
@@ -86,8 +93,13 @@ class Averaging {
     return rows;
   }
 
-  Row sweep(std::int64_t realization) const {
-    const TravelLine line = prepareTravel(source_.make(realization), scene_.accuracy.scheme);
+  Row sweep(std::int64_t realization) {
+    Memory& memory = memory_.local();
+    const Scheme scheme = scene_.accuracy.scheme;
+    source_.makeInto(memory.line, realization,
+                     scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
+    prepareTravelInto(memory.travel, memory.line, scheme);
+    const TravelLine& line = memory.travel;
     Row row(velocities_.size());
     if (!slideSweep(line, conditionsOf(scene_, 0), scene_.load, velocities_, row, options_.stop))
       return {};
@@ -159,6 +171,7 @@ class Averaging {
   std::int64_t total_;
   std::vector<VelocityAverage> averages_;
   tbb::task_arena arena_;
+  tbb::enumerable_thread_specific<Memory> memory_;
   Curve curve_;
   std::int64_t solves_ = 0, passes_ = 0, marginal_ = 0;
 };

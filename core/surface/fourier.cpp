@@ -14,20 +14,45 @@ std::mutex& plannerLock() {
   return lock;
 }
 
-/// Aligned as FFTW likes it, so that every call takes the same code path.
+/// Aligned as FFTW likes it, so that every call takes the same code path. Grows and is kept.
 template <class Value>
-struct Buffer {
-  explicit Buffer(std::size_t count)
-      : values(static_cast<Value*>(fftw_malloc(sizeof(Value) * count))) {
-    if (!values) throw std::bad_alloc();
-  }
+class Buffer {
+ public:
+  Buffer() = default;
   ~Buffer() { fftw_free(values); }
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
-  Value* values;
+
+  Value* values = nullptr;
+
+  void reserve(std::size_t count) {
+    if (count <= size_) return;
+    fftw_free(values);
+    size_ = 0;
+    values = static_cast<Value*>(fftw_malloc(sizeof(Value) * count));
+    if (!values) throw std::bad_alloc();
+    size_ = count;
+  }
+
+ private:
+  std::size_t size_ = 0;
 };
 
 using Complex = std::complex<double>;
+
+/// Each thread's own, so that many lines of one ensemble share them: fresh pages cost more than a
+/// transform.
+struct Buffers {
+  Buffer<Complex> modes;
+  Buffer<double> values;
+};
+
+Buffers& buffersFor(std::size_t nodes) {
+  thread_local Buffers buffers;
+  buffers.modes.reserve(nodes / 2 + 1);
+  buffers.values.reserve(nodes);
+  return buffers;
+}
 
 fftw_complex* raw(Complex* values) {
   return reinterpret_cast<fftw_complex*>(values);
@@ -37,12 +62,13 @@ fftw_complex* raw(Complex* values) {
 
 struct FourierTransform::Plans {
   explicit Plans(std::size_t count) : nodes(count) {
-    const Buffer<Complex> modes(count / 2 + 1);
-    const Buffer<double> values(count);
+    const Buffers& buffers = buffersFor(count);
+    Complex* modes = buffers.modes.values;
+    double* values = buffers.values.values;
     const std::lock_guard lock(plannerLock());
     const int size = static_cast<int>(count);
-    toNodes = fftw_plan_dft_c2r_1d(size, raw(modes.values), values.values, FFTW_ESTIMATE);
-    toModes = fftw_plan_dft_r2c_1d(size, values.values, raw(modes.values), FFTW_ESTIMATE);
+    toNodes = fftw_plan_dft_c2r_1d(size, raw(modes), values, FFTW_ESTIMATE);
+    toModes = fftw_plan_dft_r2c_1d(size, values, raw(modes), FFTW_ESTIMATE);
   }
   ~Plans() {
     const std::lock_guard lock(plannerLock());
@@ -64,33 +90,38 @@ std::size_t FourierTransform::nodes() const {
   return plans_->nodes;
 }
 
-void FourierTransform::evaluate(const FourierLine& line, std::vector<double>& height,
-                                std::vector<double>& slope) const {
-  const std::size_t count = plans_->nodes;
-  const Buffer<Complex> modes(count / 2 + 1);
-  const Buffer<double> values(count);
-  const auto transform = [&](std::vector<double>& target, auto factor) {
-    modes.values[0] = 0;
-    for (std::size_t k = 1; k <= count / 2; ++k)
-      modes.values[k] =
-          k <= line.coefficients.size() ? line.coefficients[k - 1] * factor(k) : Complex(0);
-    fftw_execute_dft_c2r(plans_->toNodes, raw(modes.values), values.values);
-    target.assign(values.values, values.values + count);
-  };
-  transform(height, [](std::size_t) { return 1.0; });
+void FourierTransform::evaluate(const FourierLine& line, std::vector<double>& height) const {
+  transform(line, height, [](std::size_t) { return 1.0; });
+}
+
+void FourierTransform::evaluateSlope(const FourierLine& line, std::vector<double>& slope) const {
   const double lowest = 2 * std::numbers::pi / line.length;
-  transform(slope, [lowest](std::size_t k) { return Complex(0, lowest * static_cast<double>(k)); });
+  transform(line, slope,
+            [lowest](std::size_t k) { return Complex(0, lowest * static_cast<double>(k)); });
+}
+
+template <class Factor>
+void FourierTransform::transform(const FourierLine& line, std::vector<double>& target,
+                                 const Factor& factor) const {
+  const std::size_t count = plans_->nodes, filled = line.coefficients.size();
+  const Buffers& buffers = buffersFor(count);
+  Complex* modes = buffers.modes.values;
+  modes[0] = 0;
+  for (std::size_t k = 1; k <= filled; ++k) modes[k] = line.coefficients[k - 1] * factor(k);
+  std::fill(modes + filled + 1, modes + count / 2 + 1, Complex(0));
+  fftw_execute_dft_c2r(plans_->toNodes, raw(modes), buffers.values.values);
+  target.assign(buffers.values.values, buffers.values.values + count);
 }
 
 FourierLine FourierTransform::analyse(std::span<const double> height, double length) const {
   const std::size_t count = plans_->nodes;
-  const Buffer<Complex> modes(count / 2 + 1);
-  const Buffer<double> values(count);
-  std::copy_n(height.begin(), count, values.values);
-  fftw_execute_dft_r2c(plans_->toModes, values.values, raw(modes.values));
+  const Buffers& buffers = buffersFor(count);
+  const Complex* modes = buffers.modes.values;
+  std::copy_n(height.begin(), count, buffers.values.values);
+  fftw_execute_dft_r2c(plans_->toModes, buffers.values.values, raw(buffers.modes.values));
   FourierLine line{length, {}};
   for (std::size_t k = 1; k <= modesOf(count); ++k)
-    line.coefficients.push_back(modes.values[k] / static_cast<double>(count));
+    line.coefficients.push_back(modes[k] / static_cast<double>(count));
   return line;
 }
 

@@ -22,15 +22,20 @@ class FourierTransform {
 
   std::size_t nodes() const;
 
-  /// Height (m) and slope of the line at x_i = i length / nodes. Modes above the nodes' Nyquist
-  /// limit must be absent.
-  void evaluate(const FourierLine& line, std::vector<double>& height,
-                std::vector<double>& slope) const;
+  /// Height (m) of the line at x_i = i length / nodes. Modes above the nodes' Nyquist limit must be
+  /// absent.
+  void evaluate(const FourierLine& line, std::vector<double>& height) const;
+
+  /// Its slope there, from the spectrum.
+  void evaluateSlope(const FourierLine& line, std::vector<double>& slope) const;
 
   /// The band-limited line through the nodes: mean removed, Nyquist mode dropped.
   FourierLine analyse(std::span<const double> height, double length) const;
 
  private:
+  template <class Factor>
+  void transform(const FourierLine& line, std::vector<double>& target, const Factor& factor) const;
+
   struct Plans;
   std::unique_ptr<Plans> plans_;
 };

@@ -39,7 +39,10 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
     const FourierLine modes = spectrum(0);
     statistics_ = {rmsHeightOf(modes), rmsSlopeOf(modes)};
   } else {
-    only_ = transform_ ? fromSpectrum(profile_) : makeShape();
+    if (transform_)
+      setFromSpectrum(profile_, Slopes::Wanted, only_);
+    else
+      only_ = makeShape();
     statistics_ = {only_.rmsHeight, only_.rmsSlope};
   }
 }
@@ -94,18 +97,27 @@ Line LineSource::makeShape() const {
   }
 }
 
-Line LineSource::fromSpectrum(const FourierLine& modes) const {
-  Line line;
+void LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line) const {
   line.length = length_;
   line.spacing = length_ / static_cast<double>(nodes_);
-  transform_->evaluate(modes, line.height, line.slopeAfter);
+  transform_->evaluate(modes, line.height);
+  line.slopeAfter.clear();
+  if (slopes == Slopes::Wanted) transform_->evaluateSlope(modes, line.slopeAfter);
   line.rmsHeight = rmsHeightOf(modes);
   line.rmsSlope = rmsSlopeOf(modes);
-  return line;
+}
+
+void LineSource::makeInto(Line& line, std::int64_t number, Slopes slopes) const {
+  if (isRandom())
+    setFromSpectrum(spectrum(number), slopes, line);
+  else
+    line = only_;
 }
 
 Line LineSource::make(std::int64_t number) const {
-  return isRandom() ? fromSpectrum(spectrum(number)) : only_;
+  Line line;
+  makeInto(line, number);
+  return line;
 }
 
 }  // namespace asperity

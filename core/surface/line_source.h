@@ -19,6 +19,9 @@ struct LineStatistics {
   double rmsSlope = 0;
 };
 
+/// Whether a line's slopes are wanted; without, slopeAfter is empty.
+enum class Slopes { Wanted, NotWanted };
+
 class LineSource {
  public:
   /// Lines with elements * oversampling nodes.
@@ -26,6 +29,9 @@ class LineSource {
 
   /// Realization 0, 1, ... ; the same line for the same scene and number, always.
   Line make(std::int64_t realization) const;
+
+  /// The same into a line whose memory is used again. Straight segments need no slopes.
+  void makeInto(Line& line, std::int64_t realization, Slopes slopes = Slopes::Wanted) const;
 
   /// Whether realizations differ at all.
   bool isRandom() const { return surface_.kind == SurfaceKind::SelfAffine; }
@@ -41,7 +47,7 @@ class LineSource {
   void setAmplitudes();
   void readProfileOf(const Scene& scene);
   Line makeShape() const;
-  Line fromSpectrum(const FourierLine& modes) const;
+  void setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line) const;
 
   Surface surface_;
   double length_;
