@@ -171,10 +171,35 @@ class LaneGroup {
   std::array<LaneBalance, kMostLanes> balances_;
 };
 
+/// A depth that surely carries the load (m^2, per 4G), close to the answer at rest: the water level
+/// over the mean rises of a few thousand blocks. A block carries at least what its mean does, and
+/// sliding carries more than rest.
+double waterLevel(const TravelLine& line, double load) {
+  constexpr std::size_t kMostBlocks = 2048;
+  std::size_t level = 0;
+  while (level + 1 < line.blocks.size() && line.blocks[level].size() > kMostBlocks) ++level;
+  const std::vector<SegmentBounds>& blocks = line.blocks[level];
+  const double length = line.spacing * static_cast<double>(std::size_t{1} << (2 * level));
+  double depth = load / line.length + 2 * line.meanRise;
+  for (std::size_t wet = blocks.size() + 1; true;) {
+    double rises = 0;
+    std::size_t count = 0;
+    for (const SegmentBounds& block : blocks) {
+      const bool below = block.riseIntegral < depth * length;
+      rises += below ? block.riseIntegral : 0;
+      count += below ? 1 : 0;
+    }
+    if (count == 0 || count >= wet) return depth;
+    wet = count;
+    depth = (load + rises) / (length * static_cast<double>(count));
+  }
+}
+
 /// Depths to start from: the trend of the last two answers, which fall with velocity.
-LaneValues guessesFor(std::span<const double> velocities, std::span<const double> known,
-                      std::span<const SteadyResult> answers) {
-  LaneValues guesses{};
+LaneValues guessesFor(double first, std::span<const double> velocities,
+                      std::span<const double> known, std::span<const SteadyResult> answers) {
+  LaneValues guesses;
+  guesses.fill(first);
   if (answers.empty()) return guesses;
   const std::size_t n = answers.size();
   const double last = answers[n - 1].indentation;
@@ -191,14 +216,14 @@ LaneValues guessesFor(std::span<const double> velocities, std::span<const double
 
 /// Neighbouring velocities go side by side, group after group.
 template <class Group>
-bool sweepInGroups(Group group, std::span<const double> velocities,
+bool sweepInGroups(Group group, double first, std::span<const double> velocities,
                    std::span<SteadyResult> results, const std::stop_token& stop) {
   const FlushDenormals flush;
   const std::size_t lanes = laneCount();
   for (std::size_t i = 0; i < velocities.size(); i += lanes) {
     const std::size_t count = std::min(lanes, velocities.size() - i);
     const auto now = velocities.subspan(i, count);
-    const LaneValues guesses = guessesFor(now, velocities.first(i), results.first(i));
+    const LaneValues guesses = guessesFor(first, now, velocities.first(i), results.first(i));
     if (!group.solve(now, results.subspan(i, count), guesses, stop)) return false;
   }
   return true;
@@ -210,8 +235,11 @@ bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, con
                 std::span<const double> velocities, std::span<SteadyResult> results,
                 const std::stop_token& stop) {
   if (line.scheme == Scheme::Nodal)
-    return sweepInGroups(NodalGroup(line, conditions, load), velocities, results, stop);
-  return sweepInGroups(LaneGroup(line, conditions, load), velocities, results, stop);
+    return sweepInGroups(NodalGroup(line, conditions, load), 0, velocities, results, stop);
+  const double first = load.kind == LoadKind::Force
+                           ? waterLevel(line, load.normalForce / (4 * conditions.shearModulus))
+                           : 0;
+  return sweepInGroups(LaneGroup(line, conditions, load), first, velocities, results, stop);
 }
 
 }  // namespace asperity
