@@ -189,10 +189,21 @@ class LanePass {
     p.c1 = hn::NegMulSub(hn::Add(k, k), set(cubic.c2), set(cubic.c1));
     p.c2 = hn::NegMulSub(hn::Mul(set(3), k), set(cubic.c3), set(cubic.c2));
     p.c3 = set(-cubic.c3);
+    left_ = noLane();
     pieces(p, lanes);
     const M free = hn::AndNot(touching_, lanes);
-    if (any(free))
-      here_ = hn::IfThenElse(free, freeDepth(set(line_.position[i + 1])), here_);
+    if (!any(free)) return;
+    const bool part = i == 0 || i + 1 == line_.segments();
+    const V relaxed = hn::Mul(here_, kept_[0]);
+    const bool left = part || any(hn::And(free, left_));
+    here_ = hn::IfThenElse(free, left ? freeDepth(set(line_.position[i + 1])) : relaxed, here_);
+  }
+
+  /// y of free lanes at t, good enough to choose by; at the segment's ends it is known already.
+  HWY_INLINE V roughDepth(V t) const {
+    const M atStart = hn::Eq(t, hn::Zero(d));
+    const bool known = hn::AllTrue(d, hn::Or(atStart, touching_));
+    return known ? here_ : hn::IfThenElse(atStart, here_, freeDepth(placeOf(t)));
   }
 
   /// Splits the segment where p may turn, so that p is monotone on each piece.
@@ -264,6 +275,7 @@ class LanePass {
     if (!any(lanes)) return;
     arcDepth_ = hn::IfThenElse(lanes, hn::Sub(depth_, segment_.at(t)), arcDepth_);
     arcPosition_ = hn::IfThenElse(lanes, placeOf(t), arcPosition_);
+    left_ = hn::Or(left_, lanes);
     touching_ = hn::AndNot(lanes, touching_);
   }
 
@@ -276,7 +288,7 @@ class LanePass {
     const V gapAtEnd = hn::Sub(hn::Sub(depth_, segment_.at(end)), freeDepth(placeOf(end)));
     const M enters = hn::And(freely, hn::Gt(gapAtEnd, hn::Zero(d)));
     if (!any(enters)) return begin;
-    const V gapAtBegin = hn::Sub(hn::Sub(depth_, segment_.at(begin)), freeDepth(placeOf(begin)));
+    const V gapAtBegin = hn::Sub(hn::Sub(depth_, segment_.at(begin)), roughDepth(begin));
     const M inside = hn::And(enters, hn::Lt(gapAtBegin, hn::Zero(d)));
     V entry = begin;
     if (any(inside)) {
@@ -340,6 +352,7 @@ class LanePass {
   V depth_, memory_, inverse_;
   V kept_[kMostLevels];  // decay over a block of each level
   M touching_ = noLane();
+  M left_ = noLane();     // lanes that left the line in this segment
   V here_ = hn::Zero(d);  // y of free lanes at the next segment's start
   V arcDepth_ = hn::Zero(d), arcPosition_ = hn::Zero(d);
   V sumDepth_ = hn::Zero(d), freeStiffness_ = hn::Zero(d), freeLoss_ = hn::Zero(d);

@@ -23,8 +23,8 @@ struct Cubic {
   /// Integral of the derivative squared from 0 to t.
   double integralOfSlopeSquared(double t) const {
     const double b = 2 * c2, c = 3 * c3;
-    return t * (c1 * c1 +
-                t * (c1 * b + t * ((b * b + 2 * c1 * c) / 3 + t * (b * c / 2 + t * c * c / 5))));
+    return t * (c1 * c1 + t * (c1 * b + t * ((b * b + 2 * c1 * c) * (1.0 / 3) +
+                                             t * (b * c * 0.5 + t * c * c * 0.2))));
   }
 };
 

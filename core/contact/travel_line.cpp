@@ -67,15 +67,17 @@ Lowest findLowest(const Line& line, const Traveller& traveller, Scheme scheme) {
 }
 
 /// Bounds by control points (a cubic lies within theirs), integrals exactly.
-SegmentBounds boundsOf(double in, double out, double slopeIn, double slopeOut, double length) {
-  const double first = in + slopeIn * length / 3, second = out - slopeOut * length / 3;
-  const double middle = 3 * (second - first) / length;  // the slope's own middle control point
+SegmentBounds boundsOf(double in, double out, double slopeIn, double slopeOut, double length,
+                       double perLength) {
+  const double third = length * (1.0 / 3);
+  const double first = in + slopeIn * third, second = out - slopeOut * third;
+  const double middle = 3 * (second - first) * perLength;  // the slope's own middle control point
   const Cubic rise = hermite(in, out, slopeIn * length, slopeOut * length);
   return {std::min(std::min(in, out), std::min(first, second)),
           std::max(std::max(in, out), std::max(first, second)),
           std::max(std::max(slopeIn, slopeOut), middle),
-          length * (0.5 * (in + out) + length * (slopeIn - slopeOut) / 12),
-          rise.integralOfSlopeSquared(1) / length};
+          length * (0.5 * (in + out) + length * (slopeIn - slopeOut) * (1.0 / 12)),
+          rise.integralOfSlopeSquared(1) * perLength};
 }
 
 void setSegment(TravelLine& travel, std::size_t i, double rise, double slopeIn, double slopeOut) {
@@ -134,18 +136,19 @@ void resizeFor(TravelLine& travel, std::size_t segments) {
 
 void addBounds(TravelLine& travel) {
   const std::size_t last = travel.segments() - 1;
-  const auto bounds = [&travel](std::size_t i) {
+  const auto bounds = [&travel](std::size_t i, double length, double perLength) {
     return boundsOf(travel.rise[i], travel.rise[i + 1], travel.slopeIn[i], travel.slopeOut[i],
-                    travel.segmentLength(i));
+                    length, perLength);
   };
-  travel.firstBounds = bounds(0);
-  travel.lastBounds = bounds(last);
+  travel.firstBounds = bounds(0, travel.segmentLength(0), 1 / travel.segmentLength(0));
+  travel.lastBounds = bounds(last, travel.segmentLength(last), 1 / travel.segmentLength(last));
+  const double spacing = travel.spacing, perSpacing = 1 / spacing;
   travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
   std::vector<SegmentBounds>& inner = travel.blocks[0];
   inner.resize(last - 1);
   double integral = travel.firstBounds.riseIntegral + travel.lastBounds.riseIntegral;
   for (std::size_t i = 1; i < last; ++i) {
-    inner[i - 1] = bounds(i);
+    inner[i - 1] = bounds(i, spacing, perSpacing);
     integral += inner[i - 1].riseIntegral;
   }
   travel.meanRise = integral / travel.length;

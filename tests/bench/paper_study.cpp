@@ -70,7 +70,9 @@ class Study {
   void makeLine(const Scene& scene) {
     const LineSource source(scene, scene.accuracy.oversampling);
     const double start = threadSeconds();
-    line_ = prepareTravel(source.make(0), scene.accuracy.scheme);
+    const Scheme scheme = scene.accuracy.scheme;
+    source.makeInto(points_, 0, scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
+    prepareTravelInto(line_, points_, scheme);
     now().lineSeconds += weight_ * (threadSeconds() - start);
     now().lines += weight_;
   }
@@ -94,6 +96,7 @@ class Study {
   std::vector<double> velocities_;
   std::vector<SteadyResult> results_;
   double weight_;
+  Line points_;
   TravelLine line_;
   std::size_t current_ = 0;  // series
   StudyEstimate estimate_;
