@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity {
 namespace {
@@ -37,7 +38,7 @@ class ForceGatherer {
   double memory_, inverse_;
 };
 
-/// All sums. Energy in by p w', out by c y'^2, are gathered independently of one another.
+/// All sums; the two ways to either force share nothing.
 class StateGatherer {
  public:
   StateGatherer(double memory, double inverse)
@@ -67,14 +68,24 @@ class StateGatherer {
  private:
   void addContact(const Cubic& rise, double extent, double depth, double length) {
     const double slopeSquared = rise.integralOfSlopeSquared(extent) / length;
-    const double climb = -extent * (rise.c1 + extent * (rise.c2 + extent * rise.c3));  // of w
-    const double start = depth - rise.c0;
-    sums_.pressure += length * (depth * extent - rise.integral(extent)) + memory_ * climb;
-    sums_.work += climb * (start + 0.5 * climb) + memory_ * slopeSquared;
+    addPressure(rise, extent, depth, length);
     sums_.dissipation += memory_ * slopeSquared;
     sums_.contactLength += length * extent;
     sums_.slopeSquared += slopeSquared;
     sums_.absoluteSlope += variation(rise, extent);
+  }
+  /// p and p w' from the pressure itself, by Gauss's three points: exact for these polynomials, and
+  /// sharing nothing with the sums of depth and of dissipation.
+  void addPressure(const Cubic& rise, double extent, double depth, double length) {
+    constexpr double kPlace = 0.7745966692414834, kOuter = 5.0 / 18, kMiddle = 8.0 / 18;
+    for (const auto& [place, weight] : {std::pair{-kPlace, kOuter}, std::pair{0.0, kMiddle},
+                                        std::pair{kPlace, kOuter}}) {
+      const double t = 0.5 * extent * (1 + place);
+      const double slope = -rise.derivative(t) / length;  // w'
+      const double pressure = depth - rise(t) + memory_ * slope;
+      sums_.pressure += weight * extent * length * pressure;
+      sums_.work += weight * extent * length * pressure * slope;
+    }
   }
   /// Integral of |d rise / dt| over [0, extent].
   static double variation(const Cubic& rise, double extent) {

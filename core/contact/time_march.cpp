@@ -54,12 +54,12 @@ void TimeMarch::placeLine() {
 }
 
 /// The indentation d with sum max(0, d - threshold_i) = load (m). Newton's method on a convex,
-/// piecewise linear function: it ends exactly, when the set of touched elements repeats.
+/// piecewise linear function: from the first step on it comes from the right and only falls, until
+/// the set of touched elements repeats; a step that does not fall any more is rounding.
 double TimeMarch::balance(double load) {
   const double lowest = *std::min_element(threshold_.begin(), threshold_.end());
   double d = std::max(indentation_, lowest + load);
-  std::size_t touched = 0;
-  while (true) {
+  for (bool first = true; true; first = false) {
     std::size_t count = 0;
     double sum = 0;
     for (const double threshold : threshold_) {
@@ -67,10 +67,10 @@ double TimeMarch::balance(double load) {
       count += below ? 1 : 0;
       sum += below ? threshold - lowest : 0;
     }
-    if (count == 0) return lowest + load;
-    const double next = lowest + (load + sum) / static_cast<double>(count);
-    if (count == touched || next == d) return next;
-    touched = count;
+    const double next =
+        count > 0 ? lowest + (load + sum) / static_cast<double>(count) : lowest + load;
+    if (!(next < d) && !first) return d;
+    if (next == d || count == 0) return next;
     d = next;
   }
 }
@@ -90,7 +90,7 @@ MarchStep TimeMarch::step(const MarchConditions& conditions, double dt, double d
                      : conditions.depth;
 
   MarchStep result;
-  double load = 0, work = 0, dissipated = 0, stored = 0, advance = 0;
+  double load = 0, work = 0, dissipated = 0, stored = 0, advance = 0, closing = 0;
   std::size_t touching = 0;
   for (std::size_t i = 0; i < depth_.size(); ++i) {
     const double start = depth_[i];
@@ -100,6 +100,7 @@ MarchStep TimeMarch::step(const MarchConditions& conditions, double dt, double d
     load += p;
     work += p * (end - start);
     advance += p * (lastRise_[i] - rise_[i]);
+    closing += p * (start - (before - lastRise_[i]));
     dissipated += 0.5 * (start - p) * (start - p);
     stored += 0.5 * (end - start) * (end + start);
     touching += pushed > 0 ? 1 : 0;
@@ -113,6 +114,7 @@ MarchStep TimeMarch::step(const MarchConditions& conditions, double dt, double d
   result.stored = stiffness * h * stored;
   result.slidingWork = result.work - result.normalForce * (indentation_ - before);
   result.lineWork = stiffness * h * advance;
+  result.gapWork = stiffness * h * closing;
   result.contactLength = h * static_cast<double>(touching);
   return result;
 }

@@ -39,6 +39,7 @@ struct MarchStep {
   double lineWork = 0;       // J, pressure times the line's own advance: F_x times distance. Second
                              // order in dx everywhere; slidingWork is first order where elements
                              // enter, because p acts on them before the line has reached them
+  double gapWork = 0;        // J, that difference: pressure times the gap it closed in the step
   double contactLength = 0;  // m
 };
 

@@ -15,20 +15,22 @@ Line blankLine(double length, std::size_t nodes) {
   return line;
 }
 
-/// Even shape about x = 0, given by height(|x|) and slope(|x|), with corners where it says so.
+/// Even shape about the node in the middle, given by height(|x|) and slope(|x|), with corners where
+/// it says so.
 template <class Height, class Slope>
 Line evenLine(double length, std::size_t nodes, Height height, Slope slope) {
   Line line = blankLine(length, nodes);
   line.slopeBefore.resize(nodes);
-  for (std::size_t i = 0; i < nodes; ++i) {
-    const bool left = 2 * i >= nodes;  // x in [-length/2, 0), stored after the right half
-    const std::size_t steps = left ? nodes - i : i;
-    const double distance = line.spacing * static_cast<double>(steps);
+  const std::size_t tip = nodes / 2;
+  for (std::size_t k = 0; k < nodes; ++k) {  // k nodes right of the tip, once around
+    const std::size_t i = (tip + k) % nodes;
+    const bool left = 2 * k >= nodes;
+    const double distance = line.spacing * static_cast<double>(left ? nodes - k : k);
     line.height[i] = height(distance);
     line.slopeAfter[i] = left ? -slope(distance) : slope(distance);
-    line.slopeBefore[i] = left ? -slope(distance) : slope(distance);
-    if (i == 0) line.slopeBefore[i] = -slope(0);
-    if (2 * i == nodes) line.slopeBefore[i] = slope(distance);
+    line.slopeBefore[i] = line.slopeAfter[i];
+    if (k == 0) line.slopeBefore[i] = -slope(0);
+    if (2 * k == nodes) line.slopeBefore[i] = slope(distance);
   }
   return line;
 }

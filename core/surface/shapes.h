@@ -1,5 +1,5 @@
 // Lines given by a formula: sine, wedge, parabola. Pure functions; the lowest point of wedge and
-// parabola is the node at x = 0, where neighbouring periods' flanks meet at x = length / 2.
+// parabola is the node in the middle, or next to it where the number of nodes is odd.
 #pragma once
 
 #include "core/scene/scene.h"
