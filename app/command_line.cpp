@@ -1,10 +1,14 @@
 #include "app/command_line.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 
 #include "core/scene/input_error.h"
@@ -41,6 +45,20 @@ class CommandLine {
       throw InputError("", "", firstLine(error.what()));
     }
     return selected_ ? selected_() : runWindowCommand(window_);
+  }
+
+  /// A first word that is neither an option, a verb nor a file is a verb misspelt.
+  void checkVerb(int argc, char** argv) const {
+    const std::string word = argc > 1 ? argv[1] : "";
+    const bool looksLikeVerb = !word.empty() && word.find_first_of("-./") == std::string::npos;
+    if (!looksLikeVerb || app_.get_subcommand_no_throw(word) || std::filesystem::exists(word))
+      return;
+    std::string verbs;
+    for (const CLI::App* verb : app_.get_subcommands({}))
+      verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
+    throw InputError(
+        "", "",
+        fmt::format("{} is neither a verb ({}) nor a scene file", word.substr(0, 60), verbs));
   }
 
   bool timing() const {
@@ -116,24 +134,37 @@ class CommandLine {
   std::function<int()> selected_;
 };
 
+/// To a stderr that may be closed or full: there is nobody else to tell.
 int complain(const std::string& sentence, int status) {
-  fmt::print(stderr, "asperity: {}\n", sentence);
+  std::fputs(("asperity: " + sentence + "
+").c_str(), stderr);
   return status;
+}
+
+/// Files opened later must not get the numbers of the standard streams.
+void fillClosedStreams() {
+  for (const int stream : {0, 1, 2})
+    if (::fcntl(stream, F_GETFD) == -1) ::open("/dev/null", O_RDONLY);
 }
 
 }  // namespace
 
 Scene sceneOf(const CommonOptions& options) {
+  if (options.scene.empty()) return readScene("{}", "--set", {}, options.assignments);
   return readSceneFile(options.scene, options.assignments);
 }
 
 int runCommandLine(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
+  fillClosedStreams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
   try {
     CommandLine commandLine;
+    commandLine.checkVerb(argc, argv);
     const int status = commandLine.run(argc, argv);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    if (commandLine.timing()) fmt::print(stderr, "time {:.3f} s\n", elapsed.count());
+    if (commandLine.timing())
+      std::fputs(fmt::format("time {:.3f} s\n", elapsed.count()).c_str(), stderr);
     // A full disk shows itself only when the last bytes leave.
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
       return complain("standard output cannot be written", kRunFailed);

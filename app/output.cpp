@@ -32,7 +32,11 @@ void checkOutputs(const std::vector<std::string>& files,
 }
 
 void printSummary(bool machineReads, bool quiet, const std::string& text) {
-  if (!quiet) fmt::print(machineReads ? stderr : stdout, "{}", text);
+  if (quiet) return;
+  if (machineReads)
+    std::fputs(text.c_str(), stderr);
+  else
+    fmt::print("{}", text);
 }
 
 }  // namespace asperity

@@ -17,7 +17,7 @@ ProgressBar::ProgressBar(std::string what, bool quiet)
     : what_(std::move(what)), visible_(!quiet && ::isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() {
-  if (visible_) fmt::print(stderr, "\r\033[K");
+  if (visible_) std::fputs("\r\033[K", stderr);
 }
 
 void ProgressBar::show(std::int64_t done, std::int64_t total) {
@@ -25,8 +25,10 @@ void ProgressBar::show(std::int64_t done, std::int64_t total) {
   if (!visible_ || (done < total && now - drawn_ < kInterval)) return;
   drawn_ = now;
   const auto filled = static_cast<std::size_t>(kWidth * done / total);
-  fmt::print(stderr, "\r{} [{}{}] {} of {}\033[K", what_, std::string(filled, '='),
-             std::string(kWidth - filled, ' '), done, total);
+  const std::string line =
+      fmt::format("\r{} [{}{}] {} of {}\033[K", what_, std::string(filled, '='),
+                  std::string(kWidth - filled, ' '), done, total);
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -1,20 +1,16 @@
 // asperity check: reads and validates, and says in a few lines what the scene is.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/command_line.h"
 #include "app/output.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/law.h"
 #include "core/scene/input_error.h"
-#include "core/scene/scene_file.h"
+#include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 LawInput lawInputOf(const Scene& scene, const LineSource& source) {
   const SlidingConditions conditions = conditionsOf(scene, scene.sliding.velocity);
@@ -42,17 +38,14 @@ std::string summaryOf(const Scene& scene, const LineSource& source, const LawInp
 int runCheck(const CommonOptions& command) {
   const Scene scene = sceneOf(command);
   try {
-    const LineSource source(scene, scene.accuracy.oversampling);
+    const LineSource source(scene, pointsPerElement(scene));
     printSummary(command.json, command.quiet, summaryOf(scene, source, lawInputOf(scene, source)));
   } catch (const InputError& error) {
     throw error.file().empty() ? error.in(command.scene) : error;
   }
   if (command.json) {
-    const Json answer{{"schema", "asperity-check/1"},
-                      {"verb", "check"},
-                      {"version", ASPERITY_VERSION},
-                      {"valid", true},
-                      {"scene", Json::parse(writeScene(scene))}};
+    nlohmann::ordered_json answer = provenance("check", scene);
+    answer["valid"] = true;
     fmt::print("{}\n", answer.dump(2));
   }
   return kDone;

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "app/command_line.h"
 #include "app/headless_pictures.h"
@@ -11,6 +11,7 @@
 #include "app/progress_bar.h"
 #include "core/run/steady_frames.h"
 #include "core/scene/input_error.h"
+#include "core/scene/provenance.h"
 #include "ui/picture/contact_picture.h"
 
 namespace asperity {
@@ -73,14 +74,13 @@ SteadyFrames prepare(const Scene& scene, const std::string& file) {
   }
 }
 
-void printJson(const SteadyResult& result, const std::vector<std::string>& files) {
-  const nlohmann::ordered_json answer{{"schema", "asperity-render/1"},
-                                      {"verb", "render"},
-                                      {"version", ASPERITY_VERSION},
-                                      {"mu", result.mu},
-                                      {"indentation", result.indentation},
-                                      {"contact_fraction", result.contactFraction},
-                                      {"files", files}};
+void printJson(const Scene& scene, const SteadyResult& result,
+               const std::vector<std::string>& files) {
+  nlohmann::ordered_json answer = provenance("render", scene);
+  answer["mu"] = result.mu;
+  answer["indentation"] = result.indentation;
+  answer["contact_fraction"] = result.contactFraction;
+  answer["files"] = files;
   fmt::print("{}\n", answer.dump(2));
 }
 
@@ -89,8 +89,10 @@ void printJson(const SteadyResult& result, const std::vector<std::string>& files
 int runRender(const RenderCommand& command) {
   const Scene scene = sceneOf(command.common);
   const Size size = sizeFrom(command.size);
-  const std::vector<std::string> files = filesFor(command);
+  if (!std::isfinite(command.framesPerSecond))
+    throw InputError("", "--fps", "is not a finite number");
   const SteadyFrames frames = prepare(scene, command.common.scene);
+  const std::vector<std::string> files = filesFor(command);  // makes the folder: after all checks
   const auto count = static_cast<std::int64_t>(files.size());
   {
     HeadlessPictures pictures;
@@ -109,7 +111,7 @@ int runRender(const RenderCommand& command) {
       count == 1 ? files.front() : fmt::format("{} frames in {}", count, command.output);
   printSummary(command.common.json, command.common.quiet,
                fmt::format("mu = {:.6g}\nwrote {}\n", frames.result().mu, what));
-  if (command.common.json) printJson(frames.result(), files);
+  if (command.common.json) printJson(scene, frames.result(), files);
   return kDone;
 }
 

@@ -13,9 +13,15 @@
 namespace asperity {
 namespace {
 
-std::string summaryOf(const Line& line) {
-  return fmt::format("length {} m, {} points, rms height {:.6g} m, rms slope {:.6g}\n", line.length,
-                     line.nodes(), line.rmsHeight, line.rmsSlope);
+std::string summaryOf(const Line& line, const std::vector<std::string>& outputs) {
+  std::string text = fmt::format(
+      "length {} m, {} points, rms height {:.6g} m, rms slope {:.6g}
+      ", line.length,
+      line.nodes(),
+      line.rmsHeight, line.rmsSlope);
+  for (const std::string& output : outputs) text += fmt::format("wrote {}
+", output);
+  return text;
 }
 
 void writePicture(const std::string& output, const DrawList& list) {
@@ -39,10 +45,10 @@ int runSurface(const SurfaceCommand& command) {
   const Scene scene = sceneOf(command.common);
   checkOutputs(command.outputs, {".csv", ".json", ".png"});
   try {
-    const LineSource source(scene, scene.accuracy.oversampling);
+    const LineSource source(scene, pointsPerElement(scene));
     const Line line = source.make(0);
     for (const std::string& output : command.outputs) writeSurface(output, scene, source, line);
-    printSummary(command.common.json, command.common.quiet, summaryOf(line));
+    printSummary(command.common.json, command.common.quiet, summaryOf(line, command.outputs));
     if (command.common.json) fmt::print("{}", surfaceJson(scene, source, line));
   } catch (const InputError& error) {
     throw error.file().empty() ? error.in(command.common.scene) : error;

@@ -1,12 +1,12 @@
 // asperity [SCENE]: the window.
 #include <QApplication>
+#include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <stdexcept>
 
 #include "app/command_line.h"
 #include "core/run/runner.h"
-#include "core/scene/input_error.h"
 #include "ui/window/run_window.h"
 
 namespace asperity {
@@ -20,20 +20,29 @@ bool hasDisplay() {
   return false;
 }
 
+/// Qt ends the program where it finds no platform; this says it in one line instead, and is silent
+/// about what it tried before.
+void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
+  if (type != QtFatalMsg) return;
+  std::fputs("asperity: the display cannot be reached; 'asperity render SCENE -o DIR' needs none\n",
+             stderr);
+  std::_Exit(kRunFailed);
+}
+
 }  // namespace
 
 int runWindowCommand(const CommonOptions& command) {
-  if (command.scene.empty() && !command.assignments.empty())
-    throw InputError("", "--set", "needs a scene");
-  const std::optional<Scene> scene =
-      command.scene.empty() ? std::nullopt : std::optional(sceneOf(command));
+  const bool isDefault = command.scene.empty() && command.assignments.empty();
+  const std::optional<Scene> scene = isDefault ? std::nullopt : std::optional(sceneOf(command));
   if (!hasDisplay())
     throw std::runtime_error(
         "there is no display for the window; 'asperity render SCENE -o DIR' needs none");
   int count = 1;
   char name[] = "asperity";
   char* arguments[] = {name, nullptr};
+  const QtMessageHandler usual = qInstallMessageHandler(endOnFatal);
   QApplication application(count, arguments);
+  qInstallMessageHandler(usual);
   RunnerOptions options;
   options.threads = command.threads;
   return runWindow(application, scene, options);

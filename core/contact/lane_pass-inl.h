@@ -27,9 +27,15 @@ constexpr int kMostRootSteps = 100;
 /// A root's last step; what is left of the error is its cube.
 constexpr double kRootStep = 1e-6;
 
-HWY_INLINE V set(double value) { return hn::Set(d, value); }
-HWY_INLINE M noLane() { return hn::FirstN(d, 0); }
-HWY_INLINE bool any(M mask) { return !hn::AllFalse(d, mask); }
+HWY_INLINE V set(double value) {
+  return hn::Set(d, value);
+}
+HWY_INLINE M noLane() {
+  return hn::FirstN(d, 0);
+}
+HWY_INLINE bool any(M mask) {
+  return !hn::AllFalse(d, mask);
+}
 
 /// c0 + c1 t + c2 t^2 + c3 t^3, the same in all lanes.
 struct Segment {
@@ -48,9 +54,7 @@ struct Segment {
 struct Pressure {
   V c0, c1, c2, c3;
 
-  HWY_INLINE V at(V t) const {
-    return hn::MulAdd(t, hn::MulAdd(t, hn::MulAdd(t, c3, c2), c1), c0);
-  }
+  HWY_INLINE V at(V t) const { return hn::MulAdd(t, hn::MulAdd(t, hn::MulAdd(t, c3, c2), c1), c0); }
   HWY_INLINE V slopeAt(V t) const {
     return hn::MulAdd(t, hn::MulAdd(t, hn::Mul(c3, set(3)), hn::Add(c2, c2)), c1);
   }
@@ -123,12 +127,11 @@ class LanePass {
         --level;
         continue;
       }
-      const SegmentBounds& bounds =
-          line_.blocks[static_cast<std::size_t>(level)][block];
+      const SegmentBounds& bounds = line_.blocks[static_cast<std::size_t>(level)][block];
       const V far = hn::Mul(here_, kept_[level]);
       const M freely = hn::AndNot(touching_, hn::Le(hn::Sub(depth_, set(bounds.lowest)), far));
-      const V least = hn::NegMulAdd(memory_, set(bounds.steepest),
-                                    hn::Sub(depth_, set(bounds.highest)));
+      const V least =
+          hn::NegMulAdd(memory_, set(bounds.steepest), hn::Sub(depth_, set(bounds.highest)));
       const M pressed = hn::And(touching_, hn::Gt(least, hn::Zero(d)));
       const M simple = hn::Or(freely, pressed);
       if (hn::AllTrue(d, simple)) {
@@ -153,8 +156,7 @@ class LanePass {
     const V depths = hn::MulSub(depth_, span, set(bounds.riseIntegral));
     sumDepth_ = hn::Add(sumDepth_, hn::IfThenElse(pressed, depths, none));
     contactLength_ = hn::Add(contactLength_, hn::IfThenElse(pressed, span, none));
-    slopeSquared_ =
-        hn::Add(slopeSquared_, hn::IfThenElse(pressed, set(bounds.slopeSquared), none));
+    slopeSquared_ = hn::Add(slopeSquared_, hn::IfThenElse(pressed, set(bounds.slopeSquared), none));
   }
 
   HWY_INLINE V freeDepth(V position) const {
@@ -259,8 +261,7 @@ class LanePass {
   }
 
   HWY_INLINE V pressureZero(const Pressure& p, V from, V to, V pFrom, V pTo, M wanted) {
-    const V guess =
-        hn::MulAdd(hn::Sub(to, from), hn::Div(pFrom, hn::Sub(pFrom, pTo)), from);
+    const V guess = hn::MulAdd(hn::Sub(to, from), hn::Div(pFrom, hn::Sub(pFrom, pTo)), from);
     if (kLinear) return hn::IfThenElse(wanted, guess, from);
     const V t = rootBetween(from, to, hn::Lt(pFrom, hn::Zero(d)), guess, wanted,
                             [&p](V at, V& value, V& slope, V& halfCurvature) {
@@ -295,15 +296,14 @@ class LanePass {
       const V guess = hn::MulAdd(hn::Sub(end, begin),
                                  hn::Div(gapAtBegin, hn::Sub(gapAtBegin, gapAtEnd)), begin);
       const V rate = hn::Mul(set(span_), inverse_);
-      const V t = rootBetween(begin, end, inside, guess, inside,
-                              [&](V at, V& value, V& slope, V& halfCurvature) {
-                                const V free = freeDepth(placeOf(at));
-                                value = hn::Sub(hn::Sub(depth_, segment_.at(at)), free);
-                                slope = hn::MulSub(rate, free, segment_.slopeAt(at));
-                                halfCurvature = hn::NegMulSub(hn::Mul(rate, hn::Mul(rate, free)),
-                                                              set(0.5),
-                                                              segment_.halfCurvatureAt(at));
-                              });
+      const V t = rootBetween(
+          begin, end, inside, guess, inside, [&](V at, V& value, V& slope, V& halfCurvature) {
+            const V free = freeDepth(placeOf(at));
+            value = hn::Sub(hn::Sub(depth_, segment_.at(at)), free);
+            slope = hn::MulSub(rate, free, segment_.slopeAt(at));
+            halfCurvature = hn::NegMulSub(hn::Mul(rate, hn::Mul(rate, free)), set(0.5),
+                                          segment_.halfCurvatureAt(at));
+          });
       entry = hn::IfThenElse(inside, t, begin);
     }
     closeArcs(enters, placeOf(entry));
@@ -318,23 +318,21 @@ class LanePass {
     const V c3 = set(segment_.c3);
     const V c2 = hn::MulAdd(set(3 * segment_.c3), from, set(segment_.c2));
     // Integral of the rise's change: x^2 (c1 / 2 + x (c2 / 3 + x c3 / 4)).
-    const V change = hn::Mul(
-        hn::Mul(x, x),
-        hn::MulAdd(x, hn::MulAdd(x, hn::Mul(c3, set(0.25)), hn::Mul(c2, set(1.0 / 3))),
-                   hn::Mul(c1, set(0.5))));
+    const V change =
+        hn::Mul(hn::Mul(x, x),
+                hn::MulAdd(x, hn::MulAdd(x, hn::Mul(c3, set(0.25)), hn::Mul(c2, set(1.0 / 3))),
+                           hn::Mul(c1, set(0.5))));
     const V depths = hn::Mul(set(span_), hn::MulSub(w, x, change));
     // Integral of (c1 + b t + c t^2)^2.
     const V b = hn::Add(c2, c2), c = hn::Mul(set(3), c3);
     const V t5 = hn::Mul(hn::Mul(c, c), set(0.2));
     const V t4 = hn::MulAdd(x, t5, hn::Mul(hn::Mul(b, c), set(0.5)));
-    const V t3 = hn::MulAdd(
-        x, t4, hn::Mul(hn::MulAdd(b, b, hn::Mul(hn::Add(c1, c1), c)), set(1.0 / 3)));
+    const V t3 =
+        hn::MulAdd(x, t4, hn::Mul(hn::MulAdd(b, b, hn::Mul(hn::Add(c1, c1), c)), set(1.0 / 3)));
     const V t2 = hn::MulAdd(x, t3, hn::Mul(c1, b));
-    const V squares =
-        hn::Mul(hn::Mul(x, hn::MulAdd(x, t2, hn::Mul(c1, c1))), set(1 / span_));
+    const V squares = hn::Mul(hn::Mul(x, hn::MulAdd(x, t2, hn::Mul(c1, c1))), set(1 / span_));
     sumDepth_ = hn::Add(sumDepth_, hn::IfThenElse(lanes, depths, none));
-    contactLength_ =
-        hn::Add(contactLength_, hn::IfThenElse(lanes, hn::Mul(x, set(span_)), none));
+    contactLength_ = hn::Add(contactLength_, hn::IfThenElse(lanes, hn::Mul(x, set(span_)), none));
     slopeSquared_ = hn::Add(slopeSquared_, hn::IfThenElse(lanes, squares, none));
   }
 

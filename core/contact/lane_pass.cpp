@@ -15,8 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-void passLinear(const TravelLine& line, const double* depth, const double* memory,
-                LaneSums& sums) {
+void passLinear(const TravelLine& line, const double* depth, const double* memory, LaneSums& sums) {
   LanePass<true>(line, depth, memory).run(sums);
 }
 void passCubic(const TravelLine& line, const double* depth, const double* memory, LaneSums& sums) {
@@ -30,7 +29,9 @@ void passNodalAll(const TravelLine& line, const double* depth, const double* mem
                   NodalLaneSums& sums) {
   NodalLanePass<true>(line, depth, memory).run(sums);
 }
-std::size_t lanes() { return hn::Lanes(d); }
+std::size_t lanes() {
+  return hn::Lanes(d);
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace asperity
@@ -98,7 +99,9 @@ const char* nameOf(InstructionSet set) {
   return "best";
 }
 
-std::size_t laneCount() { return HWY_DYNAMIC_DISPATCH(lanes)(); }
+std::size_t laneCount() {
+  return HWY_DYNAMIC_DISPATCH(lanes)();
+}
 
 void lanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,
               LaneSums& sums) {

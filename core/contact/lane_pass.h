@@ -26,21 +26,22 @@ struct LaneSums {
 
 /// The same of the paper's separate elements, Eqs. (2) to (4).
 struct NodalLaneSums {
-  LaneValues pressure{};       // m^2, over loaded elements: F_N / 4G
-  LaneValues loaded{};         // number of loaded elements
+  LaneValues pressure{};  // m^2, over loaded elements: F_N / 4G
+  LaneValues loaded{};    // number of loaded elements
   // Only where everything is wanted:
-  LaneValues depth{};          // m^2, sum of y over all elements
-  LaneValues work{};           // m^2, Eq. (4)
-  LaneValues dissipation{};    // m^2
-  LaneValues slopeSquared{};   // m
-  LaneValues threshold{};      // m, largest indentation below which a loaded element is not loaded
+  LaneValues depth{};         // m^2, sum of y over all elements
+  LaneValues work{};          // m^2, Eq. (4)
+  LaneValues dissipation{};   // m^2
+  LaneValues slopeSquared{};  // m
+  LaneValues threshold{};     // m, largest indentation below which a loaded element is not loaded
 };
 
 enum class Wanted { Force, Everything };
 
 enum class InstructionSet { Best, Scalar, Avx2, Avx512 };
 
-/// Restricts the choice for the whole program, for tests and benchmarks; false: not on this machine.
+/// Restricts the choice for the whole program, for tests and benchmarks; false: not on this
+/// machine.
 bool chooseInstructionSet(InstructionSet wanted);
 
 /// The one in use, never Best.

@@ -33,8 +33,7 @@ bool NodalGroup::solve(std::span<const double> velocities, std::span<SteadyResul
   for (std::size_t lane = 0; lane < kMostLanes; ++lane)
     memory[lane] = velocities[std::min(lane, used - 1)] * conditions_.relaxationTime;
   for (std::size_t lane = 0; lane < used; ++lane)
-    searches_[lane].start(load, line_.spacing, load / line_.length + line_.meanRise,
-                          guesses[lane]);
+    searches_[lane].start(load, line_.spacing, load / line_.length + line_.meanRise, guesses[lane]);
   while (look(depth, memory, used))
     if (stop.stop_requested()) return false;
   for (std::size_t lane = 0; lane < used; ++lane)

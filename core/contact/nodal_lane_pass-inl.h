@@ -118,8 +118,8 @@ class NodalLanePass {
     const V pressed = hn::MulAdd(memory_, slope, rise);
     V threshold = hn::Max(pressed, zero());
     if (i > 0) {
-      const V reached = hn::Div(hn::NegMulAdd(lastRise_, sinceTouch_, rise),
-                                hn::Sub(set(1), sinceTouch_));
+      const V reached =
+          hn::Div(hn::NegMulAdd(lastRise_, sinceTouch_, rise), hn::Sub(set(1), sinceTouch_));
       threshold = hn::Max(threshold, reached);
     }
     threshold_ = hn::IfThenElse(loaded, hn::Max(threshold_, threshold), threshold_);
@@ -153,7 +153,7 @@ class NodalLanePass {
   const TravelLine& line_;
   V depth_, memory_;
   V kept_[kMostLevels];
-  V free_ = hn::Zero(d_);               // y that reaches the next node without contact
+  V free_ = hn::Zero(d_);  // y that reaches the next node without contact
   V lastRise_ = hn::Zero(d_), sinceTouch_ = hn::Set(d_, 1), arcStart_ = hn::Zero(d_);
   V pressure_ = hn::Zero(d_), loaded_ = hn::Zero(d_), depthSum_ = hn::Zero(d_);
   V work_ = hn::Zero(d_), slopeSquared_ = hn::Zero(d_), freeLoss_ = hn::Zero(d_);

@@ -85,8 +85,7 @@ double NodalSearch::pointInside() const {
   const double part = (load_ - lower_.force) / (upper_.force - lower_.force);
   double point = lower_.depth + part * (upper_.depth - lower_.depth);
   if (sameSide_ > 1 || !(point > low && point < high)) point = 0.5 * (low + high);
-  if (!(point > lower_.depth && point < upper_.depth))
-    point = 0.5 * (lower_.depth + upper_.depth);
+  if (!(point > lower_.depth && point < upper_.depth)) point = 0.5 * (lower_.depth + upper_.depth);
   return point;
 }
 

@@ -78,8 +78,8 @@ class StateGatherer {
   /// sharing nothing with the sums of depth and of dissipation.
   void addPressure(const Cubic& rise, double extent, double depth, double length) {
     constexpr double kPlace = 0.7745966692414834, kOuter = 5.0 / 18, kMiddle = 8.0 / 18;
-    for (const auto& [place, weight] : {std::pair{-kPlace, kOuter}, std::pair{0.0, kMiddle},
-                                        std::pair{kPlace, kOuter}}) {
+    for (const auto& [place, weight] :
+         {std::pair{-kPlace, kOuter}, std::pair{0.0, kMiddle}, std::pair{kPlace, kOuter}}) {
       const double t = 0.5 * extent * (1 + place);
       const double slope = -rise.derivative(t) / length;  // w'
       const double pressure = depth - rise(t) + memory_ * slope;

@@ -1,5 +1,6 @@
 #include "core/contact/steady_sliding.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,7 +26,7 @@ SteadyResult resultOf(const TravelLine& line, const SlidingConditions& condition
   // its digits where friction is small. The paper's nodes have Eq. (4) alone.
   result.tangentialForce = stiffness * (nodal ? sums.work : sums.dissipation);
   result.mu = result.tangentialForce / result.normalForce;
-  result.contactFraction = sums.contactLength / line.length;
+  result.contactFraction = std::min(sums.contactLength / line.length, 1.0);
   result.rmsSlopeContact = sums.contactLength > 0
                                ? std::sqrt(sums.slopeSquared / sums.contactLength)
                                : std::numeric_limits<double>::quiet_NaN();

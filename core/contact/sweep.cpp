@@ -91,7 +91,7 @@ SteadyResult resultOf(const TravelLine& line, double stiffness, double velocity,
   result.forceFromPressure = kNotGathered;
   result.tangentialForce = stiffness * sums.dissipation[lane];
   result.mu = sums.dissipation[lane] / sums.depth[lane];
-  result.contactFraction = sums.contactLength[lane] / line.length;
+  result.contactFraction = std::min(sums.contactLength[lane] / line.length, 1.0);
   result.rmsSlopeContact = sums.contactLength[lane] > 0
                                ? std::sqrt(sums.slopeSquared[lane] / sums.contactLength[lane])
                                : kNotGathered;

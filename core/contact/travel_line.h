@@ -33,10 +33,10 @@ struct TravelLine {
   std::vector<double> rise;      // m, n + 1; first and last are the lowest point: 0
   std::vector<double> slopeIn;   // d rise / ds at the start of each segment, n (nodal: at nodes)
   std::vector<double> slopeOut;  // at its end, n; empty for nodal
-  double lowestHeight = 0;             // m, z of the lowest point, where rise is 0
+  double lowestHeight = 0;       // m, z of the lowest point, where rise is 0
   SegmentBounds firstBounds{}, lastBounds{};  // of the first and the last segment; not for nodal
-  /// blocks[k][b] bounds and sums up the 4^k whole segments from segment 1 + b 4^k on; the first and
-  /// the last segment, which may be parts, stand outside. For nodal, likewise of nodes.
+  /// blocks[k][b] bounds and sums up the 4^k whole segments from segment 1 + b 4^k on; the first
+  /// and the last segment, which may be parts, stand outside. For nodal, likewise of nodes.
   std::vector<std::vector<SegmentBounds>> blocks;
   double meanRise = 0;                 // m, of the line as the scheme sees it
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself

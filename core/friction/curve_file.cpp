@@ -4,9 +4,8 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "core/scene/scene_file.h"
+#include "core/scene/provenance.h"
 
 namespace asperity {
 namespace {
@@ -58,12 +57,7 @@ std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene)
     row[kRealizations] = point.realizations;
     rows.push_back(std::move(row));
   }
-  Json root;
-  root["schema"] = "asperity-curve/1";
-  root["verb"] = "curve";
-  root["version"] = ASPERITY_VERSION;
-  root["seed"] = scene.surface.kind == SurfaceKind::SelfAffine ? Json(scene.surface.seed) : Json();
-  root["scene"] = Json::parse(writeScene(scene));
+  Json root = provenance("curve", scene);
   root["points"] = std::move(rows);
   return root.dump(2) + "\n";
 }

@@ -55,7 +55,7 @@ class Averaging {
   Averaging(const Scene& scene, const CurveOptions& options)
       : scene_(scene),
         options_(options),
-        source_(scene, scene.accuracy.oversampling),
+        source_(scene, pointsPerElement(scene)),
         velocities_(sweepVelocities(scene.sweep)),
         total_(source_.isRandom() ? scene.ensemble.realizations : 1),
         averages_(velocities_.size()),
@@ -113,7 +113,8 @@ class Averaging {
 
   void add(const Row& row) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      averages_[i].mu.add(row[i].mu);
+      // Pressed by nothing there is no coefficient; what is averaged is counted.
+      if (std::isfinite(row[i].mu)) averages_[i].mu.add(row[i].mu);
       averages_[i].contactFraction.add(row[i].contactFraction);
       averages_[i].indentation.add(row[i].indentation);
       averages_[i].normalForce.add(row[i].normalForce);

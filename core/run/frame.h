@@ -30,14 +30,15 @@ struct Frame {
   std::vector<double> surfaceHeight;  // m, u
   std::vector<double> pressure;       // N/m, line load p >= 0; 0 where not in contact
 
+  // Facts of the steady state of this line and scene.
   double indentation = 0;      // m, d above the line's lowest point
   double normalForce = 0;      // N
   double tangentialForce = 0;  // N, magnitude along the motion
   double contactFraction = 0;
   double rmsHeight = 0, rmsSlope = 0;  // of the line
 
-  /// Of the time march over the steps since the last frame; NaN while the step is too long to
-  /// resolve the relaxation (v dt > 2 v tau) or nothing moves.
+  /// Of the time march over the steps since the last frame; NaN where its steps or its elements are
+  /// too coarse to read friction from, or nothing moves.
   double muMarch = kNotApplicable;
   /// Of the steady state of this very line and scene, from the steady pass; NaN where none exists.
   double muSteady = kNotApplicable;

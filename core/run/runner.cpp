@@ -89,7 +89,9 @@ struct Runner::Body {
   void obey(const Orders& orders, std::optional<Simulation>& simulation, Clock::time_point& next) {
     if (orders.scene) {
       if (simulation)
-        simulation->update(orders.scene->scene, orders.scene->number);
+        // Standing still there is no time for the old shape to relax in.
+        simulation->update(orders.scene->scene, orders.scene->number,
+                           orders.play ? Simulation::Shape::Present : Simulation::Shape::Steady);
       else
         simulation.emplace(orders.scene->scene, orders.scene->number);
     }

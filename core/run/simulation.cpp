@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/surface/line_source.h"
 
@@ -11,16 +12,12 @@ namespace {
 /// Element-steps spent on one frame, at most: counted, so that frames do not depend on a clock.
 constexpr double kStepsPerFrame = 4e5;
 
-std::int64_t oversamplingOf(const Scene& scene) {
-  return scene.accuracy.scheme == Scheme::Nodal ? 1 : scene.accuracy.oversampling;
-}
-
 }  // namespace
 
 /// The rigid line, made once for as long as scenes agree on it.
 struct Simulation::Rigid {
   explicit Rigid(const Scene& scene)
-      : line(std::make_shared<Line>(LineSource(scene, oversamplingOf(scene)).make(0))),
+      : line(std::make_shared<Line>(LineSource(scene, pointsPerElement(scene)).make(0))),
         travel(prepareTravel(*line, scene.accuracy.scheme)) {}
 
   std::shared_ptr<const Line> line;
@@ -37,7 +34,10 @@ struct Simulation::Ready {
                   ? last->rigid
                   : std::make_shared<Rigid>(*scene)),
         conditions(conditionsOf(*scene, scene->sliding.velocity)),
-        steady(slideAtLoad(rigid->travel, conditions, scene->load)) {}
+        steady(slideAtLoad(rigid->travel, conditions, scene->load)) {
+    if (steady.status != SteadyStatus::Balanced || !std::isfinite(steady.mu))
+      throw std::runtime_error("no indentation carries the normal force to working accuracy");
+  }
 
   const Line& line() const { return *rigid->line; }
   MarchConditions marchConditions() const {
@@ -57,32 +57,46 @@ Simulation::Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number)
   reset();
 }
 
-void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number) {
+void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number, Shape shape) {
   const auto next = std::make_shared<Ready>(std::move(scene), number, ready_.get());
-  const bool sameElements =
-      next->line().nodes() == ready_->line().nodes() && next->line().length == ready_->line().length;
+  const bool sameElements = next->line().nodes() == ready_->line().nodes() &&
+                            next->line().length == ready_->line().length;
   ready_ = next;
   if (!sameElements) return reset();
+  if (shape == Shape::Steady) return settle(march_->distance());
   TimeMarch march(ready_->rigid->line, ready_->rigid->travel.lowestHeight);
   march.setState(march_->depth(), march_->indentation());
   march.setDistance(march_->distance());
+  march.setPressure(march_->pressure());
   march_ = std::move(march);
   clearReading();
 }
 
 void Simulation::reset() {
-  march_.emplace(ready_->rigid->line, ready_->rigid->travel.lowestHeight);
-  const NodeShape shape = shapeAt(ready_->rigid->travel, ready_->conditions, ready_->steady.indentation);
-  march_->setState(inLineOrder(ready_->rigid->travel, shape.depth), ready_->steady.indentation);
-  std::vector<double> pressure = inLineOrder(ready_->rigid->travel, shape.pressure);
-  for (double& p : pressure) p *= 4 * ready_->conditions.shearModulus;
-  march_->setPressure(pressure);
-  last_ = {};
-  last_.indentation = ready_->steady.indentation;
-  last_.normalForce = ready_->steady.normalForce;
-  last_.contactLength = ready_->steady.contactFraction * ready_->line().length;
+  settle(0);
   steps_ = 0;
   time_ = 0;
+}
+
+/// The steady state, with the line moved to the node nearest to this distance.
+void Simulation::settle(double distance) {
+  const TravelLine& travel = ready_->rigid->travel;
+  const Line& line = ready_->line();
+  const NodeShape shape = shapeAt(travel, ready_->conditions, ready_->steady.indentation);
+  std::vector<double> depth = inLineOrder(travel, shape.depth);
+  std::vector<double> pressure = inLineOrder(travel, shape.pressure);
+  for (double& p : pressure) p *= 4 * ready_->conditions.shearModulus;
+  const auto moved =
+      static_cast<std::ptrdiff_t>(std::llround(std::fmod(distance, line.length) / line.spacing));
+  const std::ptrdiff_t shift = moved % static_cast<std::ptrdiff_t>(line.nodes());
+  std::rotate(depth.begin(), depth.end() - shift, depth.end());
+  std::rotate(pressure.begin(), pressure.end() - shift, pressure.end());
+  march_.emplace(ready_->rigid->line, travel.lowestHeight);
+  march_->setState(depth, ready_->steady.indentation);
+  march_->setPressure(pressure);
+  march_->setDistance(line.spacing * static_cast<double>(shift) +
+                      line.length * std::floor(distance / line.length));
+  timeScale_ = 0;
   clearReading();
 }
 
@@ -148,17 +162,18 @@ Frame Simulation::frame() const {
   frame.length = ready_->line().length;
   frame.spacing = ready_->line().spacing;
   frame.pressure = march_->pressure();
-  frame.indentation = last_.indentation;
   for (const double depth : march_->depth()) frame.surfaceHeight.push_back(-depth);
-  for (const double rise : march_->rise()) frame.lineHeight.push_back(rise - last_.indentation);
-  frame.normalForce = last_.normalForce;
-  frame.contactFraction = last_.contactLength / frame.length;
+  for (const double rise : march_->rise()) frame.lineHeight.push_back(rise - march_->indentation());
+  // All facts are those of the steady state, as everywhere else; the march adds its own reading.
+  const SteadyResult& steady = ready_->steady;
+  frame.indentation = steady.indentation;
+  frame.normalForce = steady.normalForce;
+  frame.tangentialForce = steady.tangentialForce;
+  frame.contactFraction = steady.contactFraction;
+  frame.muSteady = steady.mu;
   frame.rmsHeight = ready_->line().rmsHeight;
   frame.rmsSlope = ready_->line().rmsSlope;
   if (resolves_ && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
-  if (ready_->steady.status == SteadyStatus::Balanced) frame.muSteady = ready_->steady.mu;
-  const double mu = std::isfinite(frame.muMarch) ? frame.muMarch : frame.muSteady;
-  frame.tangentialForce = mu * frame.normalForce;
   return frame;
 }
 

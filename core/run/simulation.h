@@ -18,8 +18,14 @@ class Simulation {
  public:
   Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number);
 
-  /// Goes on under a new scene, from the present shape where length and elements are unchanged.
-  void update(std::shared_ptr<const Scene> scene, std::uint64_t number);
+  /// Which shape a new scene starts from.
+  enum class Shape { Present, Steady };
+
+  /// Goes on under a new scene from the present shape (which then relaxes), or in the scene's
+  /// steady state, with the line where it was; with other elements always in the steady state at
+  /// time 0.
+  void update(std::shared_ptr<const Scene> scene, std::uint64_t number,
+              Shape shape = Shape::Present);
 
   /// Back to the steady state, time 0.
   void reset();
@@ -37,6 +43,7 @@ class Simulation {
   struct Rigid;  // the line, ready for contact
   struct Ready;  // a scene made ready: line, conditions, steady result
   void stepOnce(double dt, double distance);
+  void settle(double distance);
   void clearReading();
   double naturalStep() const;
 

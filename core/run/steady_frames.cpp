@@ -28,13 +28,13 @@ std::vector<double> rotated(std::vector<double> values, std::int64_t shift) {
 
 SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
   const Accuracy& accuracy = scene_->accuracy;
-  const LineSource own(*scene_, accuracy.oversampling);
+  const LineSource own(*scene_, pointsPerElement(*scene_));
   result_ = solve(prepareTravel(own.make(0), accuracy.scheme), *scene_);
 
   // The paper's elements are shown as they are; a resolved line is drawn finely enough to glide.
   const std::int64_t finer =
       accuracy.scheme == Scheme::Nodal
-          ? accuracy.oversampling
+          ? 1
           : std::max(accuracy.oversampling, (kPicturePoints + own.elements() - 1) / own.elements());
   const LineSource source(*scene_, finer);
   const Line line = source.make(0);

@@ -17,22 +17,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file beside the final one, removed again unless it is renamed.
+/// A file without a name in the folder of the final one: killed, it leaves nothing behind. Where
+/// the file system knows no such files it has a hidden name, removed again unless it is renamed.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& target) : target_(target) {
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     static std::atomic<unsigned> number{0};
-    do {
-      const std::string hidden =
-          fmt::format(".{}.{}_{}.part", target.filename().string(), ::getpid(), number++);
-      path_ = (target.parent_path() / hidden).string();
-      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    } while (descriptor_ < 0 && errno == EEXIST);
+    name_ = (folder / fmt::format(".asperity.{}_{}.part", ::getpid(), number++)).string();
+    descriptor_ = ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+    if (descriptor_ >= 0) return;
+    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail();
+    hasName_ = true;
   }
   ~TemporaryFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
-    if (!renamed_) ::unlink(path_.c_str());
+    if (hasName_) ::unlink(name_.c_str());
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -48,22 +49,28 @@ class TemporaryFile {
 
   void finish() {
     if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail();
+    if (!hasName_) {
+      // A link cannot replace a file, a renaming can.
+      const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
+      if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail();
+      hasName_ = true;
+    }
     const int closed = ::close(descriptor_);
     descriptor_ = -1;
-    if (closed != 0 || ::rename(path_.c_str(), target_.c_str()) != 0) fail();
-    renamed_ = true;
+    if (closed != 0 || ::rename(name_.c_str(), target_.c_str()) != 0) fail();
+    hasName_ = false;
   }
 
  private:
   [[noreturn]] void fail() {
-    const std::string why = std::strerror(errno);
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}", target_.string(), why));
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written: {}", target_.string(), std::strerror(errno)));
   }
 
   fs::path target_;
-  std::string path_;
+  std::string name_;
   int descriptor_ = -1;
-  bool renamed_ = false;
+  bool hasName_ = false;
 };
 
 }  // namespace
@@ -71,20 +78,24 @@ class TemporaryFile {
 void checkWritable(const fs::path& file) {
   std::error_code ignored;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (file.empty()) throw InputError("", "", "an output needs a name");
   if (!file.has_filename() || fs::is_directory(file, ignored))
     throw InputError(file.string(), "", "is a folder; a file name is needed");
   if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
     throw InputError(file.string(), "", "is not a plain file and would be replaced");
   if (!fs::is_directory(folder, ignored))
     throw InputError(file.string(), "", fmt::format("folder {} does not exist", folder.string()));
-  if (::access(folder.c_str(), W_OK) != 0)
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
     throw InputError(file.string(), "",
                      fmt::format("folder {} cannot be written to", folder.string()));
 }
 
 void writeFileAtomically(const fs::path& file, std::string_view bytes) {
   checkWritable(file);
-  TemporaryFile temporary(file);
+  std::error_code ignored;
+  // Through a link the file it points to is written, and the link stays.
+  const fs::path target = fs::is_symlink(file, ignored) ? fs::canonical(file) : file;
+  TemporaryFile temporary(target);
   temporary.write(bytes);
   temporary.finish();
 }

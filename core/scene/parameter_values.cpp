@@ -48,14 +48,14 @@ bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double numb
 }
 
 double numberFrom(const Parameter& parameter, const ParameterValue& value) {
-  const double number =
-      std::visit(Overloaded{[](double real) { return real; },
-                            [](std::int64_t integer) { return static_cast<double>(integer); },
-                            [&](const std::string& text) -> double {
-                              refuse(parameter, fmt::format("'{}' is not a number; allowed is {}",
-                                                            text, allowedText(parameter)));
-                            }},
-                 value);
+  const double number = std::visit(
+      Overloaded{[](double real) { return real; },
+                 [](std::int64_t integer) { return static_cast<double>(integer); },
+                 [&](const std::string& text) -> double {
+                   refuse(parameter, fmt::format("'{}' is not a number; allowed is {}",
+                                                 text.substr(0, 60), allowedText(parameter)));
+                 }},
+      value);
   if (!std::isfinite(number))
     refuse(parameter,
            fmt::format("{} is not a finite number; allowed is {}", number, allowedText(parameter)));
@@ -92,7 +92,8 @@ void setChoice(const Parameter& parameter, const ChoiceField& field, Scene& scen
   const auto found =
       word ? std::find(field.choices.begin(), field.choices.end(), *word) : field.choices.end();
   if (found == field.choices.end()) {
-    const std::string given = word ? fmt::format("'{}'", *word) : std::string("a number");
+    const std::string given =
+        word ? fmt::format("'{}'", word->substr(0, 60)) : std::string("a number");
     refuse(parameter, fmt::format("{} is not {}", given, allowedText(parameter)));
   }
   field.write(scene, static_cast<int>(found - field.choices.begin()));
@@ -156,7 +157,7 @@ void setFromText(const Parameter& parameter, Scene& scene, std::string_view text
 
 std::string allowedText(const Parameter& parameter) {
   return std::visit(Overloaded{[](const RealField& field) {
-                                 return fmt::format("{} to {}", field.minimum, field.maximum);
+                                 return fmt::format("{:g} to {:g}", field.minimum, field.maximum);
                                },
                                [](const IntegerField& field) {
                                  return fmt::format("{} to {}", field.minimum, field.maximum);

@@ -93,7 +93,7 @@ const std::array kTable{
 
     Parameter{"accuracy.scheme", "scheme", "", "", "How the line is resolved: the paper's single elements (nodal), straight segments (linear) or smooth ones (cubic).", kLive, {},
               ASPERITY_CHOICE(accuracy, scheme, kSchemes)},
-    Parameter{"accuracy.oversampling", "oversampling", "", "", "Points that resolve the line per element.", kLive, {},
+    Parameter{"accuracy.oversampling", "oversampling", "", "", "Points that resolve the line per element.", kLive, {"accuracy.scheme", "linear cubic"},
               IntegerField{ASPERITY_MEMBER(accuracy, oversampling), 1, 64, 1, 16, kLog}},
 };
 // clang-format on
@@ -127,6 +127,11 @@ const Parameter* findParameter(std::string_view key) {
 
 std::string_view nearestKey(std::string_view key) {
   const std::string_view shortened = key.substr(0, 100);
+  // A key without its section: "hurst".
+  for (const Parameter& row : kTable)
+    if (row.key.ends_with(shortened) && row.key.size() > shortened.size() &&
+        row.key[row.key.size() - shortened.size() - 1] == '.')
+      return row.key;
   return std::min_element(kTable.begin(), kTable.end(),
                           [shortened](const Parameter& a, const Parameter& b) {
                             return editDistance(shortened, a.key) < editDistance(shortened, b.key);

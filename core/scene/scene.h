@@ -94,4 +94,9 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
+/// Points that resolve the line per element; the paper's separate elements have one each.
+inline std::int64_t pointsPerElement(const Scene& scene) {
+  return scene.accuracy.scheme == Scheme::Nodal ? 1 : scene.accuracy.oversampling;
+}
+
 }  // namespace asperity

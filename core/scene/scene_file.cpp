@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -25,19 +26,43 @@ struct Assignment {
   bool fromFile = true;
 };
 
-/// Refuses a key that stands twice in one object; the parser would keep the last in silence.
-class DuplicateKeys {
+/// At most this much of what a user wrote is said back.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kMost = 60;
+  return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
+}
+
+/// Refuses what the parser would take in silence: a key that stands twice in one object (it keeps
+/// the last), and nesting that no scene has.
+class Watch {
  public:
-  bool operator()(int, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) seen_.emplace_back();
-    if (event == Json::parse_event_t::object_end) seen_.pop_back();
-    if (event == Json::parse_event_t::key && !seen_.back().insert(parsed.get<std::string>()).second)
-      throw InputError("", parsed.get<std::string>(), "stands twice in the same object");
+  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
+    constexpr int kDeepest = 8;
+    if (depth > kDeepest) throw InputError("", path(), "is nested too deeply for a scene");
+    if (event == Json::parse_event_t::object_start) objects_.emplace_back();
+    if (event == Json::parse_event_t::object_end) objects_.pop_back();
+    if (event == Json::parse_event_t::key) takeKey(parsed.get<std::string>());
     return true;
   }
 
  private:
-  std::vector<std::set<std::string>> seen_;
+  struct Object {
+    std::set<std::string> keys;
+    std::string last;
+  };
+
+  void takeKey(const std::string& key) {
+    objects_.back().last = shortened(key);
+    if (!objects_.back().keys.insert(key).second)
+      throw InputError("", path(), "stands twice in the same object");
+  }
+  std::string path() const {
+    std::string path;
+    for (const Object& object : objects_) path += (path.empty() ? "" : ".") + object.last;
+    return path;
+  }
+
+  std::vector<Object> objects_;
 };
 
 /// The parser's message without its own name in front.
@@ -49,7 +74,7 @@ std::string parserMessage(const std::exception& error) {
 
 Json parseJson(std::string_view text) {
   try {
-    return Json::parse(text, DuplicateKeys());
+    return Json::parse(text, Watch());
   } catch (const nlohmann::json::exception& error) {
     throw InputError("", "", parserMessage(error));
   }
@@ -57,7 +82,7 @@ Json parseJson(std::string_view text) {
 
 const Parameter& rowOf(const std::string& key) {
   if (const Parameter* row = findParameter(key)) return *row;
-  throw InputError("", key,
+  throw InputError("", shortened(key),
                    fmt::format("unknown key; the nearest known one is {}", nearestKey(key)));
 }
 
@@ -78,7 +103,17 @@ ParameterValue valueFrom(const std::string& key, const Json& json) {
 
 void checkSchema(const Json& schema) {
   if (!schema.is_string() || schema.get<std::string>() != kSchema)
-    throw InputError("", "schema", fmt::format("{} is not {}", schema.dump(), kSchema));
+    throw InputError("", "schema",
+                     fmt::format("{} is not {}",
+                                 schema.is_string() ? shortened(schema.get<std::string>())
+                                                    : std::string(schema.type_name()),
+                                 kSchema));
+}
+
+bool isSection(const std::string& name) {
+  const auto rows = parameters();
+  return std::any_of(rows.begin(), rows.end(),
+                     [&name](const Parameter& row) { return row.key.starts_with(name + "."); });
 }
 
 std::vector<Assignment> flatten(const Json& root) {
@@ -87,11 +122,15 @@ std::vector<Assignment> flatten(const Json& root) {
   for (const auto& [name, value] : root.items()) {
     if (name == "schema") {
       checkSchema(value);
-    } else if (value.is_object()) {
+    } else if (isSection(name)) {
+      if (!value.is_object()) throw InputError("", name, "needs an object of keys");
       for (const auto& [member, inner] : value.items()) {
         const std::string key = name + "." + member;
         assignments.push_back({key, valueFrom(key, inner)});
       }
+    } else if (name.find('.') != std::string::npos) {
+      throw InputError("", shortened(name),
+                       "a key of a section stands inside its section's object");
     } else {
       assignments.push_back({name, valueFrom(name, value)});
     }
@@ -102,7 +141,7 @@ std::vector<Assignment> flatten(const Json& root) {
 Assignment parseAssignment(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw InputError("", "", fmt::format("--set {}: KEY=VALUE is needed", text));
+    throw InputError("", "", fmt::format("--set {}: KEY=VALUE is needed", shortened(text)));
   Assignment assignment{text.substr(0, equals), text.substr(equals + 1), false, false};
   rowOf(assignment.key);
   return assignment;
@@ -127,6 +166,14 @@ void refuseOtherKind(const Parameter& row, const Scene& scene) {
                                std::get<std::string>(valueOf(choice, scene)), row.applies.words));
 }
 
+/// One point per element is what the paper's elements have anyway.
+bool isHarmless(const Assignment& assignment) {
+  if (assignment.key != "accuracy.oversampling") return false;
+  Scene ignored;
+  apply(assignment, ignored);
+  return ignored.accuracy.oversampling == 1;
+}
+
 /// Kinds come first, because they decide which other keys have a meaning.
 Scene build(const std::vector<Assignment>& assignments) {
   Scene scene;
@@ -141,12 +188,14 @@ Scene build(const std::vector<Assignment>& assignments) {
     scene.surface.length = 0;
     scene.surface.elements = 0;
   }
+  if (scene.accuracy.scheme == Scheme::Nodal) scene.accuracy.oversampling = 1;
   for (const Assignment& assignment : assignments) {
     if (isChoice(assignment)) continue;
     const Parameter& row = rowOf(assignment.key);
     if (isApplicable(row, scene))
       apply(assignment, scene);
-    else if (!assignment.fromFile || !changedKinds.contains(row.applies.choiceKey))
+    else if (!isHarmless(assignment) &&
+             (!assignment.fromFile || !changedKinds.contains(row.applies.choiceKey)))
       refuseOtherKind(row, scene);
   }
   return scene;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/scene/input_error.h"
+#include "core/scene/parameters.h"
 #include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
 #include "core/surface/random_phase.h"
@@ -31,8 +32,7 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
     throw InputError("", "surface.waves",
                      fmt::format("{} is outside 1 to {}, what {} elements carry", surface_.waves,
                                  (elements_ - 1) / 2, elements_));
-  if (surface_.kind == SurfaceKind::SelfAffine)
-    setAmplitudes();
+  if (surface_.kind == SurfaceKind::SelfAffine) setAmplitudes();
   if (surface_.kind == SurfaceKind::SelfAffine || surface_.kind == SurfaceKind::Profile)
     transform_.emplace(nodes_);
   if (isRandom()) {
@@ -49,8 +49,8 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
 
 /// Half of each cosine's amplitude: the coefficient of exp(i q x).
 void LineSource::setAmplitudes() {
-  amplitudes_ = selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst,
-                                     surface_.rmsHeight);
+  amplitudes_ =
+      selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst, surface_.rmsHeight);
   for (double& amplitude : amplitudes_) amplitude /= 2;
 }
 
@@ -65,6 +65,11 @@ void LineSource::readProfileOf(const Scene& scene) {
   if (length_ == 0) length_ = profile.length;
   if (length_ == 0)
     throw InputError("", "surface.length", "is missing; the profile has heights without positions");
+  const RealField& range = std::get<RealField>(findParameter("surface.length")->field);
+  if (length_ < range.minimum || length_ > range.maximum)
+    throw InputError("", "surface.file",
+                     fmt::format("{}: its length {} m is outside {:g} to {:g}", surface_.file,
+                                 length_, range.minimum, range.maximum));
   if (elements_ == 0) elements_ = static_cast<std::int64_t>(profile.height.size());
   profile_ = FourierTransform(profile.height.size()).analyse(profile.height, length_);
   const std::size_t most = modesOf(static_cast<std::size_t>(elements_));

@@ -12,6 +12,7 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kLargestProfile = std::size_t{1} << 28;  // bytes
+constexpr double kFarthest = 1e6;                              // m, of positions and heights
 constexpr std::size_t kMostRows = std::size_t{1} << 24;
 
 std::string_view trimmed(std::string_view text) {
@@ -69,6 +70,8 @@ class Reader {
       if (!readNumber(field, number)) return takeHeader(field);
       if (!std::isfinite(number))
         fail(fmt::format("row {}: {} is not a finite number", row_, field));
+      if (std::abs(number) > kFarthest)
+        fail(fmt::format("row {}: {} is beyond {} m", row_, field, kFarthest));
       numbers.push_back(number);
     }
     if (height_.empty()) columns_ = numbers.size();

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/scene/scene_file.h"
+#include "core/scene/provenance.h"
 #include "core/surface/spectrum.h"
 
 namespace asperity {
@@ -36,11 +35,7 @@ std::string lineCsv(const Line& line) {
 
 std::string surfaceJson(const Scene& scene, const LineSource& source, const Line& line) {
   const auto [lowest, highest] = std::minmax_element(line.height.begin(), line.height.end());
-  Json root;
-  root["schema"] = "asperity-surface/1";
-  root["verb"] = "surface";
-  root["version"] = ASPERITY_VERSION;
-  root["scene"] = Json::parse(writeScene(scene));
+  Json root = provenance("surface", scene);
   root["statistics"] = {{"length", line.length},      {"points", line.nodes()},
                         {"spacing", line.spacing},    {"rms_height", line.rmsHeight},
                         {"rms_slope", line.rmsSlope}, {"lowest", *lowest},

@@ -99,6 +99,9 @@ TEST_F(CommandLineTest, BadUsageIsExitTwo) {
   expectRefused("render s.json -o a.png --frames 0", 2, "--frames");
   expectRefused("render s.json -o a.png --frames 3", 2, "needs a folder");
   expectRefused("nowhere.json", 2, "cannot be opened");
+  expectRefused("chekc s.json", 2, "chekc is neither a verb (check, curve, render, surface) nor");
+  expectRefused("render s.json -o new/folder --fps nan", 2, "--fps");
+  expectRefused("curve s.json -o ''", 2, "an output needs a name");
 }
 
 TEST_F(CommandLineTest, OutputsThatCannotBeAreRefusedBeforeAnyWork) {
@@ -208,6 +211,55 @@ TEST_F(CommandLineTest, AProfileIsFoundBesideItsScene) {
 
 TEST_F(CommandLineTest, WithoutADisplayTheWindowSaysWhatToDoInstead) {
   expectRefused("s.json", 1, "no display", "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM");
+}
+
+TEST_F(CommandLineTest, ADisplayThatCannotBeReachedIsOneLine) {
+  for (const char* display : {"DISPLAY=:987", "DISPLAY=nonsense", "QT_QPA_PLATFORM=nonsense"})
+    expectRefused("s.json", 1, "the display cannot be reached",
+                  std::string("env -u WAYLAND_DISPLAY ") + display);
+}
+
+TEST_F(CommandLineTest, AClosedOrFullStandardErrorChangesNoStatus) {
+  EXPECT_EQ(program.run("check s.json --json 2>&- >/dev/null; exit $?").status, 0);
+  EXPECT_EQ(program.run("check gone.json 2>&- >/dev/null; exit $?").status, 2);
+  EXPECT_EQ(program.run("check gone.json 2>/dev/full >/dev/null; exit $?").status, 2);
+  EXPECT_EQ(program.run("curve s.json -o a.csv 2>&- >/dev/null <&-; exit $?").status, 0);
+}
+
+TEST_F(CommandLineTest, MachineAnswersCarryTheirProvenance) {
+  for (const char* arguments :
+       {"check s.json --json", "curve s.json --json", "surface s.json --json",
+        "render s.json -o a.png --size 320x200 --json"}) {
+    const auto root = nlohmann::json::parse(program.run(arguments).out);
+    for (const char* key : {"schema", "verb", "version", "seed", "scene"})
+      EXPECT_TRUE(root.contains(key)) << arguments << " " << key;
+  }
+}
+
+TEST_F(CommandLineTest, BadInputMakesNoFolder) {
+  expectRefused("render gone.json -o new/folder", 2, "gone.json: cannot be opened");
+}
+
+TEST_F(CommandLineTest, AWriteThroughALinkKeepsTheLink) {
+  program.folder.write("target.csv", "old");
+  std::filesystem::create_symlink(program.folder / "target.csv", program.folder / "link.csv");
+  EXPECT_EQ(program.run("curve s.json -o link.csv").status, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(program.folder / "link.csv"));
+  EXPECT_THAT(TemporaryFolder::read(program.folder / "target.csv"), StartsWith("velocity"));
+}
+
+/// Killed while it writes: nothing under the final name, nothing beside it.
+TEST_F(CommandLineTest, AKillWhileWritingLeavesNothing) {
+  for (int i = 1; i <= 12; ++i) {
+    program.run("surface s.json --set surface.elements=1000000 -o a.csv",
+                "timeout -s KILL " + std::to_string(0.1 * i));
+    const auto file = program.folder / "a.csv";
+    if (std::filesystem::exists(file)) {  // it was done before
+      EXPECT_EQ(TemporaryFolder::read(file).back(), '\n');
+      std::filesystem::remove(file);
+    }
+    EXPECT_THAT(program.folder.names(), ElementsAre("s.json")) << i;
+  }
 }
 
 /// A killed run leaves no half file under the final name.

@@ -37,8 +37,8 @@ TEST(Identities, ForceBalanceIsMetToThirteenDigits) {
   forEachCase(
       [](const TravelLine&, const SlidingConditions&, double force, const SteadyResult& result) {
         EXPECT_EQ(result.status, SteadyStatus::Balanced);
-        EXPECT_LE(result.residual, 1e-12);
-        EXPECT_NEAR(result.normalForce / force, 1, 1e-12);
+        EXPECT_LE(result.residual, 1e-13);
+        EXPECT_NEAR(result.normalForce / force, 1, 2e-13);
         EXPECT_LE(result.passes, 15);
       });
 }

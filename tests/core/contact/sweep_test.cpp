@@ -60,8 +60,7 @@ TEST_P(Sweep, AgreesWithThePlainPass) {
         const auto results = sweep(line, force, velocities);
         for (std::size_t i = 0; i < velocities.size(); ++i) {
           SCOPED_TRACE(testing::Message() << force << " N, " << velocities[i] << " m/s");
-          const SteadyResult plain =
-              slideAtForce(line, {kModulus, kTau, velocities[i]}, force);
+          const SteadyResult plain = slideAtForce(line, {kModulus, kTau, velocities[i]}, force);
           EXPECT_EQ(results[i].status, SteadyStatus::Balanced);
           EXPECT_LE(results[i].residual, 1e-12);
           EXPECT_NEAR(results[i].normalForce, plain.normalForce, 1e-12 * force);
@@ -101,8 +100,7 @@ TEST_P(Sweep, AgreesWithThePlainPassOnShapes) {
       for (const double force : {1e-3, 1.0, 1e3}) {
         const auto results = sweep(line, force, velocities);
         for (std::size_t i = 0; i < velocities.size(); ++i)
-          expectSame(results[i], slideAtForce(line, {kModulus, kTau, velocities[i]}, force),
-                     line);
+          expectSame(results[i], slideAtForce(line, {kModulus, kTau, velocities[i]}, force), line);
       }
     }
 }
@@ -132,9 +130,9 @@ TEST_P(Sweep, NeighboursDoNotMatter) {
   for (std::size_t i = 0; i < velocities.size(); ++i)
     expectSame(sweep(line, 0.01, {velocities[i]}).front(), all[i], line);
   for (std::size_t count = 1; count < velocities.size(); ++count) {
-    const auto some = sweep(line, 0.01, {velocities.begin(), velocities.begin() + static_cast<long>(count)});
-    for (std::size_t i = 0; i < count; ++i)
-      expectSame(some[i], all[i], line);
+    const auto some =
+        sweep(line, 0.01, {velocities.begin(), velocities.begin() + static_cast<long>(count)});
+    for (std::size_t i = 0; i < count; ++i) expectSame(some[i], all[i], line);
   }
 }
 
@@ -183,8 +181,8 @@ TEST_P(Sweep, StopsWhenAsked) {
   source.request_stop();
   std::vector<SteadyResult> results(1);
   const double velocity = 1;
-  EXPECT_FALSE(slideSweep(line, {kModulus, kTau, 0}, {}, {&velocity, 1}, results,
-                          source.get_token()));
+  EXPECT_FALSE(
+      slideSweep(line, {kModulus, kTau, 0}, {}, {&velocity, 1}, results, source.get_token()));
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, Sweep,

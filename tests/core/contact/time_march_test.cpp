@@ -79,8 +79,9 @@ TEST(TimeMarch, WorkIsStoredOrDissipated) {
   }
 }
 
-/// Once the shape is stationary F_N = 4 G dx sum y, and the power that the line puts in is dissipated
-/// in the dashpots, but for what closing gaps within a step takes, which shrinks with dx.
+/// Once the shape is stationary F_N = 4 G dx sum y, and the power that the line puts in is
+/// dissipated in the dashpots, but for what closing gaps within a step takes, which shrinks with
+/// dx.
 TEST(TimeMarch, SteadyIdentitiesHoldAtAnyResolution) {
   for (const std::int64_t oversampling : {1, 2, 4})
     for (const double velocity : {0.05, 0.5, 20.0}) {

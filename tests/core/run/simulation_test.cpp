@@ -55,6 +55,42 @@ TEST(Simulation, ALiveChangeGoesOnFromThePresentShape) {
   EXPECT_NE(simulation.frame().surfaceHeight.size(), before.surfaceHeight.size());
 }
 
+/// Paused, a new scene is shown as it will be: shape, pressures and facts of one and the same
+/// state.
+TEST(Simulation, AChangeWhilePausedShowsTheNewSteadyState) {
+  Simulation simulation(someScene(), 1);
+  simulation.advance(0.1, 1.0 / 60);
+  auto heavier = someScene();
+  heavier->load.normalForce = 2;
+  simulation.update(heavier, 2, Simulation::Shape::Steady);
+  const Frame frame = simulation.frame();
+  EXPECT_NEAR(frame.normalForce, 2, 1e-12);
+  EXPECT_NEAR(frame.distance, 0.002, 1e-4);  // the line stays where it was, to a node
+  EXPECT_EQ(frame.timeScale, 0);
+  double force = 0;
+  for (std::size_t i = 0; i < frame.pressure.size(); ++i) {
+    force += frame.pressure[i] * frame.spacing;
+    EXPECT_GE(frame.lineHeight[i] - frame.surfaceHeight[i], -1e-12);
+  }
+  EXPECT_NEAR(force / 2, 1, 0.02);
+}
+
+/// Wedges at rest whose balance once went on for ever.
+TEST(Simulation, EndsOnLoadsThatFallOnAThreshold) {
+  for (const auto& [elements, force] :
+       {std::pair{50, 0.04}, {100, 0.0016}, {100, 0.0256}, {64, 0.25}}) {
+    auto scene = std::make_shared<Scene>();
+    scene->surface.kind = SurfaceKind::Wedge;
+    scene->surface.elements = elements;
+    scene->accuracy.oversampling = 1;
+    scene->load.normalForce = force;
+    scene->sliding.velocity = 0;
+    Simulation simulation(scene, 1);
+    for (int i = 0; i < 400; ++i) simulation.advance(0.01, 1.0 / 60);
+    EXPECT_GT(simulation.frame().time, 0);
+  }
+}
+
 TEST(Simulation, ASpeedStepRelaxesToTheNewSteadyState) {
   auto scene = someScene();
   scene->accuracy.oversampling = 8;

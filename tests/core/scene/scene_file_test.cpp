@@ -46,7 +46,7 @@ TEST(SceneFile, ErrorsNameFileKeyAndWhatIsAllowed) {
   EXPECT_EQ(errorOf(R"({"surface":{"hurts":0.4}})"),
             "s.json: surface.hurts: unknown key; the nearest known one is surface.hurst");
   EXPECT_THAT(errorOf(R"({"elastomer":{"shear_modulus":-1e7}})"),
-              HasSubstr("s.json: elastomer.shear_modulus: -10000000 is outside"));
+              HasSubstr("s.json: elastomer.shear_modulus: -10000000 is outside 1e-06 to 1e+15"));
   EXPECT_THAT(errorOf(R"({"load":{"normal_force":"much"}})"),
               HasSubstr("s.json: load.normal_force: 'much' is not a number"));
   EXPECT_THAT(errorOf(R"({"surface":{"hurst":NaN}})"), HasSubstr("s.json: is not valid JSON"));
@@ -54,9 +54,17 @@ TEST(SceneFile, ErrorsNameFileKeyAndWhatIsAllowed) {
   EXPECT_THAT(errorOf(R"({"surface":{"radius":1}})"),
               HasSubstr("has no meaning for surface.kind self_affine; it belongs to parabola"));
   EXPECT_THAT(errorOf(R"({"surface":{"hurst":[1]}})"), HasSubstr("a list is not allowed here"));
-  EXPECT_THAT(errorOf(R"({"surface":3})"), HasSubstr("s.json: surface: unknown key"));
+  EXPECT_THAT(errorOf(R"({"surface":3})"), HasSubstr("s.json: surface: needs an object"));
+  EXPECT_THAT(errorOf(R"({"surfce":{}})"), HasSubstr("s.json: surfce: unknown key"));
+  EXPECT_THAT(errorOf(R"({"hurst":0.5})"), HasSubstr("nearest known one is surface.hurst"));
+  EXPECT_THAT(errorOf(R"({"surface.hurst":0.5})"), HasSubstr("inside its section's object"));
   EXPECT_THAT(errorOf(R"({"schema":"asperity-scene/2"})"), HasSubstr("is not asperity-scene/1"));
-  EXPECT_THAT(errorOf(R"({"surface":{"hurst":0.1,"hurst":0.2}})"), HasSubstr("stands twice"));
+  EXPECT_THAT(errorOf(R"({"surface":{"hurst":0.1,"hurst":0.2}})"),
+              HasSubstr("s.json: surface.hurst: stands twice"));
+  EXPECT_THAT(errorOf("{\"schema\":" + std::string(400000, '[') + std::string(400000, ']') + "}"),
+              HasSubstr("nested too deeply"));
+  EXPECT_LT(errorOf("{\"" + std::string(500000, 'x') + "\":1}").size(), 200U);
+  EXPECT_LT(errorOf("{\"surface\":{\"hurst\":\"" + std::string(500000, 'x') + "\"}}").size(), 200U);
   EXPECT_THAT(errorOf(R"({"surface":{"kind":"profile"}})"), HasSubstr("surface.file: is missing"));
   EXPECT_THAT(errorOf(R"({"sweep":{"velocity_from":2,"velocity_to":1}})"),
               HasSubstr("is above sweep.velocity_to"));
@@ -87,6 +95,16 @@ TEST(SceneFile, AnAssignedKindDropsTheKeysItMakesMeaningless) {
   EXPECT_EQ(scene.surface.kind, SurfaceKind::Sine);
   EXPECT_EQ(scene.surface.waves, 3);
   EXPECT_EQ(scene.surface.length, 0.1);
+}
+
+TEST(SceneFile, ThePapersElementsHaveOnePointEach) {
+  const std::string file = R"({"accuracy":{"scheme":"cubic","oversampling":4}})";
+  const Scene nodal = readScene(file, "s.json", {}, {"accuracy.scheme=nodal"});
+  EXPECT_EQ(pointsPerElement(nodal), 1);
+  EXPECT_EQ(readScene(writeScene(nodal), "t.json"), nodal);
+  EXPECT_EQ(errorOf(R"({"accuracy":{"scheme":"nodal","oversampling":1}})"), "no error");
+  EXPECT_THAT(errorOf(R"({"accuracy":{"scheme":"nodal","oversampling":2}})"),
+              HasSubstr("has no meaning for accuracy.scheme nodal"));
 }
 
 TEST(SceneFile, AProfileIsAsLongAsItsFileSaysUnlessTheSceneSaysSo) {
