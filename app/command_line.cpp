@@ -51,11 +51,12 @@ class CommandLine {
   void checkVerb(int argc, char** argv) const {
     const std::string word = argc > 1 ? argv[1] : "";
     const bool looksLikeVerb = !word.empty() && word.find_first_of("-./") == std::string::npos;
-    if (!looksLikeVerb || app_.get_subcommand_no_throw(word) || std::filesystem::exists(word))
-      return;
+    if (!looksLikeVerb || std::filesystem::exists(word)) return;
     std::string verbs;
-    for (const CLI::App* verb : app_.get_subcommands({}))
+    for (const CLI::App* verb : app_.get_subcommands({})) {
+      if (verb->get_name() == word) return;
       verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
+    }
     throw InputError(
         "", "",
         fmt::format("{} is neither a verb ({}) nor a scene file", word.substr(0, 60), verbs));
@@ -136,8 +137,7 @@ class CommandLine {
 
 /// To a stderr that may be closed or full: there is nobody else to tell.
 int complain(const std::string& sentence, int status) {
-  std::fputs(("asperity: " + sentence + "
-").c_str(), stderr);
+  std::fputs(("asperity: " + sentence + "\n").c_str(), stderr);
   return status;
 }
 
