@@ -24,7 +24,8 @@ using M = hn::Mask<D>;
 
 constexpr D d;
 constexpr int kMostRootSteps = 100;
-/// A root's last step; what is left of the error is its cube.
+/// A root's last step, relative, for a contact may be far shorter than its segment; what is left of
+/// the error is its cube.
 constexpr double kRootStep = 1e-6;
 
 HWY_INLINE V set(double value) {
@@ -79,7 +80,8 @@ HWY_INLINE V rootBetween(V low, V high, M negativeAtLow, V guess, M wanted,
     next = hn::IfThenElse(inside, next, hn::Mul(set(0.5), hn::Add(low, high)));
     const V moved = hn::Abs(hn::Sub(next, t));
     t = next;
-    if (hn::AllFalse(d, hn::And(wanted, hn::Gt(moved, set(kRootStep))))) break;
+    if (hn::AllFalse(d, hn::And(wanted, hn::Gt(moved, hn::MulAdd(t, set(kRootStep), set(1e-24))))))
+      break;
   }
   return t;
 }
@@ -135,12 +137,13 @@ class LanePass {
       const M pressed = hn::And(touching_, hn::Gt(least, hn::Zero(d)));
       const M simple = hn::Or(freely, pressed);
       if (hn::AllTrue(d, simple)) {
-        takeWhole(bounds, line_.spacing * static_cast<double>(size), far, freely, pressed);
+        takeWhole(bounds, line_.spacing * static_cast<double>(size),
+                  line_.rise[i + size] - line_.rise[i], far, freely, pressed);
         i += size;
         return level < top ? level + 1 : level;
       }
       if (level == 0) {
-        takeWhole(bounds, line_.spacing, far, freely, pressed);
+        takeWhole(bounds, line_.spacing, line_.rise[i + 1] - line_.rise[i], far, freely, pressed);
         edges(i, hn::Not(simple));
         ++i;
         return 0;
@@ -149,14 +152,16 @@ class LanePass {
     }
   }
 
-  HWY_INLINE void takeWhole(const SegmentBounds& bounds, double length, V far, M freely,
-                            M pressed) {
+  HWY_INLINE void takeWhole(const SegmentBounds& bounds, double length, double climb, V far,
+                            M freely, M pressed) {
     here_ = hn::IfThenElse(freely, far, here_);
     const V span = set(length), none = hn::Zero(d);
     const V depths = hn::MulSub(depth_, span, set(bounds.riseIntegral));
     sumDepth_ = hn::Add(sumDepth_, hn::IfThenElse(pressed, depths, none));
     contactLength_ = hn::Add(contactLength_, hn::IfThenElse(pressed, span, none));
     slopeSquared_ = hn::Add(slopeSquared_, hn::IfThenElse(pressed, set(bounds.slopeSquared), none));
+    const V pressure = hn::NegMulAdd(memory_, set(climb), depths);
+    pressure_ = hn::Add(pressure_, hn::IfThenElse(pressed, pressure, none));
   }
 
   HWY_INLINE V freeDepth(V position) const {
@@ -181,11 +186,14 @@ class LanePass {
 
   /// Looks inside segment i, for these lanes.
   HWY_INLINE void edges(std::size_t i, M lanes) {
-    start_ = line_.position[i];
+    // The last segment is measured back from its end, as in the plain pass.
+    onwards_ = i + 1 < line_.segments();
+    start_ = onwards_ ? line_.position[i] : line_.length;
     span_ = line_.segmentLength(i);
-    const Cubic cubic = line_.segment(i);
+    along_ = onwards_ ? span_ : -span_;
+    const Cubic cubic = onwards_ ? line_.segment(i) : line_.segmentBackwards(i);
     segment_ = {cubic.c0, cubic.c1, cubic.c2, cubic.c3};
-    const V k = hn::Div(memory_, set(span_));
+    const V k = hn::Div(memory_, set(along_));
     Pressure p;
     p.c0 = hn::NegMulAdd(k, set(cubic.c1), hn::Sub(depth_, set(cubic.c0)));
     p.c1 = hn::NegMulSub(hn::Add(k, k), set(cubic.c2), set(cubic.c1));
@@ -203,7 +211,7 @@ class LanePass {
 
   /// y of free lanes at t, good enough to choose by; at the segment's ends it is known already.
   HWY_INLINE V roughDepth(V t) const {
-    const M atStart = hn::Eq(t, hn::Zero(d));
+    const M atStart = hn::Eq(t, set(onwards_ ? 0 : 1));
     const bool known = hn::AllTrue(d, hn::Or(atStart, touching_));
     return known ? here_ : hn::IfThenElse(atStart, here_, freeDepth(placeOf(t)));
   }
@@ -219,7 +227,10 @@ class LanePass {
       const M turns = hn::And(lanes, hn::Lt(product, zero));
       if (any(turns)) return threePieces(p, lanes, atEnd);
     }
-    piece(p, zero, one, p.c0, atEnd, lanes);
+    if (onwards_)
+      piece(p, zero, one, p.c0, atEnd, lanes);
+    else
+      piece(p, one, zero, atEnd, p.c0, lanes);
   }
 
   HWY_INLINE void threePieces(const Pressure& p, M lanes, V atEnd) {
@@ -236,9 +247,15 @@ class LanePass {
     const V atLow = p.at(low), atHigh = p.at(high);
     const M hasLow = hn::And(lanes, hn::Gt(low, zero));
     const M hasHigh = hn::And(lanes, hn::Gt(high, low));
-    if (any(hasLow)) piece(p, zero, low, p.c0, atLow, hasLow);
-    if (any(hasHigh)) piece(p, low, high, atLow, atHigh, hasHigh);
-    piece(p, high, one, atHigh, atEnd, lanes);
+    if (onwards_) {
+      if (any(hasLow)) piece(p, zero, low, p.c0, atLow, hasLow);
+      if (any(hasHigh)) piece(p, low, high, atLow, atHigh, hasHigh);
+      piece(p, high, one, atHigh, atEnd, lanes);
+    } else {
+      piece(p, one, high, atEnd, atHigh, lanes);
+      if (any(hasHigh)) piece(p, high, low, atHigh, atLow, hasHigh);
+      if (any(hasLow)) piece(p, low, zero, atLow, p.c0, hasLow);
+    }
   }
 
   /// [from, to], where p is monotone: at most one stretch of it is pressed.
@@ -263,8 +280,9 @@ class LanePass {
   HWY_INLINE V pressureZero(const Pressure& p, V from, V to, V pFrom, V pTo, M wanted) {
     const V guess = hn::MulAdd(hn::Sub(to, from), hn::Div(pFrom, hn::Sub(pFrom, pTo)), from);
     if (kLinear) return hn::IfThenElse(wanted, guess, from);
-    const V t = rootBetween(from, to, hn::Lt(pFrom, hn::Zero(d)), guess, wanted,
-                            [&p](V at, V& value, V& slope, V& halfCurvature) {
+    const M negativeAtLow = hn::Lt(onwards_ ? pFrom : pTo, hn::Zero(d));
+    const V t = rootBetween(onwards_ ? from : to, onwards_ ? to : from, negativeAtLow, guess,
+                            wanted, [&p](V at, V& value, V& slope, V& halfCurvature) {
                               value = p.at(at);
                               slope = p.slopeAt(at);
                               halfCurvature = p.halfCurvatureAt(at);
@@ -280,7 +298,7 @@ class LanePass {
     touching_ = hn::AndNot(lanes, touching_);
   }
 
-  HWY_INLINE V placeOf(V t) const { return hn::MulAdd(t, set(span_), set(start_)); }
+  HWY_INLINE V placeOf(V t) const { return hn::MulAdd(t, set(along_), set(start_)); }
 
   /// Where the line catches up with the free surface between begin and end, for free lanes; the
   /// others begin at once.
@@ -295,15 +313,17 @@ class LanePass {
     if (any(inside)) {
       const V guess = hn::MulAdd(hn::Sub(end, begin),
                                  hn::Div(gapAtBegin, hn::Sub(gapAtBegin, gapAtEnd)), begin);
-      const V rate = hn::Mul(set(span_), inverse_);
-      const V t = rootBetween(
-          begin, end, inside, guess, inside, [&](V at, V& value, V& slope, V& halfCurvature) {
-            const V free = freeDepth(placeOf(at));
-            value = hn::Sub(hn::Sub(depth_, segment_.at(at)), free);
-            slope = hn::MulSub(rate, free, segment_.slopeAt(at));
-            halfCurvature = hn::NegMulSub(hn::Mul(rate, hn::Mul(rate, free)), set(0.5),
-                                          segment_.halfCurvatureAt(at));
-          });
+      const V rate = hn::Mul(set(along_), inverse_);
+      const V low = onwards_ ? begin : end, high = onwards_ ? end : begin;
+      const V t = rootBetween(low, high, onwards_ ? inside : hn::Not(inside), guess, inside,
+                              [&](V at, V& value, V& slope, V& halfCurvature) {
+                                const V free = freeDepth(placeOf(at));
+                                value = hn::Sub(hn::Sub(depth_, segment_.at(at)), free);
+                                slope = hn::MulSub(rate, free, segment_.slopeAt(at));
+                                halfCurvature =
+                                    hn::NegMulSub(hn::Mul(rate, hn::Mul(rate, free)), set(0.5),
+                                                  segment_.halfCurvatureAt(at));
+                              });
       entry = hn::IfThenElse(inside, t, begin);
     }
     closeArcs(enters, placeOf(entry));
@@ -311,9 +331,10 @@ class LanePass {
     return entry;
   }
 
-  /// Sums over [from, to] of this segment, by the polynomial about `from`.
-  HWY_INLINE void addContact(V from, V to, M lanes) {
-    const V x = hn::Sub(to, from), none = hn::Zero(d);
+  /// Sums between two places of this segment, by the polynomial about the lower one.
+  HWY_INLINE void addContact(V begin, V end, M lanes) {
+    const V from = hn::Min(begin, end);
+    const V x = hn::Abs(hn::Sub(end, begin)), none = hn::Zero(d);
     const V w = hn::Sub(depth_, segment_.at(from)), c1 = segment_.slopeAt(from);
     const V c3 = set(segment_.c3);
     const V c2 = hn::MulAdd(set(3 * segment_.c3), from, set(segment_.c2));
@@ -334,6 +355,9 @@ class LanePass {
     sumDepth_ = hn::Add(sumDepth_, hn::IfThenElse(lanes, depths, none));
     contactLength_ = hn::Add(contactLength_, hn::IfThenElse(lanes, hn::Mul(x, set(span_)), none));
     slopeSquared_ = hn::Add(slopeSquared_, hn::IfThenElse(lanes, squares, none));
+    const V climb = hn::Mul(x, hn::MulAdd(x, hn::MulAdd(x, c3, c2), c1));
+    const V sinking = hn::Mul(memory_, onwards_ ? climb : hn::Neg(climb));
+    pressure_ = hn::Add(pressure_, hn::IfThenElse(lanes, hn::Sub(depths, sinking), none));
   }
 
   HWY_INLINE void store(LaneSums& sums) const {
@@ -342,6 +366,7 @@ class LanePass {
     hn::StoreU(hn::MulAdd(memory_, slopeSquared_, freeLoss_), d, sums.dissipation.data());
     hn::StoreU(contactLength_, d, sums.contactLength.data());
     hn::StoreU(slopeSquared_, d, sums.slopeSquared.data());
+    hn::StoreU(pressure_, d, sums.pressure.data());
   }
 
   static constexpr int kMostLevels = 16;
@@ -355,8 +380,10 @@ class LanePass {
   V arcDepth_ = hn::Zero(d), arcPosition_ = hn::Zero(d);
   V sumDepth_ = hn::Zero(d), freeStiffness_ = hn::Zero(d), freeLoss_ = hn::Zero(d);
   V contactLength_ = hn::Zero(d), slopeSquared_ = hn::Zero(d);
+  V pressure_ = hn::Zero(d);
   Segment segment_{};
-  double start_ = 0, span_ = 0;
+  double start_ = 0, span_ = 0, along_ = 0;  // s = start + t along, |along| = span
+  bool onwards_ = true;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -15,10 +15,11 @@ namespace asperity {
 inline constexpr std::size_t kMostLanes = 8;
 using LaneValues = std::array<double, kMostLanes>;
 
-/// Sums per 4G as in StateSums, a lane a velocity; the forces come one way only.
+/// Sums per 4G as in StateSums, a lane a velocity.
 struct LaneSums {
   LaneValues depth{};          // m^2, integral of y: F_N / 4G
   LaneValues stiffness{};      // m, its derivative with respect to the indentation
+  LaneValues pressure{};       // m^2, over contact: F_N / 4G again
   LaneValues dissipation{};    // m^2, c integral of y'^2: F_x / 4G
   LaneValues contactLength{};  // m
   LaneValues slopeSquared{};   // m, integral of z'^2 over contact

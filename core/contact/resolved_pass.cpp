@@ -21,8 +21,10 @@ class ForceGatherer {
     sums.depth += depth * length - bounds.riseIntegral;
     sums.stiffness += length;
   }
-  /// Contact over t in [0, extent] of `rise`, a segment of this length, about its start.
-  void contact(const Cubic& rise, double extent, double depth, double length) {
+  /// Contact over t in [0, extent] of `rise`; `along` is the way in s for t from 0 to 1, negative
+  /// where t runs back.
+  void contact(const Cubic& rise, double extent, double depth, double along) {
+    const double length = std::abs(along);
     sums.depth += length * (depth * extent - rise.integral(extent));
     sums.stiffness += length * extent;
   }
@@ -48,9 +50,9 @@ class StateGatherer {
     force_.wholeSegment(bounds, rise, depth, length);
     addContact(rise, 1, depth, length);
   }
-  void contact(const Cubic& rise, double extent, double depth, double length) {
-    force_.contact(rise, extent, depth, length);
-    addContact(rise, extent, depth, length);
+  void contact(const Cubic& rise, double extent, double depth, double along) {
+    force_.contact(rise, extent, depth, along);
+    addContact(rise, extent, depth, along);
   }
   void arc(const FreeArc& from, double to) {
     force_.arc(from, to);
@@ -66,9 +68,10 @@ class StateGatherer {
   }
 
  private:
-  void addContact(const Cubic& rise, double extent, double depth, double length) {
+  void addContact(const Cubic& rise, double extent, double depth, double along) {
+    const double length = std::abs(along);
     const double slopeSquared = rise.integralOfSlopeSquared(extent) / length;
-    addPressure(rise, extent, depth, length);
+    addPressure(rise, extent, depth, along);
     sums_.dissipation += memory_ * slopeSquared;
     sums_.contactLength += length * extent;
     sums_.slopeSquared += slopeSquared;
@@ -76,12 +79,13 @@ class StateGatherer {
   }
   /// p and p w' from the pressure itself, by Gauss's three points: exact for these polynomials, and
   /// sharing nothing with the sums of depth and of dissipation.
-  void addPressure(const Cubic& rise, double extent, double depth, double length) {
+  void addPressure(const Cubic& rise, double extent, double depth, double along) {
+    const double length = std::abs(along);
     constexpr double kPlace = 0.7745966692414834, kOuter = 5.0 / 18, kMiddle = 8.0 / 18;
     for (const auto& [place, weight] :
          {std::pair{-kPlace, kOuter}, std::pair{0.0, kMiddle}, std::pair{kPlace, kOuter}}) {
       const double t = 0.5 * extent * (1 + place);
-      const double slope = -rise.derivative(t) / length;  // w'
+      const double slope = -rise.derivative(t) / along;  // w'
       const double pressure = depth - rise(t) + memory_ * slope;
       sums_.pressure += weight * extent * length * pressure;
       sums_.work += weight * extent * length * pressure * slope;
@@ -154,53 +158,73 @@ class Pass {
     return arc_.depth * std::exp(-(position - arc_.position) * inverse_);
   }
 
+  /// A segment to look inside: its rise over t in [0, 1], s = start + t along.
+  struct Inside {
+    Cubic rise;
+    double start, along;
+    double at(double t) const { return start + t * along; }
+  };
+
+  /// The last segment is measured back from its end, the lowest point: contact there may be far
+  /// shorter than the segment, and 1 - t would have lost its digits.
+  Inside insideOf(std::size_t i) const {
+    if (i + 1 < line_.segments())
+      return {line_.segment(i), line_.position[i], line_.segmentLength(i)};
+    return {line_.segmentBackwards(i), line_.length, -line_.segmentLength(i)};
+  }
+
   /// Splits the segment where p changes sign; w e^(s/c) is monotone on each piece.
   void lookInside(std::size_t i) {
-    const Cubic rise = line_.segment(i);
-    const double length = line_.segmentLength(i), k = memory_ / length;
+    const Inside inside = insideOf(i);
+    const Cubic& rise = inside.rise;
+    const double k = memory_ / inside.along;
     const Cubic pressure{depth_ - rise.c0 - k * rise.c1, -rise.c1 - 2 * k * rise.c2,
                          -rise.c2 - 3 * k * rise.c3, -rise.c3};
-    double from = 0;
+    const Few<3> zeros = zerosInside(pressure);
+    const bool onwards = inside.along > 0;
+    double from = onwards ? 0 : 1;
     const auto piece = [&](double to) {
       if (pressure(0.5 * (from + to)) > 0)
-        pressedPiece(i, rise, from, to, length);
+        pressedPiece(inside, from, to);
       else if (touching_)
-        leave(rise, line_.position[i] + from * length, from);
+        leave(inside, from);
       from = to;
     };
-    for (const double zero : zerosInside(pressure)) piece(zero);
-    piece(1);
+    for (int n = 0; n < zeros.count; ++n)
+      piece(zeros.values[static_cast<std::size_t>(onwards ? n : zeros.count - 1 - n)]);
+    piece(onwards ? 1 : 0);
     here_ = touching_ ? depth_ - line_.rise[i + 1] : freeDepth(line_.position[i + 1]);
   }
 
-  void leave(const Cubic& rise, double position, double t) {
-    arc_ = {depth_ - rise(t), position};
+  void leave(const Inside& inside, double t) {
+    arc_ = {depth_ - inside.rise(t), inside.at(t)};
     touching_ = false;
   }
 
-  void pressedPiece(std::size_t i, const Cubic& rise, double from, double to, double length) {
-    const double start = line_.position[i];
+  void pressedPiece(const Inside& inside, double from, double to) {
     double entry = from;
     if (!touching_) {
-      if (!(depth_ - rise(to) > freeDepth(start + to * length))) return;
-      entry = entryBetween(rise, from, to, start, length);
-      gatherer.arc(arc_, start + entry * length);
+      if (!(depth_ - inside.rise(to) > freeDepth(inside.at(to)))) return;
+      entry = entryBetween(inside, from, to);
+      gatherer.arc(arc_, inside.at(entry));
       touching_ = true;
     }
-    gatherer.contact(rise.about(entry), to - entry, depth_, length);
+    const double low = std::min(entry, to);
+    gatherer.contact(inside.rise.about(low), std::abs(to - entry), depth_, inside.along);
   }
 
   /// Where the line catches up with the relaxing surface.
-  double entryBetween(const Cubic& rise, double from, double to, double start,
-                      double length) const {
+  double entryBetween(const Inside& inside, double from, double to) const {
     const auto gap = [&](double t, double& derivative) {
-      const double free = freeDepth(start + t * length);
-      derivative = -rise.derivative(t) + length * inverse_ * free;
-      return depth_ - rise(t) - free;
+      const double free = freeDepth(inside.at(t));
+      derivative = -inside.rise.derivative(t) + inside.along * inverse_ * free;
+      return depth_ - inside.rise(t) - free;
     };
     double ignored = 0;
     const double first = gap(from, ignored);
-    return first >= 0 ? from : zeroBetween(from, to, first, gap);
+    if (first >= 0) return from;
+    return from < to ? zeroBetween(from, to, first, gap)
+                     : zeroBetween(to, from, gap(to, ignored), gap);
   }
 
   void record(std::size_t i) {

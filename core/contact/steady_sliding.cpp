@@ -50,6 +50,12 @@ StateSums sumsAt(const TravelLine& line, double depth, double memory, NodeShape*
 
 }  // namespace
 
+SteadyStatus statusOf(const SteadyResult& result) {
+  const bool isMet = result.residual <= kAcceptedResidual;
+  const double apart = std::abs(result.forceFromPressure / result.forceFromDepth - 1);
+  return isMet && apart <= kForcesAgree ? SteadyStatus::Balanced : SteadyStatus::NotBalanced;
+}
+
 SteadyResult resultOfNodal(const TravelLine& line, const SlidingConditions& conditions,
                            const NodalBalance& nodal) {
   SteadyResult result = resultOf(line, conditions, nodal.balance.depth, nodal.state.sums);
@@ -68,6 +74,7 @@ SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& condi
   SteadyResult result =
       resultOf(line, conditions, balance.depth, stateAt(line, balance.depth, memory));
   addBalance(result, balance);
+  result.status = statusOf(result);
   return result;
 }
 

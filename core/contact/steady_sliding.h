@@ -11,7 +11,11 @@
 
 namespace asperity {
 
+/// NotBalanced: the force balance is not met, or the two ways to the normal force differ by more
+/// than kForcesAgree, which says that the numbers have run out of digits (a contact of 1e-15 of the
+/// line).
 enum class SteadyStatus { Balanced, NotBalanced };
+inline constexpr double kForcesAgree = 1e-4;
 
 struct SlidingConditions {
   double shearModulus = 0;    // Pa, G
@@ -35,6 +39,9 @@ struct SteadyResult {
   int passes = 0;
   double residual = 0;  // |F_N - wanted| / wanted
 };
+
+/// The status that residual and forces of a resolved line's result call for.
+SteadyStatus statusOf(const SteadyResult& result);
 
 /// A balance of the paper's elements in SI units.
 SteadyResult resultOfNodal(const TravelLine& line, const SlidingConditions& conditions,

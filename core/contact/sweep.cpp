@@ -88,7 +88,7 @@ SteadyResult resultOf(const TravelLine& line, double stiffness, double velocity,
   result.indentation = depth;
   result.normalForce = stiffness * sums.depth[lane];
   result.forceFromDepth = result.normalForce;
-  result.forceFromPressure = kNotGathered;
+  result.forceFromPressure = stiffness * sums.pressure[lane];
   result.tangentialForce = stiffness * sums.dissipation[lane];
   result.mu = sums.dissipation[lane] / sums.depth[lane];
   result.contactFraction = std::min(sums.contactLength[lane] / line.length, 1.0);
@@ -148,8 +148,7 @@ class LaneGroup {
       result = resultOf(line_, stiffness_, velocity, sums_, lane, balance.bestDepth());
     result.passes = balance.passes();
     result.residual = balance.residual();
-    result.status = balance.residual() <= kAcceptedResidual ? SteadyStatus::Balanced
-                                                            : SteadyStatus::NotBalanced;
+    result.status = statusOf(result);
   }
 
   void once(std::span<const double> velocities, std::span<SteadyResult> results,

@@ -14,8 +14,8 @@
 namespace asperity {
 
 /// results[i] is for velocities[i] (m/s, ascending); both of one length. `conditions.velocity` is
-/// not used. Of resolved lines each force is summed one way only: powerIn and forceFromPressure are
-/// NaN. Returns false where `stop` was requested in between; the rest is then left untouched.
+/// not used. Of resolved lines powerIn is not gathered: NaN. Returns false where `stop` was
+/// requested in between; the rest is then left untouched.
 bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
                 const std::stop_token& stop = {});

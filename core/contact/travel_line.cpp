@@ -212,6 +212,11 @@ Cubic TravelLine::segment(std::size_t i) const {
   return hermite(rise[i], rise[i + 1], slopeIn[i] * h, slopeOut[i] * h);
 }
 
+Cubic TravelLine::segmentBackwards(std::size_t i) const {
+  const double h = segmentLength(i);
+  return hermite(rise[i + 1], rise[i], -slopeOut[i] * h, -slopeIn[i] * h);
+}
+
 std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<double>& values,
                                 Direction direction) {
   const std::size_t skipped = travel.startsInsideSegment ? 1 : 0;  // the lowest point is no node

@@ -52,6 +52,8 @@ struct TravelLine {
   }
   /// The rise over segment i as a function of t = (s - s_i) / segmentLength(i).
   Cubic segment(std::size_t i) const;
+  /// The same measured back from the segment's end: t = (s_{i+1} - s) / segmentLength(i).
+  Cubic segmentBackwards(std::size_t i) const;
 };
 
 /// Values at the segments' starts (NodeShape) as values at the Line's nodes, in the order of x.

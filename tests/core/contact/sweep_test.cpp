@@ -105,6 +105,31 @@ TEST_P(Sweep, AgreesWithThePlainPassOnShapes) {
     }
 }
 
+/// A wedge pressed so lightly that its contact is a billionth of a segment: one-sided, mu = slope.
+TEST_P(Sweep, ContactsFarShorterThanASegment) {
+  const std::vector<double> velocities{1e-3, 1, 1e3, 1e6};
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
+    for (const std::size_t nodes : {64UL, 101UL, 5000UL}) {
+      const TravelLine line = prepareTravel(wedgeLine(0.02, nodes, 1e-3), scheme);
+      for (const SteadyResult& result : sweep(line, 1e-13, velocities)) {
+        EXPECT_EQ(result.status, SteadyStatus::Balanced);
+        EXPECT_NEAR(result.mu / 1e-3, 1, 1e-6);
+      }
+      EXPECT_NEAR(slideAtForce(line, {kModulus, kTau, 1e6}, 1e-13).mu / 1e-3, 1, 1e-6);
+    }
+}
+
+/// Where the numbers run out of digits the result says so: the two ways to the force disagree.
+TEST_P(Sweep, RunOutDigitsAreNotAResult) {
+  const TravelLine line = prepareTravel(roughLine(1000, 2), Scheme::Cubic);
+  std::vector<SteadyResult> results(1);
+  const double velocity = 1e3;
+  slideSweep(line, {kModulus, 1e12, 0}, Load{}, {&velocity, 1}, results);
+  EXPECT_EQ(results[0].status, SteadyStatus::NotBalanced);
+  EXPECT_EQ(slideAtForce(line, {kModulus, 1e12, velocity}, 0.0034).status,
+            SteadyStatus::NotBalanced);
+}
+
 /// The public profile within the limits of the reference test.
 TEST_P(Sweep, MeetsTheReference) {
   const TravelLine line = prepareTravel(referenceProfile(2), Scheme::Cubic);
