@@ -51,6 +51,7 @@ bool haveSameCurve(const Scene& a, const Scene& b) {
 
 void FrictionPlot::expect(const Scene& scene) {
   expected_ = scene;
+  fitRanges(!curve_);
 }
 
 bool FrictionPlot::isStale() const {
@@ -69,7 +70,6 @@ bool FrictionPlot::take(const CurveUpdate& update) {
 void FrictionPlot::mark(const Frame& frame) {
   const double velocity = frame.scene->sliding.velocity;
   PlotMarker marker;
-  marker.name = tr("this line, now");
   marker.label = tr("v = %1 m/s").arg(readingLabel(velocity));
   marker.x = velocity;
   marker.y = frame.muSteady;
@@ -84,15 +84,25 @@ Plot FrictionPlot::plot() const {
             coefficients_.isEmpty() ? kEmptyCoefficients : coefficients_};
   if (curve_) plot.series = {law(), measured()};
   plot.marker = marker_;
+  if (plot.marker) plot.marker->name = isOneLine() ? tr("now") : tr("this line, now");
   plot.note = note();
+  plot.blank = blank();
   if (curve_ && !isStale() && curve_->realizationsTotal > 0)
     plot.progress = static_cast<double>(curve_->realizationsDone) /
                     static_cast<double>(curve_->realizationsTotal);
   return plot;
 }
 
+/// Whether there is nothing to average: a line that is not random, or only one that is.
+bool FrictionPlot::isOneLine() const {
+  return curve_ && curve_->realizationsTotal <= 1;
+}
+
 PlotSeries FrictionPlot::measured() const {
-  PlotSeries series{tr("mean of the lines ± standard error"), PlotStyle::Points, isStale(), {}};
+  PlotSeries series{isOneLine() ? tr("this line") : tr("mean of the lines ± standard error"),
+                    PlotStyle::Points,
+                    isStale(),
+                    {}};
   for (const CurvePoint& point : curve_->points)
     if (isKnown(point)) series.points.push_back({point.velocity, point.mu, point.muStandardError});
   series.points = plottable(series.points);
@@ -110,11 +120,26 @@ PlotSeries FrictionPlot::law() const {
 QString FrictionPlot::note() const {
   if (!curve_) return tr("no curve yet");
   if (isStale()) return tr("curve of the scene before");
+  if (curve_->scene->surface.kind != SurfaceKind::SelfAffine) return {};
   return tr("%1 of %2 realizations").arg(curve_->realizationsDone).arg(curve_->realizationsTotal);
+}
+
+QString FrictionPlot::blank() const {
+  if (!curve_ || isStale() || !measured().points.empty()) return {};
+  const auto isFrictionless = [](const CurvePoint& point) {
+    return !isKnown(point) || point.mu == 0;
+  };
+  if (std::all_of(curve_->points.begin(), curve_->points.end(), isFrictionless))
+    return tr("no friction: nothing positive to show on a logarithmic axis");
+  return tr("no positive coefficient of friction to show on a logarithmic axis");
 }
 
 void FrictionPlot::fitRanges(bool newCurve) {
   Extent velocities, coefficients;
+  if (expected_) {
+    velocities.add(expected_->sweep.velocityFrom);
+    velocities.add(expected_->sweep.velocityTo);
+  }
   if (curve_) {
     for (const CurvePoint& point : curve_->points) {
       velocities.add(point.velocity);
@@ -126,10 +151,17 @@ void FrictionPlot::fitRanges(bool newCurve) {
   }
   if (marker_) {
     velocities.add(marker_->x);
-    if (curve_) coefficients.add(marker_->y);
+    coefficients.add(marker_->y);
   }
   velocities_ = steadyRange(velocities_, velocities.decades(), newCurve);
-  coefficients_ = steadyRange(coefficients_, coefficients.decades(kAir), newCurve);
+  coefficients_ =
+      steadyRange(coefficients_, neededCoefficients(coefficients.decades(kAir)), newCurve);
+}
+
+/// Before there is a curve, some decades of friction stand around the marker.
+DecadeRange FrictionPlot::neededCoefficients(const DecadeRange& data) const {
+  if (curve_) return data;
+  return steadyRange(kEmptyCoefficients, data, false);
 }
 
 }  // namespace asperity

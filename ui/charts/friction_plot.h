@@ -20,7 +20,8 @@ class FrictionPlot {
   Q_DECLARE_TR_FUNCTIONS(asperity::FrictionPlot)
 
  public:
-  /// A scene was posted; the curve at hand is stale unless it is that scene's, too.
+  /// A scene was posted: its velocities are in the range at once; the curve at hand is stale unless
+  /// it is that scene's, too.
   void expect(const Scene& scene);
 
   /// A later state of a curve. Ignored when it is not of the expected scene or has no point yet.
@@ -34,10 +35,13 @@ class FrictionPlot {
   Plot plot() const;
 
  private:
+  bool isOneLine() const;
   PlotSeries measured() const;
   PlotSeries law() const;
   QString note() const;
+  QString blank() const;
   void fitRanges(bool newCurve);
+  DecadeRange neededCoefficients(const DecadeRange& data) const;
 
   std::optional<Scene> expected_;
   std::optional<CurveUpdate> curve_;

@@ -62,6 +62,7 @@ struct Plot {
   std::optional<PlotMarker> marker;
   QString note;         // how far it is: "37 of 200 realizations"
   double progress = 0;  // 0 to 1, beside the note
+  QString blank;        // in the middle: why there is nothing to see
 };
 
 }  // namespace asperity

@@ -15,6 +15,17 @@ constexpr double kGap = 18;       // between entries
 constexpr double kBarWidth = 72;  // of the progress bar
 constexpr double kBarHeight = 4;
 
+bool hasErrors(const PlotSeries& series) {
+  return std::any_of(series.points.begin(), series.points.end(),
+                     [](const PlotPoint& point) { return point.error > 0; });
+}
+
+void paintErrorBar(QPainter& painter, QPointF centre) {
+  painter.drawLine(centre - QPointF(0, 7), centre + QPointF(0, 7));
+  for (const double y : {-7.0, 7.0})
+    painter.drawLine(centre + QPointF(-3.5, y), centre + QPointF(3.5, y));
+}
+
 }  // namespace
 
 PlotLegend::PlotLegend(QWidget* parent) : QWidget(parent) {
@@ -91,9 +102,7 @@ void PlotLegend::paintSample(QPainter& painter, const PlotSeries& series, QPoint
     painter.drawLine(centre - QPointF(kSample / 2, 0), centre + QPointF(kSample / 2, 0));
   } else {
     painter.setPen(QPen(colours_.points, 1.3));
-    painter.drawLine(centre - QPointF(0, 7), centre + QPointF(0, 7));
-    for (const double y : {-7.0, 7.0})
-      painter.drawLine(centre + QPointF(-3.5, y), centre + QPointF(3.5, y));
+    if (hasErrors(series)) paintErrorBar(painter, centre);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours_.points);
     painter.drawEllipse(centre, 3.5, 3.5);

@@ -71,6 +71,16 @@ void OverlayItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
     }
   painter->restore();
   if (plot_.marker) paintMarker(*painter, *plot_.marker);
+  if (!plot_.blank.isEmpty()) paintBlank(*painter);
+}
+
+void OverlayItem::paintBlank(QPainter& painter) const {
+  const int flags = Qt::AlignCenter | Qt::TextWordWrap;
+  const QRectF room = geometry_.area.adjusted(12, 8, -12, -8);
+  const QRectF text = painter.boundingRect(room, flags, plot_.blank);
+  painter.fillRect(text.adjusted(-10, -6, 10, 6), colours_.background);
+  painter.setPen(colours_.text);
+  painter.drawText(room, flags, plot_.blank);
 }
 
 void OverlayItem::paintErrorBars(QPainter& painter, const PlotSeries& series) const {
@@ -115,7 +125,8 @@ void OverlayItem::paintMarker(QPainter& painter, const PlotMarker& marker) const
   if (!isPlottable(marker.x, marker.y)) return;
   painter.setPen(QPen(colours_.background, 2));
   painter.setBrush(colours_.marker);
-  painter.drawEllipse(QPointF(x, geometry_.yOf(marker.y)), 6, 6);
+  const double y = geometry_.yOf(marker.y);
+  if (y > area.top() - 1 && y < area.bottom() + 1) painter.drawEllipse(QPointF(x, y), 6, 6);
 }
 
 }  // namespace asperity

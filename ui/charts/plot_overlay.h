@@ -51,6 +51,7 @@ class OverlayItem : public PlotItem {
   void paintErrorBars(QPainter& painter, const PlotSeries& series) const;
   void paintPoints(QPainter& painter, const PlotSeries& series) const;
   void paintMarker(QPainter& painter, const PlotMarker& marker) const;
+  void paintBlank(QPainter& painter) const;
 };
 
 }  // namespace asperity

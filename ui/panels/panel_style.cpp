@@ -12,10 +12,15 @@ QString panelStyleSheet(const QPalette& palette) {
     QLabel[role="heading"] { font-weight: bold; color: %2; }
     QLabel[role="unit"] { color: %3; }
     QLabel[role="error"] { color: %4; }
+    QLabel[role="note"] { color: %7; }
     QLineEdit { background: %5; color: %2; border: 1px solid %6; border-radius: 5px;
                 padding: 1px 5px; min-height: 19px; }
     QLineEdit:focus { border-color: %7; }
     QLineEdit[refused="true"] { border: 2px solid %4; padding: 0px 4px; }
+    QLineEdit:disabled { background: transparent; color: %3; }
+    QToolButton[role="browse"] { border: 1px solid %6; border-radius: 5px; background: %5;
+                                 color: %2; padding: 1px 7px; min-height: 19px; }
+    QToolButton[role="browse"]:hover, QToolButton[role="browse"]:focus { border-color: %7; }
     QToolButton[role="reset"] { border: none; background: transparent; color: %3; }
     QToolButton[role="reset"]:hover { color: %7; }
     QToolButton[role="reset"]:disabled { color: transparent; }

@@ -1,9 +1,11 @@
 #include "ui/panels/parameter_panel.h"
 
 #include <QEvent>
+#include <QFileDialog>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <filesystem>
 #include <utility>
 
 #include "core/scene/input_error.h"
@@ -16,10 +18,12 @@ namespace asperity {
 
 namespace {
 
+/// The key's, but what the curve is averaged over stands with the curve.
 QString sectionOf(const Parameter& parameter) {
   const QString key = fromUtf8(parameter.key);
   const qsizetype dot = key.indexOf('.');
-  return dot < 0 ? QString() : key.left(dot);
+  const QString section = dot < 0 ? QString() : key.left(dot);
+  return section == "ensemble" ? QStringLiteral("sweep") : section;
 }
 
 QString sectionTitle(const QString& section) {
@@ -29,7 +33,6 @@ QString sectionTitle(const QString& section) {
       {"load", ParameterPanel::tr("Load")},
       {"sliding", ParameterPanel::tr("Sliding")},
       {"sweep", ParameterPanel::tr("Friction curve")},
-      {"ensemble", ParameterPanel::tr("Average")},
       {"accuracy", ParameterPanel::tr("Accuracy")},
   };
   if (titles.contains(section)) return titles[section];
@@ -38,33 +41,46 @@ QString sectionTitle(const QString& section) {
 
 /// What a person changes most comes first; sections the list does not know follow as in the table.
 QStringList sections() {
-  QStringList names{"sliding", "load", "elastomer", "surface", "ensemble", "sweep", "accuracy"};
+  QStringList names{"sliding", "load", "elastomer", "surface", "sweep", "accuracy"};
   for (const Parameter& parameter : parameters())
     if (!names.contains(sectionOf(parameter))) names += sectionOf(parameter);
   return names;
 }
 
-/// The length and the elements of a profile are its file's unless someone says otherwise.
-void followKind(SurfaceKind before, Surface& surface) {
-  if (before == surface.kind) return;
-  if (surface.kind == SurfaceKind::Profile) {
-    surface.length = 0;
-    surface.elements = 0;
-  } else if (before == SurfaceKind::Profile) {
-    if (surface.length == 0) surface.length = Surface{}.length;
-    if (surface.elements == 0) surface.elements = Surface{}.elements;
-  }
+QString askForProfile(QWidget* parent, const QString& folder) {
+  return QFileDialog::getOpenFileName(parent, ParameterPanel::tr("Choose a profile"), folder,
+                                      ParameterPanel::tr("Profiles (*.csv);;All files (*)"));
+}
+
+/// As the scene names it: relative where the file lies in the scene's folder or below.
+std::string nameInScene(const Scene& scene, const std::filesystem::path& file) {
+  if (scene.folder.empty()) return file.string();
+  const auto folder = std::filesystem::absolute(scene.folder).lexically_normal();
+  const auto name = std::filesystem::absolute(file).lexically_normal().lexically_relative(folder);
+  const bool isBelow = !name.empty() && *name.begin() != "..";
+  return isBelow ? name.string() : file.string();
+}
+
+/// Whether two scenes have their profile from the same place.
+bool haveSameFile(const Scene& a, const Scene& b) {
+  return a.surface.kind == b.surface.kind && a.surface.file == b.surface.file &&
+         a.folder == b.folder;
 }
 
 }  // namespace
 
 ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
-    : QWidget(parent), scene_(scene) {
+    : QWidget(parent),
+      scene_(scene),
+      passedOn_(scene),
+      sizes_(scene.surface),
+      chooser_(askForProfile) {
   auto* content = new QWidget;
   content->setObjectName("parameterRows");
+  content->setFocusPolicy(Qt::ClickFocus);
   auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(14, 6, 5, 10);
-  column->setSpacing(4);
+  column->setContentsMargins(14, 5, 5, 5);
+  column->setSpacing(3);
   for (const QString& section : sections()) addSection(*column, section);
   column->addStretch(1);
 
@@ -82,12 +98,34 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
 }
 
 void ParameterPanel::setScene(const Scene& scene) {
+  if (!haveSameFile(scene, scene_)) line_ = {};
   scene_ = scene;
-  for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, true);
+  passedOn_ = scene;
+  sizes_ = KeptSizes(scene.surface);
+  complaints_.clear();
+  for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, true);
+  showMissing();
 }
 
 void ParameterPanel::showError(const QString& key, const QString& text) {
-  if (ParameterRow* row = rows_.value(key)) row->showError(text);
+  ParameterRow* row = rows_.value(key);
+  if (!row) return;
+  row->showError(text);
+  complaints_.insert(key);
+}
+
+void ParameterPanel::clearErrors() {
+  for (const QString& key : std::exchange(complaints_, {})) rows_.value(key)->showError({});
+}
+
+void ParameterPanel::showLine(const LineSize& line) {
+  if (line == line_ || !(scene_ == passedOn_)) return;
+  line_ = line;
+  showRows(nullptr);
+}
+
+void ParameterPanel::setFileChooser(FileChooser chooser) {
+  chooser_ = std::move(chooser);
 }
 
 QSize ParameterPanel::sizeHint() const {
@@ -97,7 +135,7 @@ QSize ParameterPanel::sizeHint() const {
 /// The section's first choice, if it has one, stands in its heading.
 void ParameterPanel::addSection(QVBoxLayout& column, const QString& section) {
   QString heading = section.isEmpty() ? QString() : sectionTitle(section);
-  if (column.count() > 0) column.addSpacing(5);
+  if (column.count() > 0) column.addSpacing(3);
   for (const Parameter& parameter : parameters()) {
     if (sectionOf(parameter) != section) continue;
     const bool isChoice = std::holds_alternative<ChoiceField>(parameter.field);
@@ -118,11 +156,21 @@ void ParameterPanel::addRow(QVBoxLayout& column, const Parameter& parameter,
   rows_.insert(fromUtf8(parameter.key), row);
   column.addWidget(row);
   connect(row, &ParameterRow::valueGiven, this, [this, row](const ParameterValue& value) {
-    edit(*row, [&](Scene& scene) { setValue(row->parameter(), scene, value); });
+    edit(*row, [&](Scene& scene) { giveValue(row->parameter(), scene, value); });
   });
   connect(row, &ParameterRow::textGiven, this, [this, row](const QString& text) {
     edit(*row,
-         [&](Scene& scene) { setFromText(row->parameter(), scene, text.trimmed().toStdString()); });
+         [&](Scene& scene) { giveText(row->parameter(), scene, text.trimmed().toStdString()); });
+  });
+  connect(row, &ParameterRow::fileWanted, this, [this, row] { chooseFile(*row); });
+}
+
+void ParameterPanel::chooseFile(ParameterRow& row) {
+  const std::filesystem::path present = scene_.folder / scene_.surface.file;
+  const QString file = chooser_(this, QString::fromStdString(present.parent_path().string()));
+  if (file.isEmpty()) return;
+  edit(row, [&](Scene& scene) {
+    giveValue(row.parameter(), scene, nameInScene(scene, file.toStdString()));
   });
 }
 
@@ -135,15 +183,25 @@ void ParameterPanel::edit(ParameterRow& row, Change&& change) {
     row.showError(QString::fromStdString(error.message()));
     return;
   }
-  followKind(scene_.surface.kind, next.surface);
-  const bool changed = !(next == scene_);
+  complaints_.remove(fromUtf8(row.parameter().key));
+  sizes_.follow(scene_.surface, next.surface);
+  if (!haveSameFile(scene_, next)) line_ = {};
   scene_ = std::move(next);
   showRows(&row);
-  if (changed) emit sceneEdited(scene_);
+  showMissing();
+  if (!missingOf(scene_).text.isEmpty() || scene_ == passedOn_) return;
+  passedOn_ = scene_;
+  emit sceneEdited(scene_);
 }
 
 void ParameterPanel::showRows(const ParameterRow* edited) {
-  for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, row == edited);
+  for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, row == edited);
+}
+
+void ParameterPanel::showMissing() {
+  const Missing missing = missingOf(scene_);
+  for (ParameterRow* row : std::as_const(rows_))
+    row->showNote(row->parameter().key == missing.key ? missing.text : QString());
 }
 
 void ParameterPanel::changeEvent(QEvent* event) {

@@ -1,12 +1,16 @@
 // The panel of parameters, generated from the table alone: one ParameterRow for each row, grouped
 // by section, in a scroll area. Owns the scene that its controls show; every accepted change is a
-// new scene. A refused text changes nothing and is explained where it was typed. GUI thread.
+// new scene. A refused text changes nothing and is explained where it was typed; a scene that still
+// misses something is kept and says so, but is not passed on. GUI thread.
 #pragma once
 
 #include <QMap>
+#include <QSet>
 #include <QWidget>
+#include <functional>
 
 #include "core/scene/scene.h"
+#include "ui/panels/left_open.h"
 
 class QVBoxLayout;
 
@@ -14,6 +18,9 @@ namespace asperity {
 
 class ParameterRow;
 struct Parameter;
+
+/// Asks a person for a file, beginning in a folder; empty where none was chosen.
+using FileChooser = std::function<QString(QWidget* parent, const QString& folder)>;
 
 class ParameterPanel : public QWidget {
   Q_OBJECT
@@ -29,6 +36,15 @@ class ParameterPanel : public QWidget {
   /// A complaint about a parameter that only came up when the scene ran. Unknown keys are ignored.
   void showError(const QString& key, const QString& text);
 
+  /// The scene runs: takes such complaints away.
+  void clearErrors();
+
+  /// The line that is on the screen, for what the scene leaves to a file.
+  void showLine(const LineSize& line);
+
+  /// A file dialog unless told otherwise.
+  void setFileChooser(FileChooser chooser);
+
   QSize sizeHint() const override;
 
  signals:
@@ -43,9 +59,16 @@ class ParameterPanel : public QWidget {
   template <class Change>
   void edit(ParameterRow& row, Change&& change);
   void showRows(const ParameterRow* edited);
+  void showMissing();
+  void chooseFile(ParameterRow& row);
   void applyStyle();
 
   Scene scene_;
+  Scene passedOn_;  // the newest that came from outside or went there
+  KeptSizes sizes_;
+  LineSize line_;  // on the screen, where it is the scene's
+  FileChooser chooser_;
+  QSet<QString> complaints_;           // keys of showError()
   QMap<QString, ParameterRow*> rows_;  // by key
 };
 

@@ -77,29 +77,63 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, Q
     addNumber(*line);
   addReset(*line);
 
-  error_ = new QLabel;
-  error_->setObjectName("error:" + fromUtf8(parameter.key));
-  error_->setProperty("role", "error");
-  error_->setWordWrap(true);
-  error_->setIndent(labelWidth(font()) + line->spacing());
-  error_->hide();
-  column->addWidget(error_);
+  addRemarks(*column, labelWidth(font()) + line->spacing());
 }
 
-void ParameterRow::showScene(const Scene& scene, bool replace) {
+void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool replace) {
   const ParameterValue value = valueOf(parameter_, scene);
-  if (slider_) slider_->showValue(asNumber(value));
-  if (entry_) replace ? entry_->replaceText(valueText(value)) : entry_->showText(valueText(value));
+  const std::optional<StandIn> standIn = standInFor(parameter_, scene, known);
+  if (slider_) slider_->showValue(standIn ? standIn->value.value_or(0) : asNumber(value));
+  if (entry_) showEntry(value, standIn, replace);
   if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
   if (replace) showError({});
-  reset_->setEnabled(value != defaultOf(parameter_));
+  showReset(value, restingValue(parameter_, scene));
+  setEnabled(!(standIn && standIn->isFixed));
   setVisible(isApplicable(parameter_, scene));
+}
+
+void ParameterRow::showEntry(const ParameterValue& value, const std::optional<StandIn>& standIn,
+                             bool replace) {
+  const QString text = standIn ? QString() : valueText(value);
+  if (browse_)  // in words until there is a name that needs the room
+    browse_->setText(text.isEmpty() ? tr("choose file…") : QStringLiteral("…"));
+  else
+    entry_->setPlaceholderText(standIn ? standIn->text : QString());
+  replace ? entry_->replaceText(text) : entry_->showText(text);
+}
+
+void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& resting) {
+  resting_ = resting;
+  reset_->setEnabled(value != resting);
+  reset_->setToolTip(resting == defaultOf(parameter_)
+                         ? tr("Back to the default, %1").arg(valueText(resting))
+                         : tr("As the file says"));
 }
 
 void ParameterRow::showError(const QString& reason) {
   if (entry_) entry_->showError(reason);
   error_->setText(reason);
   error_->setVisible(!reason.isEmpty());
+}
+
+void ParameterRow::showNote(const QString& text) {
+  note_->setText(text);
+  note_->setVisible(!text.isEmpty());
+}
+
+void ParameterRow::addRemarks(QVBoxLayout& column, int indent) {
+  const auto remark = [&](const char* role) {
+    auto* label = new QLabel;
+    label->setObjectName(QString(role) + ":" + fromUtf8(parameter_.key));
+    label->setProperty("role", role);
+    label->setWordWrap(true);
+    label->setIndent(indent);
+    label->hide();
+    column.addWidget(label);
+    return label;
+  };
+  note_ = remark("note");
+  error_ = remark("error");
 }
 
 void ParameterRow::addLabel(QHBoxLayout& line, const QString& heading) {
@@ -154,6 +188,21 @@ void ParameterRow::addText(QHBoxLayout& line) {
   describe(*entry_, "entry");
   connect(entry_, &ValueEntry::textCommitted, this, &ParameterRow::textGiven);
   line.addWidget(entry_, 1);
+  if (isFile(parameter_)) addBrowse(line);
+}
+
+/// The end of a path says more than its beginning.
+void ParameterRow::addBrowse(QHBoxLayout& line) {
+  entry_->setPlaceholderText(tr("no file"));
+  entry_->setShownEnd(Qt::RightEdge);
+  browse_ = new QToolButton;
+  browse_->setObjectName("browse:" + fromUtf8(parameter_.key));
+  browse_->setProperty("role", "browse");
+  browse_->setToolTip(tr("Choose a file of this computer"));
+  browse_->setAccessibleName(tr("choose file"));
+  browse_->setFocusPolicy(Qt::TabFocus);
+  connect(browse_, &QToolButton::clicked, this, &ParameterRow::fileWanted);
+  line.addWidget(browse_);
 }
 
 void ParameterRow::addReset(QHBoxLayout& line) {
@@ -162,10 +211,9 @@ void ParameterRow::addReset(QHBoxLayout& line) {
   reset_->setObjectName("reset:" + fromUtf8(parameter_.key));
   reset_->setProperty("role", "reset");
   reset_->setAccessibleName(tr("reset %1").arg(fromUtf8(parameter_.label)));
-  reset_->setToolTip(tr("Back to the default, %1").arg(valueText(defaultOf(parameter_))));
   reset_->setFixedWidth(kResetWidth);
   reset_->setFocusPolicy(Qt::NoFocus);
-  connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(defaultOf(parameter_)); });
+  connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(resting_); });
   line.addWidget(reset_);
 }
 

@@ -1,17 +1,20 @@
 // One row of the table of parameters as controls: label with symbol, then slider and exact entry,
-// or a list of words, or a text; the sentence and the allowed range as tooltip, a button back to
-// the default, and the reason beneath where a text is refused. Object names: "slider:KEY",
-// "entry:KEY", "choice:KEY", "reset:KEY", "error:KEY", "row:KEY". The row holds no scene; it shows
-// one and says what a person gave. GUI thread.
+// or a list of words, or a text, which a button beside it finds where it names a file; the sentence
+// and the allowed range as tooltip, a button back to the default, and the reason beneath where a
+// text is refused. Object names: "slider:KEY", "entry:KEY", "choice:KEY", "browse:KEY",
+// "reset:KEY", "note:KEY", "error:KEY", "row:KEY". The row holds no scene; it shows one and says
+// what a person gave. GUI thread.
 #pragma once
 
 #include <QWidget>
 
 #include "core/scene/parameters.h"
+#include "ui/panels/left_open.h"
 
 class QHBoxLayout;
 class QLabel;
 class QToolButton;
+class QVBoxLayout;
 
 namespace asperity {
 
@@ -29,13 +32,17 @@ class ParameterRow : public QWidget {
   const Parameter& parameter() const { return parameter_; }
 
   /// Shows the scene's value and vanishes where the row does not apply. `replace` also overwrites
-  /// what someone typed and was refused.
-  void showScene(const Scene& scene, bool replace);
+  /// what someone typed and was refused. `known` is the line that is shown.
+  void showScene(const Scene& scene, const LineSize& known, bool replace);
   void showError(const QString& reason);
+
+  /// What has yet to be given here; an empty text takes it away.
+  void showNote(const QString& text);
 
  signals:
   void valueGiven(const asperity::ParameterValue& value);
   void textGiven(const QString& text);
+  void fileWanted();
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -45,7 +52,11 @@ class ParameterRow : public QWidget {
   void addNumber(QHBoxLayout& line);
   void addChoice(QHBoxLayout& line, const ChoiceField& field);
   void addText(QHBoxLayout& line);
+  void addBrowse(QHBoxLayout& line);
   void addReset(QHBoxLayout& line);
+  void addRemarks(QVBoxLayout& column, int indent);
+  void showEntry(const ParameterValue& value, const std::optional<StandIn>& standIn, bool replace);
+  void showReset(const ParameterValue& value, const ParameterValue& resting);
   void describe(QWidget& control, const char* kind);
   QString description() const;
 
@@ -53,7 +64,10 @@ class ParameterRow : public QWidget {
   ValueSlider* slider_ = nullptr;
   ValueEntry* entry_ = nullptr;
   ChoiceBox* choice_ = nullptr;
+  QToolButton* browse_ = nullptr;
   QToolButton* reset_ = nullptr;
+  ParameterValue resting_;  // what the reset button gives
+  QLabel* note_ = nullptr;
   QLabel* error_ = nullptr;
 };
 

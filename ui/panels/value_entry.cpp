@@ -20,7 +20,7 @@ void ValueEntry::replaceText(const QString& text) {
   showError({});
   if (this->text() != text) {
     setText(text);
-    setCursorPosition(0);
+    shownEnd_ == Qt::LeftEdge ? home(false) : end(false);
   }
   setModified(false);
 }
@@ -40,6 +40,8 @@ void ValueEntry::keyPressEvent(QKeyEvent* event) {
     return;
   }
   QLineEdit::keyPressEvent(event);
+  const bool entered = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (entered && !hasError()) clearFocus();
 }
 
 void ValueEntry::commit() {

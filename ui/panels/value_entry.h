@@ -1,5 +1,6 @@
 // A line for exact entry. The text counts when Enter is pressed or the focus leaves; Escape takes
-// back what was typed. A refused text stays, framed in red, with the reason as tooltip. GUI thread.
+// back what was typed. A refused text stays, framed in red; with an accepted one Enter also gives
+// the keys back to the window. GUI thread.
 #pragma once
 
 #include <QLineEdit>
@@ -18,6 +19,9 @@ class ValueEntry : public QLineEdit {
   /// Shows it whatever stands there.
   void replaceText(const QString& text);
 
+  /// Which end of a text that is too long is in sight; the left one unless told.
+  void setShownEnd(Qt::Edge end) { shownEnd_ = end; }
+
   /// Red frame and the reason; an empty reason takes both away.
   void showError(const QString& reason);
   bool hasError() const { return !reason_.isEmpty(); }
@@ -33,6 +37,7 @@ class ValueEntry : public QLineEdit {
 
   QString accepted_;
   QString reason_;
+  Qt::Edge shownEnd_ = Qt::LeftEdge;
 };
 
 }  // namespace asperity

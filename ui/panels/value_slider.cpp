@@ -96,7 +96,8 @@ void ValueSlider::paintEvent(QPaintEvent*) {
     painter.drawEllipse(QPointF(x, middle), kHandleRadius + 3, kHandleRadius + 3);
   }
   const bool hot = underMouse() || hasFocus() || isSliderDown();
-  painter.setPen(QPen(colours.color(QPalette::Highlight), hot ? 2 : 1.5));
+  const QPalette::ColorRole rim = isEnabled() ? QPalette::Highlight : QPalette::Mid;
+  painter.setPen(QPen(colours.color(rim), hot ? 2 : 1.5));
   painter.setBrush(isSliderDown() ? colours.color(QPalette::Highlight)
                                   : colours.color(QPalette::Base));
   painter.drawEllipse(QPointF(x, middle), kHandleRadius - 0.5, kHandleRadius - 0.5);

@@ -7,19 +7,6 @@
 namespace asperity {
 namespace {
 
-void addLabel(DrawList& list, std::string utf8, Place baseline, float size, TextAnchor anchor,
-              const Rgba& colour, float angle = 0) {
-  DrawText text;
-  text.utf8 = std::move(utf8);
-  text.x = baseline.x;
-  text.y = baseline.y;
-  text.size = size;
-  text.anchor = anchor;
-  text.angle = angle;
-  text.colour = colour;
-  list.texts.push_back(std::move(text));
-}
-
 /// A line one or more whole pixels wide, sharp.
 void addRule(DrawLayer& layer, float x, float y, float width, float height, const Rgba& colour) {
   addRectangle(layer, {std::round(x), std::round(y), std::round(width), std::round(height)},
@@ -74,6 +61,34 @@ void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
            s.small, TextAnchor::Centre, layout.theme.text, 1.57079633F);
 }
 
+/// 0 and the maximum always, both within the bar or nearly so; others where there is room.
+void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+  const Sizes& s = layout.sizes;
+  const Box& bar = layout.legend;
+  const AxisTicks& ticks = layout.pressureTicks;
+  const Rgba& colour = layout.theme.faintText;
+  const float baseline = std::round(bar.bottom() + s.small * 1.15F);
+  const float wide = std::max(1.0F, std::round(s.unit));
+  const auto rule = [&](float x) {
+    addRule(layer, std::min(x, bar.right() - wide), bar.bottom(), wide, 3 * s.unit,
+            layout.theme.axis);
+  };
+  const std::string most = shortNumber(layout.view.pressure / ticks.unitSize) + " " + ticks.unit;
+  rule(bar.x);
+  rule(bar.right());
+  addLabel(list, "0", {bar.x, baseline}, s.small, TextAnchor::Centre, colour);
+  addLabel(list, most, {bar.right(), baseline}, s.small, TextAnchor::Right, colour);
+  const float from = bar.x + 1.5F * s.small;
+  const float to = bar.right() - textWidth(most, s.small) - s.small;
+  for (const Tick& tick : ticks.ticks) {
+    const float x = bar.x + static_cast<float>(tick.value / layout.view.pressure) * bar.width;
+    const float half = textWidth(tick.label, s.small) / 2;
+    if (x - half < from || x + half > to) continue;
+    rule(x);
+    addLabel(list, tick.label, {x, baseline}, s.small, TextAnchor::Centre, colour);
+  }
+}
+
 void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const Box& bar = layout.legend;
@@ -84,41 +99,33 @@ void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
     addRectangleAcross(layer, part, pressureColour(static_cast<float>(i) / kSteps),
                        pressureColour(static_cast<float>(i + 1) / kSteps));
   }
-  const float baseline = std::round(bar.bottom() + s.small * 1.15F);
-  for (std::size_t i = 0; i < layout.pressureTicks.ticks.size(); ++i) {
-    const Tick& tick = layout.pressureTicks.ticks[i];
-    const auto share = static_cast<float>(tick.value / layout.view.pressure);
-    const bool last = i + 1 == layout.pressureTicks.ticks.size();
-    const float x = bar.x + share * bar.width;
-    addRule(layer, std::min(x, bar.right() - 1), bar.bottom(), std::max(1.0F, std::round(s.unit)),
-            3 * s.unit, layout.theme.axis);
-    if (!last) {
-      addLabel(list, tick.label, {x, baseline}, s.small, TextAnchor::Centre,
-               layout.theme.faintText);
-      continue;
-    }
-    const float half = textWidth(tick.label, s.small) / 2;
-    const std::string label = tick.label + " " + layout.pressureTicks.unit;
-    const float end = static_cast<float>(layout.width) - 4;
-    const float start = std::min(x - half, end - textWidth(label, s.small));
-    addLabel(list, label, {start, baseline}, s.small, TextAnchor::Left, layout.theme.faintText);
-  }
+  addLegendLabels(list, layer, layout);
   addLabel(list, std::string(kLegendTitle),
            {bar.x - 10 * s.unit, std::round(bar.y + bar.height / 2 + s.small * 0.36F)}, s.small,
            TextAnchor::Right, layout.theme.text);
 }
 
+/// As many of the notes as have room, the more important first.
+void addFooter(DrawList& list, const ContactLayout& layout, const Notes& notes) {
+  const float size = layout.sizes.small;
+  std::string footer;
+  for (const std::string& note : notes) {
+    const std::string longer = footer.empty() ? note : footer + kNoteGap + note;
+    if (footer.empty() || textWidth(longer, size) <= layout.footerWidth) footer = longer;
+  }
+  addLabel(list, footer, {layout.plot.x, layout.footer}, size, TextAnchor::Left,
+           layout.theme.faintText);
+}
+
 }  // namespace
 
-void addAxes(DrawList& list, const ContactLayout& layout) {
+void addAxes(DrawList& list, const ContactLayout& layout, const Notes& notes) {
   DrawLayer layer;
   addFrame(layer, layout);
   addAlong(list, layer, layout);
   addUp(list, layer, layout);
   if (layout.legend.width > 0) addLegend(list, layer, layout);
-  if (layout.footer > 0)
-    addLabel(list, exaggerationText(layout), {layout.plot.x, layout.footer}, layout.sizes.small,
-             TextAnchor::Left, layout.theme.faintText);
+  if (layout.footer > 0) addFooter(list, layout, notes);
   list.layers.push_back(std::move(layer));
 }
 

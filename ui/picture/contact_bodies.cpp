@@ -136,6 +136,24 @@ void addContact(DrawLayer& layer, const Curve& stretch, const ContactLayout& lay
   layer.lines.push_back(std::move(core));
 }
 
+/// A contact that is too narrow for a line, in every period shown: bright on a dark rim.
+void addMark(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) {
+  const std::size_t point = *layout.marked;
+  const float u = layout.sizes.unit, y = layout.py(frame.surfaceHeight[point]);
+  const double pressure = frame.pressure[point];
+  const Rgba bright =
+      pressureColour(pressure > 0 ? static_cast<float>(pressure / layout.view.pressure) : 1);
+  const double period = frame.spacing * static_cast<double>(frame.lineHeight.size());
+  const double at = frame.spacing * static_cast<double>(point);
+  for (double k = std::ceil((layout.view.left - at) / period);
+       at + k * period <= layout.view.left + layout.view.width; ++k) {
+    const Place place{layout.px(at + k * period), y};
+    addLine(layer, {place}, 15 * u, withAlpha(bright, 0.3F));
+    addLine(layer, {place}, 9.5F * u, {0.07F, 0.1F, 0.14F, 1});
+    addLine(layer, {place}, 7 * u, bright);
+  }
+}
+
 }  // namespace
 
 void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) {
@@ -159,6 +177,7 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
   addCurve(curves, surface, layout, 1.7F * u, layout.theme.elastomerEdge);
   addCurve(curves, line, layout, 1.7F * u, layout.theme.rigidEdge);
   for (const Curve& stretch : contacts) addContact(curves, stretch, layout);
+  if (layout.marked) addMark(curves, frame, layout);
   for (DrawLayer* layer : {&rigid, &elastomer, &curves}) {
     layer->clip = clip;
     list.layers.push_back(std::move(*layer));

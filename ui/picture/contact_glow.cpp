@@ -100,6 +100,10 @@ struct Light {
 
 }  // namespace
 
+float glowDepth(const ContactLayout& layout) {
+  return 0.2F * layout.plot.height;
+}
+
 void addGlow(DrawLayer& layer, const std::vector<CurveVertex>& surface,
              const std::vector<std::vector<CurveVertex>>& contacts, const ContactLayout& layout) {
   if (contacts.empty() || surface.empty()) return;
@@ -111,7 +115,7 @@ void addGlow(DrawLayer& layer, const std::vector<CurveVertex>& surface,
   for (std::size_t i = 0; i < light.weight.size(); ++i)
     light.weight[i] = light.pressure[i] > 0 ? 1.0F : 0.0F;
 
-  const float rowHeight = 0.26F * layout.plot.height / kRows;
+  const float rowHeight = glowDepth(layout) / kRows;
   Light next = light;
   for (int row = 0; row < kRows; ++row, light = next) {
     next.weight.soften();

@@ -12,4 +12,7 @@ namespace asperity {
 void addGlow(DrawLayer& layer, const std::vector<CurveVertex>& surface,
              const std::vector<std::vector<CurveVertex>>& contacts, const ContactLayout& layout);
 
+/// How far down it reaches, in pixels; the lower half is hardly seen.
+float glowDepth(const ContactLayout& layout);
+
 }  // namespace asperity

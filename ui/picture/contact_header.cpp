@@ -23,12 +23,9 @@ std::string percent(double fraction) {
 }
 
 std::vector<Reading> readingsOf(const Frame& frame) {
-  const bool marching = std::isfinite(frame.muMarch);
   std::vector<Reading> readings;
   readings.push_back(
       {{{"friction coefficient \u03BC"}}, shortNumber(frame.muSteady, 3, Zeros::Keep), 0});
-  if (marching)
-    readings.push_back({{{"\u03BC (march)"}}, shortNumber(frame.muMarch, 3, Zeros::Keep), 5});
   readings.push_back(
       {{{"normal force F"}, {"N", false, true}}, quantity(frame.normalForce, "N"), 1});
   readings.push_back({{{"indentation d"}}, quantity(frame.indentation, "m"), 3});
@@ -37,6 +34,9 @@ std::vector<Reading> readingsOf(const Frame& frame) {
     readings.push_back({{{"velocity v"}}, quantity(frame.scene->sliding.velocity, "m/s"), 4});
   if (frame.timeScale > 0)
     readings.push_back({{{"1 s on screen"}}, "= " + quantity(frame.timeScale, "s"), 6});
+  if (std::isfinite(frame.muMarch))
+    readings.push_back(
+        {{{"\u03BC in this march in time"}}, shortNumber(frame.muMarch, 3, Zeros::Keep), 5});
   return readings;
 }
 
@@ -63,9 +63,27 @@ void dropLeastImportant(std::vector<Reading>& readings) {
                        [](const Reading& a, const Reading& b) { return a.rank < b.rank; }));
 }
 
+std::string lineOf(const Surface& surface) {
+  switch (surface.kind) {
+    case SurfaceKind::SelfAffine:
+      return surface.rmsHeight > 0 ? "A rough rigid line" : "A flat rigid line";
+    case SurfaceKind::Sine:
+      return "A rigid sine";
+    case SurfaceKind::Wedge:
+      return "A rigid wedge";
+    case SurfaceKind::Parabola:
+      return "A rigid parabola";
+    case SurfaceKind::Profile:
+      return "A measured rigid line";
+  }
+  return "A rigid line";
+}
+
 std::string titleOf(const Frame& frame) {
-  if (frame.scene && !frame.scene->title.empty()) return frame.scene->title;
-  return "A rough rigid line slides over an elastomer";
+  if (!frame.scene) return "A rigid line on an elastomer";
+  if (!frame.scene->title.empty()) return frame.scene->title;
+  const bool rests = frame.scene->sliding.velocity == 0;
+  return lineOf(frame.scene->surface) + (rests ? " rests on" : " slides over") + " an elastomer";
 }
 
 /// "t = 3.2 ms, slid 1.5 mm", or nothing before the first step.

@@ -3,78 +3,16 @@
 #include <cmath>
 #include <optional>
 
+#include "ui/picture/clear_place.h"
 #include "ui/picture/colours.h"
 #include "ui/picture/contact_parts.h"
+#include "ui/picture/contact_tags.h"
 #include "ui/picture/decimate.h"
+#include "ui/picture/narrow_contact.h"
+#include "ui/picture/text_metrics.h"
 
 namespace asperity {
 namespace {
-
-enum class ArrowWay { None, Left, Right, Down };
-
-/// Words, an arrow, words.
-struct Tag {
-  TextRuns before;
-  ArrowWay arrow = ArrowWay::None;
-  TextRuns after;
-};
-
-class TagPainter {
- public:
-  TagPainter(DrawList& list, DrawLayer& layer, const ContactLayout& layout)
-      : list_(list),
-        layer_(layer),
-        layout_(layout),
-        size_(layout.sizes.small + 1),
-        inset_(std::round(9 * layout.sizes.unit)) {}
-
-  float height() const { return std::round(size_ * 1.75F); }
-
-  float width(const Tag& tag) const {
-    float inner =
-        textWidth(tag.before, size_) + textWidth(tag.after, size_) + arrowWidth(tag.arrow);
-    if (!tag.before.empty() && tag.arrow != ArrowWay::None) inner += space();
-    if (!tag.after.empty()) inner += space();
-    return std::ceil(inner) + 2 * inset_;
-  }
-
-  void paint(const Tag& tag, Place topLeft, const Rgba& plate) {
-    addPill(layer_, {topLeft.x, topLeft.y, width(tag), height()}, withAlpha(plate, 0.86F));
-    const Rgba colour = textOn(plate);
-    const float baseline = std::round(topLeft.y + height() / 2 + size_ * 0.36F);
-    float x = topLeft.x + inset_;
-    if (!tag.before.empty()) x = addText(list_, tag.before, {x, baseline}, size_, colour);
-    if (tag.arrow != ArrowWay::None) {
-      if (!tag.before.empty()) x += space();
-      paintArrow(tag.arrow, x, topLeft.y + height() / 2, layout_.theme.highlight);
-      x += arrowWidth(tag.arrow);
-    }
-    if (!tag.after.empty()) addText(list_, tag.after, {x + space(), baseline}, size_, colour);
-  }
-
- private:
-  float space() const { return std::round(size_ * 0.6F); }
-  float arrowWidth(ArrowWay way) const {
-    if (way == ArrowWay::None) return 0;
-    return std::round(size_ * (way == ArrowWay::Down ? 0.8F : 2.6F));
-  }
-
-  void paintArrow(ArrowWay way, float x, float middle, const Rgba& colour) {
-    const float u = layout_.sizes.unit, length = arrowWidth(way);
-    Place from{x, middle}, to{x + length, middle};
-    if (way == ArrowWay::Left) std::swap(from, to);
-    if (way == ArrowWay::Down) {
-      from = {x + length / 2, middle - height() * 0.34F};
-      to = {x + length / 2, middle + height() * 0.34F};
-    }
-    addArrow(layer_, from, to, 8 * u, 2.4F * u, colour);
-  }
-
-  DrawList& list_;
-  DrawLayer& layer_;
-  const ContactLayout& layout_;
-  float size_, inset_;
-};
 
 std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
   if (!frame.scene) return std::nullopt;
@@ -101,20 +39,28 @@ Tag pressingTag(const Frame& frame) {
 std::vector<Tag> forceTags(const Frame& frame) {
   std::vector<Tag> tags;
   if (frame.normalForce > 0) tags.push_back(pressingTag(frame));
-  if (frame.tangentialForce > 0) tags.push_back(frictionTag(frame));
+  // No steady friction (none at all, or a state that has none): no arrow for what rounding leaves.
+  if (frame.muSteady > 0 && frame.tangentialForce > 0) tags.push_back(frictionTag(frame));
   return tags;
 }
 
-Tag elastomerTag(const Frame& frame, bool brief) {
-  Tag tag{{{"elastomer", true}}, ArrowWay::None, {}};
-  if (brief || !frame.scene) return tag;
+/// "viscoelastic, G = 10 MPa, τ = 1 ms"; empty without a scene.
+std::string elastomerWords(const Frame& frame) {
+  if (!frame.scene) return {};
   const Elastomer& e = frame.scene->elastomer;
   const bool viscous = e.rheology == Rheology::Kelvin;
   std::string words = viscous ? "viscoelastic, G = " : "elastic, G = ";
   words += quantity(e.shearModulus, "Pa");
   if (viscous) words += ", \u03C4 = " + quantity(e.relaxationTime, "s");
-  tag.after = {{words}};
-  return tag;
+  return words;
+}
+
+/// The whole label first, then the name alone.
+std::vector<Tag> elastomerTags(const Frame& frame) {
+  const Tag name{{{"elastomer", true}}, ArrowWay::None, {}};
+  const std::string words = elastomerWords(frame);
+  if (words.empty()) return {name};
+  return {{name.before, ArrowWay::None, {{words}}}, name};
 }
 
 /// "rigid body" on the left, the motion in the middle, the forces on the right, as far as they fit.
@@ -145,23 +91,68 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   painter.paint(*motion, {std::round(std::clamp(middle, left, right - width)), y}, plate);
 }
 
+Notes notesFor(const Frame& frame, const ContactLayout& layout) {
+  Notes notes{exaggerationText(layout)};
+  const bool pressed = greatestPressure(frame) > 0;
+  if (layout.marked)
+    notes.push_back(pressed ? "dot: the deepest contact" : "dot: contact between two points");
+  if (pressed) notes.push_back("glow: pressure, not depth");
+  return notes;
+}
+
+float footerWidth(const Notes& notes, const ContactLayout& layout) {
+  float width = 0;
+  for (const std::string& note : notes) width += textWidth(note + kNoteGap, layout.sizes.small);
+  return width;
+}
+
+/// Puts the note into the footer, before a less important one; false where there is no room.
+bool footerWith(Notes& notes, const std::string& note, const ContactLayout& layout) {
+  Notes wanted{notes.front(), note};
+  if (footerWidth(wanted, layout) > layout.footerWidth) return false;
+  notes.insert(notes.begin() + 1, note);
+  return true;
+}
+
+/// Names the elastomer where that hides no contact: at the bottom left if no contact ever comes
+/// there, so that the label stands still; else in the footer; else in a place that is clear now.
+void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
+                   Notes& notes) {
+  const float margin = std::round(9 * layout.sizes.unit);
+  const std::vector<Tag> tags = elastomerTags(frame);
+  const Rgba plate = mix(layout.theme.elastomer, {0, 0, 0, 1}, 0.2F);
+  const float top = layout.plot.bottom() - margin - painter.height();
+  const auto fits = [&](const Tag& tag) {
+    return painter.width(tag) + 2 * margin <= layout.plot.width;
+  };
+  if (clearAcross(frame, layout, top)) {
+    const auto tag = std::find_if(tags.begin(), tags.end(), fits);
+    if (tag != tags.end()) painter.paint(*tag, {layout.plot.x + margin, top}, plate);
+    return;
+  }
+  const std::string words = elastomerWords(frame);
+  const std::string note = words.empty() ? "below: the elastomer" : "elastomer: " + words;
+  if (layout.footer > 0 && footerWith(notes, note, layout)) return;
+  for (const Tag& tag : tags) {
+    if (!fits(tag)) continue;
+    const auto x = clearPlace(frame, layout, top, painter.width(tag), margin);
+    if (x) return painter.paint(tag, {*x, top}, plate);
+  }
+}
+
 }  // namespace
 
-void addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout) {
+Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout) {
+  Notes notes = notesFor(frame, layout);
   DrawLayer layer;
   TagPainter painter(list, layer, layout);
   const float margin = std::round(9 * layout.sizes.unit);
   const float rows = 2 * painter.height() + 3 * margin;
-  if (!isDrawable(frame) || rows > 0.75F * layout.plot.height) return;
+  if (!isDrawable(frame) || rows > 0.75F * layout.plot.height) return notes;
   addRigidRow(painter, frame, layout, layout.plot.y + margin);
-  for (const bool brief : {false, true}) {
-    const Tag tag = elastomerTag(frame, brief);
-    if (painter.width(tag) + 2 * margin > layout.plot.width) continue;
-    painter.paint(tag, {layout.plot.x + margin, layout.plot.bottom() - margin - painter.height()},
-                  mix(layout.theme.elastomer, {0, 0, 0, 1}, 0.2F));
-    break;
-  }
+  nameElastomer(painter, frame, layout, notes);
   list.layers.push_back(std::move(layer));
+  return notes;
 }
 
 }  // namespace asperity

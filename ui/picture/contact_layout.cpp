@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/picture/narrow_contact.h"
+#include "ui/picture/plot_axes.h"
 #include "ui/picture/text_metrics.h"
 
 namespace asperity {
 namespace {
 
 constexpr float kFarOutside = 1e5F;  // pixels; keeps coordinates small enough for floats
+constexpr float kNarrow = 4;         // units; a contact less wide than this is marked by a dot
 
 int tickCount(float pixels, float each) {
   return std::clamp(static_cast<int>(pixels / each), 2, 12);
@@ -18,17 +21,6 @@ float widestLabel(const AxisTicks& axis, float size) {
   float widest = 0;
   for (const Tick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
   return widest;
-}
-
-/// Fewer ticks until the labels have room.
-AxisTicks roomyTicks(double from, double to, float pixels, float size, std::string_view unit) {
-  for (int most = tickCount(pixels, size * 4); most > 1; --most) {
-    AxisTicks axis = linearTicks(from, to, most, unit);
-    if (axis.ticks.size() < 2) return axis;
-    const double share = (axis.ticks[1].value - axis.ticks[0].value) / (to - from);
-    if (widestLabel(axis, size) + size < share * pixels) return axis;
-  }
-  return linearTicks(from, to, 1, unit);
 }
 
 }  // namespace
@@ -106,14 +98,19 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);
   layout.xTicks = roomyTicks(layout.view.left, layout.view.left + layout.view.width,
                              layout.plot.width, s.small, "m");
+  layout.marked = narrowContact(frame, kNarrow * u / layout.pixelsPerMetreAlong());
   if (!footer) return layout;
 
   const float bar = std::round(10 * u);
   const float legendTop = std::round(height - s.small * 1.6F - bar - 3 * u);
-  layout.legend = {std::round(width - 2 * pad - barWidth), legendTop, titleFits ? barWidth : 0,
+  const bool hasLegend = titleFits && layout.view.pressure > 0;
+  layout.legend = {std::round(width - 2 * pad - barWidth), legendTop, hasLegend ? barWidth : 0,
                    bar};
   layout.footer = oneRow ? std::round(legendTop + bar * 0.5F + s.small * 0.36F)
                          : std::round(legendTop - s.small * 0.8F);
+  const float footerEnd =
+      oneRow && hasLegend ? layout.legend.x - legendTitle - 4 * pad : width - 2 * pad;
+  layout.footerWidth = std::max(0.0F, footerEnd - layout.plot.x);
   layout.pressureTicks = roomyTicks(0, layout.view.pressure, barWidth * 0.8F, s.small, "N/m");
   return layout;
 }

@@ -23,8 +23,10 @@ struct ContactLayout {
   Box plot;
   AxisTicks xTicks, heightTicks, pressureTicks;
   bool axisTitles = true;
-  Box legend;        // the colour bar; no width: there is no room for one
+  Box legend;        // the colour bar; no width: no room for one, or no pressure to show
   float footer = 0;  // baseline of the footer's text; 0: none
+  float footerWidth = 0;
+  std::optional<std::size_t> marked;  // point of a contact so narrow that a dot has to show it
 
   double pixelsPerMetreAlong() const;
   double pixelsPerMetreUp() const;

@@ -2,9 +2,16 @@
 // Pure; any thread.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "ui/picture/contact_layout.h"
 
 namespace asperity {
+
+/// Short remarks for the footer, the more important first.
+using Notes = std::vector<std::string>;
+inline constexpr const char* kNoteGap = "      ";  // between two of them
 
 /// Title and readings; returns the pixels they take from the top.
 float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions& options);
@@ -12,10 +19,10 @@ float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions&
 /// Both bodies, the gap, the curves and the lit contacts.
 void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout);
 
-/// What the bodies are, which way the line slides, the forces.
-void addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout);
+/// What the bodies are, which way the line slides, the forces. Returns what the footer has to say.
+Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout);
 
-/// Frame, ticks, axis titles, exaggeration, pressure legend.
-void addAxes(DrawList& list, const ContactLayout& layout);
+/// Frame, ticks, axis titles, pressure legend, footer.
+void addAxes(DrawList& list, const ContactLayout& layout, const Notes& notes);
 
 }  // namespace asperity

@@ -34,8 +34,7 @@ DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) 
   DrawList list;
   const ContactLayout layout = layoutContact(frame, options, headerInto(list, frame, options));
   addBodies(list, frame, layout);
-  addAxes(list, layout);
-  addLabels(list, frame, layout);
+  addAxes(list, layout, addLabels(list, frame, layout));
   return list;
 }
 

@@ -40,7 +40,8 @@ struct ContactPictureOptions {
 /// slides by; left and width are those of `last` (0 and 0 without one: the whole period).
 ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last = {});
 
-/// The same view with every 0 that stands for a default replaced by its value.
+/// The same view with every 0 that stands for a default replaced by its value. The pressure stays 0
+/// where none is known: the frame has none and the view names none.
 ContactView resolvedView(const Frame& frame, const ContactView& view);
 
 /// Where composeContact puts the axes' rectangle: the view's left, width, bottom and top fill it.

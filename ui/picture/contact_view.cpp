@@ -5,6 +5,7 @@
 
 #include "ui/picture/contact_picture.h"
 #include "ui/picture/decimate.h"
+#include "ui/picture/narrow_contact.h"
 #include "ui/picture/ticks.h"
 
 namespace asperity {
@@ -12,7 +13,7 @@ namespace {
 
 // Room above and below the rough interface, as shares of its extent: for the bodies and their
 // labels.
-constexpr double kAbove = 0.24, kBelow = 0.22;
+constexpr double kAbove = 0.24, kBelow = 0.30;
 constexpr double kMostPeriods = 50;
 
 struct Extent {
@@ -47,13 +48,6 @@ bool stillFits(const ContactView& view, const Extent& extent) {
          extent.low > view.bottom + 0.09 * size;
 }
 
-double greatestPressure(const Frame& frame) {
-  double greatest = 0;
-  for (const double p : frame.pressure)
-    if (std::isfinite(p)) greatest = std::max(greatest, p);
-  return greatest;
-}
-
 }  // namespace
 
 ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last) {
@@ -85,7 +79,7 @@ ContactView resolvedView(const Frame& frame, const ContactView& view) {
     resolved.bottom = fitted.bottom;
     resolved.top = fitted.top;
   }
-  if (!(resolved.pressure > 0)) resolved.pressure = fitted.pressure > 0 ? fitted.pressure : 1;
+  if (!(resolved.pressure > 0)) resolved.pressure = fitted.pressure;
   return resolved;
 }
 

@@ -3,6 +3,42 @@
 #include <cmath>
 
 namespace asperity {
+namespace {
+
+constexpr double kRounding = 1e-9;    // of a decade: a tick at the very end belongs to the axis
+constexpr double kMostDecades = 700;  // a double holds no more
+
+/// The multiples of every decade inside [from, to].
+std::vector<LogTick> multiples(double from, double to, const std::vector<int>& factors) {
+  std::vector<LogTick> ticks;
+  const int last = static_cast<int>(std::floor(to + kRounding));
+  for (int exponent = static_cast<int>(std::floor(from)); exponent <= last; ++exponent)
+    for (const int factor : factors) {
+      const double decade = exponent + std::log10(factor);
+      if (decade < from - kRounding || decade > to + kRounding) continue;
+      const std::string power = powerOfTen(exponent);
+      ticks.push_back({decade, factor == 1 ? power : std::to_string(factor) + "×" + power});
+    }
+  return ticks;
+}
+
+std::vector<LogTick> decades(double from, double to, int most) {
+  std::vector<LogTick> ticks;
+  const int first = static_cast<int>(std::ceil(from - kRounding));
+  const int last = static_cast<int>(std::floor(to + kRounding));
+  int step = 1;  // the multiples of it are the ticks
+  const auto count = [&] {
+    return std::floor(static_cast<double>(last) / step) -
+           std::ceil(static_cast<double>(first) / step) + 1;
+  };
+  while (count() > most) ++step;
+  for (int exponent = first; exponent <= last; ++exponent)
+    if (exponent % step == 0)
+      ticks.push_back({static_cast<double>(exponent), powerOfTen(exponent)});
+  return ticks;
+}
+
+}  // namespace
 
 std::string powerOfTen(int exponent) {
   static constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -12,16 +48,18 @@ std::string powerOfTen(int exponent) {
   return text;
 }
 
-std::vector<int> decades(double from, double to, int most) {
-  std::vector<int> exponents;
-  if (!(from > 0) || !(to > from) || most < 1) return exponents;
-  const int first = static_cast<int>(std::ceil(std::log10(from) - 1e-9));
-  const int last = static_cast<int>(std::floor(std::log10(to) + 1e-9));
-  int step = 1;
-  while ((last - first) / step + 1 > most) ++step;
-  for (int exponent = first; exponent <= last; ++exponent)
-    if (exponent % step == 0) exponents.push_back(exponent);
-  return exponents;
+std::vector<LogTick> logTicks(double from, double to, int most) {
+  if (!(from < to) || !(std::abs(from) < kMostDecades) || !(std::abs(to) < kMostDecades) ||
+      most < 1)
+    return {};
+  std::vector<LogTick> ticks = decades(from, to, most);
+  if (ticks.size() > 1 || to - from > 2) return ticks;
+  for (const std::vector<int>& factors : {std::vector{1, 2, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9}}) {
+    std::vector<LogTick> finer = multiples(from, to, factors);
+    if (ticks.size() > 1 || static_cast<int>(finer.size()) > most) break;
+    ticks = std::move(finer);
+  }
+  return ticks;
 }
 
 }  // namespace asperity

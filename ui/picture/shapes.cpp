@@ -65,6 +65,20 @@ void addArrow(DrawLayer& layer, Place from, Place to, float head, float width, c
   addLine(layer, {side(0.6F), to, side(-0.6F)}, width, colour);
 }
 
+void addLabel(DrawList& list, std::string utf8, Place at, float size, TextAnchor anchor,
+              const Rgba& colour, float angle) {
+  if (utf8.empty()) return;
+  DrawText text;
+  text.utf8 = std::move(utf8);
+  text.x = at.x;
+  text.y = at.y;
+  text.size = size;
+  text.anchor = anchor;
+  text.angle = angle;
+  text.colour = colour;
+  list.texts.push_back(std::move(text));
+}
+
 float textWidth(const TextRuns& runs, float size) {
   float width = 0;
   for (const TextRun& run : runs) width += runWidth(run, size);

@@ -30,6 +30,10 @@ void addPill(DrawLayer& layer, const Box& box, const Rgba& colour);
 /// A shaft with an open head at `to`; the head's sides are `head` pixels long.
 void addArrow(DrawLayer& layer, Place from, Place to, float head, float width, const Rgba& colour);
 
+/// One text; `at` is its anchor on the baseline. An empty one is left out.
+void addLabel(DrawList& list, std::string utf8, Place at, float size, TextAnchor anchor,
+              const Rgba& colour, float angle = 0);
+
 /// A piece of a text; a lowered piece is smaller, as in "F_N".
 struct TextRun {
   std::string utf8;

@@ -48,6 +48,11 @@ QWidget* dockTitle(QDockWidget& dock) {
   return title;
 }
 
+LineSize sizeOf(const Frame& frame) {
+  return {frame.length,
+          static_cast<std::int64_t>(frame.lineHeight.size()) / pointsPerElement(*frame.scene)};
+}
+
 /// The scene as it has to be written into `folder`: a profile is named relative to its scene's
 /// file.
 Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
@@ -84,7 +89,9 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::buildViews() {
   canvas_ = new ContactCanvas;
+  canvas_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_ = makePlotView();
+  plot_->setFocusPolicy(Qt::ClickFocus);
   plot_->setMinimumHeight(170);
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
   auto* splitter = new QSplitter(Qt::Vertical);
@@ -129,8 +136,10 @@ void MainWindow::buildPanel() {
 
 void MainWindow::connectSession() {
   connect(session_, &Session::frameArrived, this, [this] {
-    canvas_->setFrame(session_->frame());
-    status_->showFrame(*session_->frame());
+    const std::shared_ptr<const Frame> frame = session_->frame();
+    canvas_->setFrame(frame);
+    status_->showFrame(*frame);
+    if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
   });
   plotPause_ = new QTimer(this);
   plotPause_->setSingleShot(true);
@@ -144,6 +153,7 @@ void MainWindow::connectSession() {
     panel_->showError(key, text);
   });
   connect(session_, &Session::sceneRuns, messages_, &QWidget::hide);
+  connect(session_, &Session::sceneRuns, panel_, &ParameterPanel::clearErrors);
   connect(session_, &Session::playingChanged, this, &MainWindow::showPlaying);
   connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
   showPlot();
@@ -159,7 +169,6 @@ void MainWindow::showPlotSoon() {
 void MainWindow::showPlot() {
   plotIsDue_ = false;
   plot_->setPlot(session_->plot());
-  status_->showAverage(session_->realizationsDone(), session_->realizationsTotal());
   plotPause_->start();
 }
 
@@ -183,6 +192,8 @@ bool MainWindow::openScene(const QString& file) {
 
 bool MainWindow::saveScene(const QString& file) {
   try {
+    if (const Missing missing = missingOf(panel_->scene()); !missing.text.isEmpty())
+      throw InputError("", std::string(missing.key), missing.text.toStdString());
     const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
     checkWritable(path);
     writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), panel_->scene())));

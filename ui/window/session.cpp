@@ -1,6 +1,8 @@
 #include "ui/window/session.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace asperity {
 
@@ -16,7 +18,23 @@ bool sameMark(const Frame* before, const Frame& now) {
          sameOrBothMissing(before->muSteady, now.muSteady);
 }
 
+bool areFinite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
 }  // namespace
+
+QString troubleOf(const Frame& frame) {
+  const bool finite =
+      std::ranges::all_of(std::initializer_list<double>{frame.length, frame.indentation,
+                                                        frame.normalForce, frame.contactFraction},
+                          [](double v) { return std::isfinite(v); }) &&
+      areFinite(frame.lineHeight) && areFinite(frame.surfaceHeight) && areFinite(frame.pressure);
+  if (!finite) return Session::tr("The numbers of this scene leave what a computer can hold.");
+  if (!std::isfinite(frame.muSteady))
+    return Session::tr("No steady sliding was found at this load and velocity.");
+  return {};
+}
 
 Session::Session(const Scene& scene, RunnerOptions options, QObject* parent)
     : QObject(parent), runner_(options) {
@@ -29,7 +47,6 @@ void Session::setScene(const Scene& scene) {
   const bool wasStale = friction_.isStale();
   friction_.expect(scene_);
   sceneNumber_ = runner_.post(scene_);
-  if (friction_.isStale()) realizationsDone_ = 0;
   if (wasStale != friction_.isStale()) emit plotChanged();
 }
 
@@ -62,10 +79,7 @@ void Session::takeMessages() {
 void Session::takeCurves() {
   bool changed = false;
   for (const CurveUpdate& update : runner_.takeCurveUpdates()) {
-    if (!friction_.take(update)) continue;
-    realizationsDone_ = update.realizationsDone;
-    realizationsTotal_ = update.realizationsTotal;
-    changed = true;
+    if (friction_.take(update)) changed = true;
   }
   if (changed) emit plotChanged();
 }
@@ -80,9 +94,19 @@ void Session::takeFrame() {
     emit plotChanged();
   }
   emit frameArrived();
-  if (frame_->sceneNumber != sceneNumber_ || runningNumber_ == sceneNumber_) return;
+  if (frame_->sceneNumber == sceneNumber_) judgeFrame();
+}
+
+void Session::judgeFrame() {
+  const QString trouble = troubleOf(*frame_);
+  const bool isNews = runningNumber_ != sceneNumber_ || trouble != trouble_;
   runningNumber_ = sceneNumber_;
-  emit sceneRuns();
+  trouble_ = trouble;
+  if (!isNews) return;
+  if (trouble.isEmpty())
+    emit sceneRuns();
+  else
+    emit complained({}, trouble);
 }
 
 }  // namespace asperity

@@ -34,30 +34,32 @@ class Session : public QObject {
 
   std::shared_ptr<const Frame> frame() const { return frame_; }
   Plot plot() const { return friction_.plot(); }
-  std::int64_t realizationsDone() const { return realizationsDone_; }
-  std::int64_t realizationsTotal() const { return realizationsTotal_; }
 
  signals:
   void playingChanged(bool playing);
   void frameArrived();
   void plotChanged();
-  /// The runner's word on the present scene; key may be empty.
+  /// What is wrong with the present scene, by the runner's word or by its frame; key may be empty.
   void complained(const QString& key, const QString& text);
-  /// A frame of the present scene is here: whatever was wrong before is over.
+  /// A sound frame of the present scene is here: whatever was wrong before is over.
   void sceneRuns();
 
  private:
   void takeMessages();
   void takeCurves();
   void takeFrame();
+  void judgeFrame();
 
   Scene scene_;
   Runner runner_;
   std::uint64_t sceneNumber_ = 0;
   std::uint64_t runningNumber_ = 0;  // newest scene of which a frame was seen
+  QString trouble_;                  // said of that scene's frames
   std::shared_ptr<const Frame> frame_;
   FrictionPlot friction_;
-  std::int64_t realizationsDone_ = 0, realizationsTotal_ = 0;
 };
+
+/// One sentence on a frame that cannot be believed; empty where nothing is wrong.
+QString troubleOf(const Frame& frame);
 
 }  // namespace asperity

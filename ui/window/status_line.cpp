@@ -33,13 +33,12 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   line->setContentsMargins(12, 3, 12, 3);
   line->setSpacing(26);
   mu_ = addFact(*line, "factMu", tr("Coefficient of friction of this line in steady sliding"));
-  force_ = addFact(*line, "factForce",
-                   tr("Dimensionless force, normal force / (shear modulus × rms height × length)"));
+  force_ =
+      addFact(*line, "factForce",
+              tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
   velocity_ = addFact(*line, "factVelocity",
-                      tr("Dimensionless velocity, relaxation time × velocity × rms slope / "
+                      tr("Eq. (13) of the paper: relaxation time × velocity × rms slope / "
                          "(√2 × rms height)"));
-  average_ =
-      addFact(*line, "factAverage", tr("Random lines that the curve is averaged over so far"));
   line->addStretch(1);
   rate_ = addFact(*line, "factRate", tr("Pictures of the contact shown in the last second"));
   backend_ = addFact(*line, "factBackend", tr("What draws the contact"));
@@ -54,13 +53,10 @@ QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name, const QString& 
 }
 
 void StatusLine::showFrame(const Frame& frame) {
-  mu_->setText(tr("μ = %1").arg(readingLabel(frame.muSteady)));
-  force_->setText(tr("F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
-  velocity_->setText(tr("v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame))));
-}
-
-void StatusLine::showAverage(std::int64_t done, std::int64_t total) {
-  average_->setText(total > 0 ? tr("%1 of %2 realizations").arg(done).arg(total) : QString());
+  mu_->setText(tr("friction coefficient μ = %1").arg(readingLabel(frame.muSteady)));
+  force_->setText(tr("dimensionless force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
+  velocity_->setText(
+      tr("dimensionless velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame))));
 }
 
 void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {

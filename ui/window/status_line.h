@@ -1,9 +1,8 @@
-// The facts in the status bar: friction, the paper's two dimensionless numbers, how far the average
-// is, pictures per second and what draws them. They come from the frame shown. GUI thread.
+// The facts in the status bar: friction, the paper's two dimensionless numbers, pictures per second
+// and what draws them. They come from the frame shown. GUI thread.
 #pragma once
 
 #include <QWidget>
-#include <cstdint>
 
 #include "core/run/frame.h"
 
@@ -19,7 +18,6 @@ class StatusLine : public QWidget {
   explicit StatusLine(QWidget* parent = nullptr);
 
   void showFrame(const Frame& frame);
-  void showAverage(std::int64_t done, std::int64_t total);
   void showDrawing(int framesPerSecond, const QString& backend);
 
  private:
@@ -28,7 +26,6 @@ class StatusLine : public QWidget {
   QLabel* mu_;
   QLabel* force_;
   QLabel* velocity_;
-  QLabel* average_;
   QLabel* rate_;
   QLabel* backend_;
 };

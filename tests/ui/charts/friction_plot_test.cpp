@@ -159,5 +159,55 @@ TEST(FrictionPlot, RangesHoldStillWhileRealizationsArrive) {
   EXPECT_EQ(first.y.range, (DecadeRange{-7, -2}));
 }
 
+TEST(FrictionPlot, ShowsTheVelocitiesOfTheSweepAtOnce) {
+  FrictionPlot diagram;
+  Scene scene;
+  scene.sweep.velocityFrom = 1e-4;
+  scene.sweep.velocityTo = 1e2;
+  diagram.expect(scene);
+  EXPECT_EQ(diagram.plot().x.range, (DecadeRange{-4, 2}));
+  diagram.mark(frame(scene, 0.05));  // v = 1 m/s
+  EXPECT_EQ(diagram.plot().x.range, (DecadeRange{-4, 2}));
+  EXPECT_LE(diagram.plot().y.range.from, -4);
+  EXPECT_GE(diagram.plot().y.range.to, -1);
+
+  scene.sweep.velocityTo = 1e4;
+  diagram.expect(scene);
+  EXPECT_EQ(diagram.plot().x.range, (DecadeRange{-4, 4}));
+}
+
+TEST(FrictionPlot, OneLineIsNoMean) {
+  FrictionPlot diagram;
+  Scene sine;
+  sine.surface.kind = SurfaceKind::Sine;
+  CurveUpdate curve = update(sine, {point(1, 1e-3)}, 1);
+  curve.realizationsTotal = 1;
+  diagram.take(curve);
+  diagram.mark(frame(sine, 1e-3));
+  const Plot plot = diagram.plot();
+  EXPECT_EQ(seriesOf(plot, PlotStyle::Points).name, QStringLiteral("this line"));
+  EXPECT_EQ(plot.note, QString());
+  EXPECT_EQ(plot.marker->name, QStringLiteral("now"));
+
+  diagram.take(update({}, {point(1, 1e-3)}));
+  EXPECT_TRUE(seriesOf(diagram.plot(), PlotStyle::Points).name.contains("mean"));
+  EXPECT_EQ(diagram.plot().note, QStringLiteral("2 of 200 realizations"));
+}
+
+TEST(FrictionPlot, SaysWhyThereIsNothingToSee) {
+  FrictionPlot diagram;
+  EXPECT_EQ(diagram.plot().blank, QString());
+  Scene elastic;
+  elastic.elastomer.rheology = Rheology::Elastic;
+  diagram.expect(elastic);
+  diagram.take(update(elastic, {point(1, 0), point(2, 0)}));
+  EXPECT_EQ(diagram.plot().blank,
+            QStringLiteral("no friction: nothing positive to show on a logarithmic axis"));
+  diagram.take(update(elastic, {point(1, -1e-9), point(2, std::nan(""))}));
+  EXPECT_TRUE(diagram.plot().blank.contains("no positive"));
+  diagram.take(update(elastic, {point(1, 0), point(2, 1e-3)}));
+  EXPECT_EQ(diagram.plot().blank, QString());
+}
+
 }  // namespace
 }  // namespace asperity

@@ -118,6 +118,33 @@ TEST_F(PlotViewTest, FollowsOtherRangesAndSizes) {
   EXPECT_TRUE(has(kColours.marker, at(2, 1e-9)));
 }
 
+TEST_F(PlotViewTest, AMarkerOutOfRangeStaysInsideTheFrame) {
+  Plot plot = samplePlot();
+  plot.marker->y = 1.2;  // the axis ends at 1
+  view_->setPlot(plot);
+  EXPECT_FALSE(has(kColours.marker, at(2, 1.2) + QPoint(5, 0)));
+}
+
+TEST_F(PlotViewTest, SaysWhyItIsBlank) {
+  Plot plot = samplePlot();
+  plot.series.clear();
+  plot.marker.reset();
+  const auto darkPixels = [&] {
+    const QImage picture = image();
+    const QRect middle(at(0.1, 0.05), at(10, 2e-3));
+    int count = 0;
+    for (int x = middle.left(); x < middle.right(); ++x)
+      for (int y = middle.top(); y < middle.bottom(); ++y)
+        if (picture.pixelColor(x, y).lightness() < 100) ++count;
+    return count;
+  };
+  view_->setPlot(plot);
+  EXPECT_EQ(darkPixels(), 0);
+  plot.blank = QStringLiteral("nothing to see here");
+  view_->setPlot(plot);
+  EXPECT_GT(darkPixels(), 50);
+}
+
 TEST_F(PlotViewTest, AnEmptyPlotIsHarmless) {
   view_->setPlot({});
   EXPECT_FALSE(image().isNull());

@@ -63,6 +63,31 @@ TEST(ContactDrawing, OnePointInContactIsSeenAtEveryWidth) {
   }
 }
 
+/// Contact between two points: the bodies all but touch there and no point carries pressure.
+TEST(ContactDrawing, ContactBetweenPointsIsSeen) {
+  OsmesaContext context;
+  for (const int points : {60, 5000, 200000}) {
+    const auto where = static_cast<std::size_t>(0.3 * points);
+    Frame frame = singleContact(points, where);
+    frame.pressure[where] = 0;
+    frame.normalForce = 1e-9;
+    ContactPictureOptions options;
+    const Clip plot = contactPlotArea(frame, options);
+    const ContactView view = resolvedView(frame, {});
+    EXPECT_EQ(view.pressure, 0);
+    const double x =
+        plot.x + plot.width * (static_cast<double>(where) * frame.spacing) / view.width;
+    const double y = plot.y + plot.height * view.top / (view.top - view.bottom);
+    const auto off = [&] {
+      const Pixels pixels = context.draw(composeContact(frame, options));
+      return difference(pixels, static_cast<int>(x), static_cast<int>(y), pressureColour(1));
+    };
+    EXPECT_LE(off(), 3) << points;
+    frame.normalForce = 0;  // nothing touches
+    EXPECT_GT(off(), 40) << points;
+  }
+}
+
 TEST(ContactDrawing, ContactsAreLitAndTheRestIsNot) {
   OsmesaContext context;
   SampleOptions options;

@@ -1,31 +1,16 @@
 // Texts of the composed picture: all on the picture, none over another, over many sizes and frames.
 #include <gtest/gtest.h>
 
-#include <QFontMetricsF>
-#include <QTransform>
-
-#include <QtMath>
+#include <algorithm>
+#include <optional>
 
 #include "sample_frame.h"
+#include "tidy_texts.h"
 #include "ui/picture/contact_picture.h"
-#include "ui/picture/text_painter.h"
+#include "ui/picture/ticks.h"
 
 namespace asperity {
 namespace {
-
-QRectF inkOf(const DrawText& text) {
-  const QFontMetricsF metrics(fontOf(text));
-  const QString words = QString::fromStdString(text.utf8);
-  const qreal advance = metrics.horizontalAdvance(words);
-  const qreal left = text.anchor == TextAnchor::Left     ? 0
-                     : text.anchor == TextAnchor::Centre ? -advance / 2
-                                                         : -advance;
-  const QRectF ink = metrics.tightBoundingRect(words).translated(left, 0);
-  QTransform turn;
-  turn.translate(text.x, text.y);
-  turn.rotate(-qRadiansToDegrees(static_cast<qreal>(text.angle)));
-  return turn.mapRect(ink);
-}
 
 struct Size {
   int width, height;
@@ -44,19 +29,9 @@ void expectTidyTexts(const Frame& frame, const ContactView& view, const char* wh
     options.scale = size.scale;
     options.view = view;
     const DrawList list = composeContact(frame, options);
-    const QRectF picture(0, 0, size.width, size.height);
-    std::vector<QRectF> boxes;
-    for (const DrawText& text : list.texts) boxes.push_back(inkOf(text));
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      EXPECT_TRUE(picture.contains(boxes[i]))
-          << what << " " << size.width << "x" << size.height << ": " << list.texts[i].utf8;
-      for (std::size_t k = 0; k < i; ++k) {
-        const QRectF common = boxes[i].intersected(boxes[k]);
-        EXPECT_FALSE(common.width() > 0.5 && common.height() > 0.5)
-            << what << " " << size.width << "x" << size.height << ": " << list.texts[i].utf8
-            << " over " << list.texts[k].utf8;
-      }
-    }
+    const std::string where =
+        what + (" " + std::to_string(size.width) + "x" + std::to_string(size.height));
+    expectTidy(list, where);
   }
 }
 
@@ -124,8 +99,120 @@ TEST(ContactTexts, SayWhatIsShown) {
   frame.muMarch = 0.5;
   frame.timeScale = 0;
   words = allTexts(frame);
-  EXPECT_NE(words.find("\u03BC (march)|0.500"), std::string::npos);
+  EXPECT_NE(words.find("\u03BC in this march in time|0.500|"), std::string::npos);
   EXPECT_EQ(words.find("on screen"), std::string::npos);
+}
+
+TEST(ContactTexts, DefaultTitleFitsTheKindOfLine) {
+  SampleOptions options;
+  options.points = 100;
+  options.title = "";
+  Frame frame = *sampleFrame(options);
+  auto scene = std::make_shared<Scene>(*frame.scene);
+  frame.scene = scene;
+  const std::pair<SurfaceKind, const char*> titles[] = {
+      {SurfaceKind::SelfAffine, "A rough rigid line slides over an elastomer|"},
+      {SurfaceKind::Sine, "A rigid sine slides over an elastomer|"},
+      {SurfaceKind::Wedge, "A rigid wedge slides over an elastomer|"},
+      {SurfaceKind::Parabola, "A rigid parabola slides over an elastomer|"},
+      {SurfaceKind::Profile, "A measured rigid line slides over an elastomer|"}};
+  for (const auto& [kind, title] : titles) {
+    scene->surface.kind = kind;
+    EXPECT_EQ(allTexts(frame).find(title), 0U) << allTexts(frame);
+  }
+  scene->surface.kind = SurfaceKind::Wedge;
+  scene->sliding.velocity = 0;
+  EXPECT_EQ(allTexts(frame).find("A rigid wedge rests on an elastomer|"), 0U);
+  scene->surface.kind = SurfaceKind::SelfAffine;
+  scene->surface.rmsHeight = 0;
+  EXPECT_EQ(allTexts(frame).find("A flat rigid line rests on an elastomer|"), 0U);
+}
+
+TEST(ContactTexts, FrictionIsShownOnlyWhereThereIsSome) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  EXPECT_NE(allTexts(frame).find("friction F|"), std::string::npos);
+  for (const double mu : {0.0, kNotApplicable}) {
+    frame.muSteady = mu;
+    frame.tangentialForce = 1e-20;  // what rounding leaves
+    EXPECT_EQ(allTexts(frame).find("friction F|"), std::string::npos) << mu;
+  }
+}
+
+/// Texts of the colour bar lie below it, the last of them flush with its end.
+TEST(ContactTexts, ColourBarHasItsZeroAndItsMaximum) {
+  SampleOptions options;
+  options.points = 300;
+  const auto frame = sampleFrame(options);
+  for (const double pressure : {0.05, 1.0, 60.0, 150.0, 200.0, 3333.0, 8e7}) {
+    for (const Size& size : kSizes) {
+      ContactPictureOptions picture;
+      picture.width = size.width;
+      picture.height = size.height;
+      picture.scale = size.scale;
+      picture.view = resolvedView(*frame, {});
+      picture.view.pressure = pressure;
+      const DrawList list = composeContact(*frame, picture);
+      const Clip plot = contactPlotArea(*frame, picture);
+      const auto title = std::find_if(list.texts.begin(), list.texts.end(), [](const auto& text) {
+        return text.utf8.starts_with("contact pressure");
+      });
+      if (title == list.texts.end()) continue;  // no room for a bar
+      bool zero = false, most = false;
+      for (const DrawText& text : list.texts) {
+        if (text.y <= title->y) continue;
+        zero = zero || text.utf8 == "0";
+        if (!text.utf8.ends_with("N/m")) continue;
+        EXPECT_EQ(text.utf8, quantity(pressure, "N/m"));
+        EXPECT_LE(inkOf(text).right(), plot.x + plot.width + 0.5);
+        most = true;
+      }
+      EXPECT_TRUE(zero && most) << pressure << " N/m " << size.width << "x" << size.height;
+    }
+  }
+}
+
+TEST(ContactTexts, NoColourBarWithoutAPressure) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  frame.pressure.assign(frame.pressure.size(), 0);
+  std::string words = allTexts(frame);
+  EXPECT_EQ(words.find("contact pressure"), std::string::npos);
+  EXPECT_EQ(words.find("glow"), std::string::npos);
+  EXPECT_NE(words.find("dot: contact between two points"), std::string::npos) << words;
+  expectTidyTexts(frame, {}, "no pressure");
+  frame.normalForce = frame.contactFraction = 0;
+  EXPECT_EQ(allTexts(frame).find("dot:"), std::string::npos);
+}
+
+/// A flat line in contact from end to end, shown so that it comes to the very bottom.
+TEST(ContactTexts, ElastomerIsNamedWhereNoContactIs) {
+  SampleOptions options;
+  options.points = 200;
+  options.rmsHeight = 0;
+  Frame frame = *sampleFrame(options);
+  const auto named = [&](int width, int height) {
+    ContactPictureOptions picture;
+    picture.width = width;
+    picture.height = height;
+    picture.view = {0, 0.02, -1.1e-6, 0.2e-6, 0};
+    const DrawList list = composeContact(frame, picture);
+    const auto it = std::find_if(list.texts.begin(), list.texts.end(), [](const auto& text) {
+      return text.utf8.find("elastomer") == 0 || text.utf8.find("elastomer:") != std::string::npos;
+    });
+    return it == list.texts.end() ? std::optional<DrawText>() : *it;
+  };
+  const auto footer = named(1280, 720);
+  ASSERT_TRUE(footer);
+  EXPECT_GT(footer->y, 650);      // below the axes
+  EXPECT_FALSE(named(400, 260));  // no footer there: no clear place
+  for (std::size_t i = 0; i < 200; ++i)
+    if (i > 80) frame.pressure[i] = 0;  // contact at the left alone
+  const auto right = named(400, 260);
+  ASSERT_TRUE(right);
+  EXPECT_GT(right->x, 200);
 }
 
 }  // namespace

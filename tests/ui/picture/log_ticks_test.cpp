@@ -1,0 +1,69 @@
+#include "ui/picture/log_ticks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+std::string labels(double from, double to, int most) {
+  std::string all;
+  for (const LogTick& tick : logTicks(from, to, most)) all += tick.label + " ";
+  return all;
+}
+
+TEST(LogTicks, PowersOfTen) {
+  EXPECT_EQ(powerOfTen(0), "10⁰");
+  EXPECT_EQ(powerOfTen(-12), "10⁻¹²");
+  EXPECT_EQ(powerOfTen(307), "10³⁰⁷");
+}
+
+TEST(LogTicks, EveryDecadeWhereTheyFit) {
+  EXPECT_EQ(labels(-2, 2, 10), "10⁻² 10⁻¹ 10⁰ 10¹ 10² ");
+  EXPECT_EQ(labels(-1.99, 1.99, 10), "10⁻¹ 10⁰ 10¹ ");
+}
+
+TEST(LogTicks, ThinnedToRoundExponents) {
+  EXPECT_EQ(labels(-20, 1, 5), "10⁻²⁰ 10⁻¹⁵ 10⁻¹⁰ 10⁻⁵ 10⁰ ");
+  EXPECT_EQ(labels(-7.2, 6.8, 3), "10⁻⁴ 10⁰ 10⁴ ");
+}
+
+TEST(LogTicks, MultiplesWhereDecadesAreFew) {
+  EXPECT_EQ(labels(2.2, 3.8, 10), "2×10² 5×10² 10³ 2×10³ 5×10³ ");
+  EXPECT_EQ(labels(0.45, 0.65, 10), "3×10⁰ 4×10⁰ ");
+  EXPECT_EQ(labels(2.2, 3.8, 2), "10³ ");  // no room for more
+}
+
+TEST(LogTicks, InsideAscendingAndNeverTooMany) {
+  for (double from = -9; from < 9; from += 0.37) {
+    for (double width = 0.05; width < 30; width *= 1.3) {
+      for (const int most : {1, 2, 5, 9}) {
+        const auto ticks = logTicks(from, from + width, most);
+        EXPECT_LE(static_cast<int>(ticks.size()), most) << from << " " << width;
+        double last = from - 1e-6;
+        for (const LogTick& tick : ticks) {
+          EXPECT_GT(tick.decade, last);
+          EXPECT_LT(tick.decade, from + width + 1e-6);
+          last = tick.decade;
+        }
+        if (width > 1 && most > 2) {
+          EXPECT_GE(ticks.size(), 1U) << from << " " << width << " " << most;
+        }
+      }
+    }
+  }
+}
+
+TEST(LogTicks, NoneWithoutSense) {
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(logTicks(1, 1, 5).empty());
+  EXPECT_TRUE(logTicks(2, 1, 5).empty());
+  EXPECT_TRUE(logTicks(0, 5, 0).empty());
+  EXPECT_TRUE(logTicks(-inf, 5, 5).empty());
+  EXPECT_TRUE(logTicks(0, std::nan(""), 5).empty());
+}
+
+}  // namespace
+}  // namespace asperity

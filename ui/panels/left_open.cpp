@@ -1,0 +1,101 @@
+#include "ui/panels/left_open.h"
+
+#include <QCoreApplication>
+
+#include "ui/panels/number_text.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kLength = "surface.length";
+constexpr std::string_view kElements = "surface.elements";
+constexpr std::string_view kFile = "surface.file";
+constexpr std::string_view kRealizations = "ensemble.realizations";
+constexpr int kDigits = 6;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("asperity::ParameterPanel", text);
+}
+
+/// Whether 0 means: as the profile's file says.
+bool mayBeLeftOpen(const Parameter& parameter, const Scene& scene) {
+  return scene.surface.kind == SurfaceKind::Profile &&
+         (parameter.key == kLength || parameter.key == kElements);
+}
+
+void leaveOpen(const Parameter& parameter, Scene& scene) {
+  if (parameter.key == kLength)
+    scene.surface.length = 0;
+  else
+    scene.surface.elements = 0;
+}
+
+StandIn fromFile(double known) {
+  if (known > 0) return {numberText(roundedToDigits(known, kDigits)), known, false};
+  return {tr("as in file"), {}, false};
+}
+
+LineSize& sizeOf(SurfaceKind kind, LineSize& profile, LineSize& others) {
+  return kind == SurfaceKind::Profile ? profile : others;
+}
+
+}  // namespace
+
+std::optional<StandIn> standInFor(const Parameter& parameter, const Scene& scene,
+                                  const LineSize& known) {
+  if (parameter.key == kRealizations && scene.surface.kind != SurfaceKind::SelfAffine)
+    return StandIn{QStringLiteral("1"), 1, true};
+  if (!mayBeLeftOpen(parameter, scene)) return {};
+  if (parameter.key == kLength)
+    return scene.surface.length == 0 ? std::optional(fromFile(known.length)) : std::nullopt;
+  return scene.surface.elements == 0 ? std::optional(fromFile(static_cast<double>(known.elements)))
+                                     : std::nullopt;
+}
+
+ParameterValue restingValue(const Parameter& parameter, const Scene& scene) {
+  if (!mayBeLeftOpen(parameter, scene)) return defaultOf(parameter);
+  if (parameter.key == kLength) return 0.0;
+  return std::int64_t{0};
+}
+
+void giveValue(const Parameter& parameter, Scene& scene, const ParameterValue& value) {
+  if (mayBeLeftOpen(parameter, scene) && value == restingValue(parameter, scene))
+    leaveOpen(parameter, scene);
+  else
+    setValue(parameter, scene, value);
+}
+
+void giveText(const Parameter& parameter, Scene& scene, std::string_view text) {
+  if (mayBeLeftOpen(parameter, scene) && (text.empty() || text == "0"))
+    leaveOpen(parameter, scene);
+  else
+    setFromText(parameter, scene, text);
+}
+
+bool isFile(const Parameter& parameter) {
+  return parameter.key == kFile;
+}
+
+Missing missingOf(const Scene& scene) {
+  if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
+    return {kFile, tr("choose a profile file")};
+  return {};
+}
+
+KeptSizes::KeptSizes(const Surface& surface) : others_{Surface{}.length, Surface{}.elements} {
+  sizeOf(surface.kind, profile_, others_) = {surface.length, surface.elements};
+}
+
+void KeptSizes::follow(const Surface& before, Surface& next) {
+  const bool wasProfile = before.kind == SurfaceKind::Profile;
+  const bool isProfile = next.kind == SurfaceKind::Profile;
+  if (wasProfile != isProfile) {
+    sizeOf(before.kind, profile_, others_) = {before.length, before.elements};
+    const LineSize& size = sizeOf(next.kind, profile_, others_);
+    next.length = size.length;
+    next.elements = size.elements;
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,64 @@
+// What a scene leaves open and something else says: the length and the elements of a profile are
+// its file's where they are 0, a line that is not random is its only realization, and a profile
+// without a file is no scene to run yet. Plain values; any thread.
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/scene/parameters.h"
+
+namespace asperity {
+
+/// One period as it was made; 0 where not known.
+struct LineSize {
+  double length = 0;  // m
+  std::int64_t elements = 0;
+
+  bool operator==(const LineSize&) const = default;
+};
+
+/// Shown in place of a value of the scene.
+struct StandIn {
+  QString text;                 // in pale letters
+  std::optional<double> value;  // where a slider stands
+  bool isFixed = false;         // there is nothing to choose
+};
+
+std::optional<StandIn> standInFor(const Parameter& parameter, const Scene& scene,
+                                  const LineSize& known);
+
+/// Where the reset button goes: the default, or 0 for what a profile's file says.
+ParameterValue restingValue(const Parameter& parameter, const Scene& scene);
+
+/// setValue() and setFromText(), which also take what is left open: 0, or no text.
+void giveValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
+void giveText(const Parameter& parameter, Scene& scene, std::string_view text);
+
+/// Whether the parameter names a file.
+bool isFile(const Parameter& parameter);
+
+/// What has to be given before the scene can run, and where; the text is empty where nothing is
+/// missing.
+struct Missing {
+  std::string_view key;
+  QString text;
+};
+Missing missingOf(const Scene& scene);
+
+/// Length and elements of the kinds that are not on the screen: a profile has its own, all others
+/// share theirs, and both come back with their kind.
+class KeptSizes {
+ public:
+  explicit KeptSizes(const Surface& surface);
+
+  /// `next` has followed `before`.
+  void follow(const Surface& before, Surface& next);
+
+ private:
+  LineSize profile_, others_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,37 @@
+// Short labels inside the axes: words and an arrow on a soft plate. Private to ui/picture.
+#pragma once
+
+#include "ui/picture/contact_layout.h"
+
+namespace asperity {
+
+enum class ArrowWay { None, Left, Right, Down };
+
+/// Words, an arrow, words.
+struct Tag {
+  TextRuns before;
+  ArrowWay arrow = ArrowWay::None;
+  TextRuns after;
+};
+
+/// Paints tags, all in one size; the list, layer and layout must outlive it.
+class TagPainter {
+ public:
+  TagPainter(DrawList& list, DrawLayer& layer, const ContactLayout& layout);
+
+  float height() const;
+  float width(const Tag& tag) const;
+  void paint(const Tag& tag, Place topLeft, const Rgba& plate);
+
+ private:
+  float space() const;
+  float arrowWidth(ArrowWay way) const;
+  void paintArrow(ArrowWay way, float x, float middle, const Rgba& colour);
+
+  DrawList& list_;
+  DrawLayer& layer_;
+  const ContactLayout& layout_;
+  float size_, inset_;
+};
+
+}  // namespace asperity

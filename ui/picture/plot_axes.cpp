@@ -1,0 +1,115 @@
+#include "ui/picture/plot_axes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/picture/log_ticks.h"
+#include "ui/picture/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+constexpr float kQuarterTurn = 1.57079633F;
+
+int tickCount(float pixels, float each) {
+  return std::clamp(static_cast<int>(pixels / each), 2, 12);
+}
+
+PlotAxis axisOf(double from, double to, const AxisTicks& ticks, const std::string& name) {
+  PlotAxis axis{from, to, {}, name + " (" + ticks.unit + ")", ticks.unit};
+  for (const Tick& tick : ticks.ticks) axis.ticks.push_back({tick.value, tick.label});
+  return axis;
+}
+
+/// The title that fits; none where neither does.
+std::string titleWithin(const PlotAxis& axis, float pixels, float size) {
+  for (const std::string* title : {&axis.title, &axis.shortTitle})
+    if (textWidth(*title, size) <= pixels) return *title;
+  return {};
+}
+
+void addGrid(DrawLayer& layer, const PlotAxes& axes, const Theme& theme, float unit) {
+  const Box& box = axes.box;
+  for (const PlotTick& tick : axes.up.ticks)
+    addLine(layer, {{box.x, axes.py(tick.value)}, {box.right(), axes.py(tick.value)}}, unit,
+            theme.grid);
+  for (const PlotTick& tick : axes.along.ticks)
+    addLine(layer, {{axes.px(tick.value), box.y}, {axes.px(tick.value), box.bottom()}}, unit,
+            theme.grid);
+  addLine(layer,
+          {{box.x, box.y},
+           {box.right(), box.y},
+           {box.right(), box.bottom()},
+           {box.x, box.bottom()},
+           {box.x, box.y}},
+          unit, theme.axis);
+}
+
+}  // namespace
+
+AxisTicks roomyTicks(double from, double to, float pixels, float size, std::string_view unit) {
+  for (int most = tickCount(pixels, size * 4); most > 1; --most) {
+    AxisTicks axis = linearTicks(from, to, most, unit);
+    if (axis.ticks.size() < 2) return axis;
+    float widest = 0;
+    for (const Tick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
+    const double share = (axis.ticks[1].value - axis.ticks[0].value) / (to - from);
+    if (widest + size < share * pixels) return axis;
+  }
+  return linearTicks(from, to, 1, unit);
+}
+
+PlotAxis linearAxisAlong(double from, double to, float pixels, float size, const std::string& name,
+                         std::string_view unit) {
+  return axisOf(from, to, roomyTicks(from, to, pixels, size, unit), name);
+}
+
+PlotAxis linearAxisUp(double from, double to, float pixels, float size, const std::string& name,
+                      std::string_view unit) {
+  return axisOf(from, to, linearTicks(from, to, tickCount(pixels, 5 * size), unit), name);
+}
+
+PlotAxis logarithmicAxis(double from, double to, int most, std::string title,
+                         std::string shortTitle) {
+  PlotAxis axis{from, to, {}, std::move(title), std::move(shortTitle)};
+  for (const LogTick& tick : logTicks(from, to, most))
+    axis.ticks.push_back({tick.decade, tick.label});
+  return axis;
+}
+
+float widestLabel(const PlotAxis& axis, float size) {
+  float widest = 0;
+  for (const PlotTick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
+  return widest;
+}
+
+float PlotAxes::px(double x) const {
+  return box.x + static_cast<float>((x - along.from) / (along.to - along.from)) * box.width;
+}
+
+float PlotAxes::py(double y) const {
+  return box.bottom() - static_cast<float>((y - up.from) / (up.to - up.from)) * box.height;
+}
+
+void addPlotAxes(DrawList& list, const PlotAxes& axes, const Theme& theme, float size, float unit) {
+  const Box& box = axes.box;
+  DrawLayer layer;
+  addGrid(layer, axes, theme, unit);
+  list.layers.push_back(std::move(layer));
+
+  for (const PlotTick& tick : axes.along.ticks) {
+    const float half = textWidth(tick.label, size) / 2;
+    const float centre = std::min(axes.px(tick.value), static_cast<float>(list.width) - half - 2);
+    addLabel(list, tick.label, {centre, box.bottom() + 1.5F * size}, size, TextAnchor::Centre,
+             theme.faintText);
+  }
+  for (const PlotTick& tick : axes.up.ticks)
+    addLabel(list, tick.label, {box.x - 0.7F * size, axes.py(tick.value) + 0.36F * size}, size,
+             TextAnchor::Right, theme.faintText);
+  addLabel(list, titleWithin(axes.along, box.width, size),
+           {box.x + box.width / 2, box.bottom() + 3 * size}, size, TextAnchor::Centre, theme.text);
+  addLabel(list, titleWithin(axes.up, box.height, size), {1.5F * size, box.y + box.height / 2},
+           size, TextAnchor::Centre, theme.text, kQuarterTurn);
+}
+
+}  // namespace asperity

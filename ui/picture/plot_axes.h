@@ -1,0 +1,55 @@
+// A pair of axes for diagrams drawn by this program itself: linear or logarithmic, with as many
+// ticks as have room. Pure; any thread. Pixels, y down.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/picture/contact_picture.h"
+#include "ui/picture/shapes.h"
+#include "ui/picture/ticks.h"
+
+namespace asperity {
+
+struct PlotTick {
+  double value = 0;  // as the axis' from and to
+  std::string label;
+};
+
+struct PlotAxis {
+  double from = 0, to = 1;  // SI; the decimal logarithms of it on a logarithmic axis
+  std::vector<PlotTick> ticks;
+  std::string title, shortTitle;  // the short one where there is no room for the other
+};
+
+/// Ticks whose labels, written side by side in fonts of `size`, fit `pixels`.
+AxisTicks roomyTicks(double from, double to, float pixels, float size, std::string_view unit);
+
+/// A horizontal and a vertical linear axis; titles become "position (mm)".
+PlotAxis linearAxisAlong(double from, double to, float pixels, float size, const std::string& name,
+                         std::string_view unit);
+PlotAxis linearAxisUp(double from, double to, float pixels, float size, const std::string& name,
+                      std::string_view unit);
+
+/// `from` and `to` are decimal logarithms. At most `most` ticks.
+PlotAxis logarithmicAxis(double from, double to, int most, std::string title,
+                         std::string shortTitle);
+
+/// The widest label of an axis.
+float widestLabel(const PlotAxis& axis, float size);
+
+struct PlotAxes {
+  Box box;
+  PlotAxis along, up;
+
+  float px(double x) const;
+  float py(double y) const;
+};
+
+/// Grid, frame, labels and titles: texts of `size`, lines `unit` pixels wide. The labels take
+/// kPlotBelow times `size` below the box, the title upwards stands at x = 1.5 times `size`.
+void addPlotAxes(DrawList& list, const PlotAxes& axes, const Theme& theme, float size, float unit);
+inline constexpr float kPlotBelow = 3.5F;
+
+}  // namespace asperity
