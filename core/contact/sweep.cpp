@@ -170,28 +170,46 @@ class LaneGroup {
   std::array<LaneBalance, kMostLanes> balances_;
 };
 
-/// A depth that surely carries the load (m^2, per 4G), close to the answer at rest: the water level
-/// over the mean rises of a few thousand blocks. A block carries at least what its mean does, and
-/// sliding carries more than rest.
-double waterLevel(const TravelLine& line, double load) {
-  constexpr std::size_t kMostBlocks = 2048;
-  std::size_t level = 0;
-  while (level + 1 < line.blocks.size() && line.blocks[level].size() > kMostBlocks) ++level;
-  const std::vector<SegmentBounds>& blocks = line.blocks[level];
-  const double length = line.spacing * static_cast<double>(std::size_t{1} << (2 * level));
-  double depth = load / line.length + 2 * line.meanRise;
-  for (std::size_t wet = blocks.size() + 1; true;) {
-    double rises = 0;
-    std::size_t count = 0;
-    for (const SegmentBounds& block : blocks) {
-      const bool below = block.riseIntegral < depth * length;
-      rises += below ? block.riseIntegral : 0;
-      count += below ? 1 : 0;
+/// Force at rest, looked up in the blocks: those above the depth carry nothing, those below it
+/// their mean, and only those that it cuts are opened. Single segments count by their mean.
+ForceSums forceAtRest(const TravelLine& line, double depth) {
+  ForceSums sums;
+  const auto carry = [&](const SegmentBounds& block, double length) {
+    if (depth * length <= block.riseIntegral) return;
+    sums.depth += depth * length - block.riseIntegral;
+    sums.stiffness += length;
+  };
+  const std::size_t top = line.blocks.size() - 1;
+  std::size_t level = top;
+  for (std::size_t i = 0, end = line.segments() - 2; i < end;) {
+    const std::size_t size = std::size_t{1} << (2 * level), block = i >> (2 * level);
+    const bool fits = (i & (size - 1)) == 0 && block < line.blocks[level].size();
+    const SegmentBounds& bounds = line.blocks[level][fits ? block : 0];
+    if (fits && (level == 0 || depth <= bounds.lowest || depth >= bounds.highest)) {
+      if (depth > bounds.lowest) carry(bounds, line.spacing * static_cast<double>(size));
+      i += size;
+      level = std::min(level + 1, top);
+    } else {
+      --level;
     }
-    if (count == 0 || count >= wet) return depth;
-    wet = count;
-    depth = (load + rises) / (length * static_cast<double>(count));
   }
+  return sums;
+}
+
+/// A depth close to that which carries the load (m^2, per 4G) at rest. Sliding carries more.
+double depthAtRest(const TravelLine& line, double load) {
+  constexpr int kMostSteps = 12;
+  constexpr double kCloseEnough = 1e-3;
+  double depth = load / line.length + line.meanRise;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const ForceSums sums = forceAtRest(line, depth);
+    if (!(sums.stiffness > 0)) break;
+    const double next = depth - (sums.depth - load) / sums.stiffness;
+    const bool close = std::abs(next - depth) <= kCloseEnough * depth;
+    depth = next;
+    if (close) break;
+  }
+  return depth;
 }
 
 /// Depths to start from: the trend of the last two answers, which fall with velocity.
@@ -236,7 +254,7 @@ bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, con
   if (line.scheme == Scheme::Nodal)
     return sweepInGroups(NodalGroup(line, conditions, load), 0, velocities, results, stop);
   const double first = load.kind == LoadKind::Force
-                           ? waterLevel(line, load.normalForce / (4 * conditions.shearModulus))
+                           ? depthAtRest(line, load.normalForce / (4 * conditions.shearModulus))
                            : 0;
   return sweepInGroups(LaneGroup(line, conditions, load), first, velocities, results, stop);
 }
