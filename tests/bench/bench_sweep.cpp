@@ -29,28 +29,25 @@ Body over(const Resolution& resolution, int lineCount, const std::vector<double>
   };
 }
 
-/// The shipped path restricted to one instruction set.
-struct Restricted {
-  InstructionSet set;
-  Tally operator()(const TravelLine& line, double force) const {
-    chooseInstructionSet(set);
-    const Tally tally = shippedSweep(line, force, figure2Velocities());
-    chooseInstructionSet(InstructionSet::Best);
-    return tally;
-  }
-};
+Tally shipped(const TravelLine& line, double force) {
+  return shippedSweep(line, force, figure2Velocities());
+}
 
 void addShipped(const Resolution& resolution, int lineCount) {
   for (const InstructionSet set :
        {InstructionSet::Scalar, InstructionSet::Avx2, InstructionSet::Avx512}) {
-    if (!chooseInstructionSet(set)) continue;
-    addCase(figure2Name(nameOf(set), resolution.name),
-            [=] { return over(resolution, lineCount, {kFigure2Force}, Restricted{set}); });
+    const bool isHere = chooseInstructionSet(set);
+    chooseInstructionSet(InstructionSet::Best);
+    if (!isHere) continue;
+    addCase(
+        figure2Name(nameOf(set), resolution.name),
+        [=] { return over(resolution, lineCount, {kFigure2Force}, shipped); }, Clock::Cpu, 0, 0,
+        set);
     if (resolution.scheme == Scheme::Cubic)
-      addCase(figure4Name(nameOf(set)),
-              [=] { return over(resolution, 1, figure4Forces(), Restricted{set}); });
+      addCase(
+          figure4Name(nameOf(set)), [=] { return over(resolution, 1, figure4Forces(), shipped); },
+          Clock::Cpu, 0, 0, set);
   }
-  chooseInstructionSet(InstructionSet::Best);
 }
 
 void addScalar(const Resolution& resolution) {

@@ -28,13 +28,15 @@ void setEffort(int repetitions, double seconds) {
 }
 
 void addCase(const std::string& name, const std::function<Body()>& prepare, Clock clock,
-             int repetitions, double seconds) {
+             int repetitions, double seconds, InstructionSet set) {
   const auto body = std::make_shared<Body>();
   auto* registered = ::benchmark::RegisterBenchmark(
-      name.c_str(), [body, prepare, clock](::benchmark::State& state) {
+      name.c_str(), [body, prepare, clock, set](::benchmark::State& state) {
+        chooseInstructionSet(set);  // it asks the processor, which is slow: never in the loop
         if (!*body) *body = prepare();
         Tally tally;
         for (auto _ : state) tally = (*body)();
+        chooseInstructionSet(InstructionSet::Best);
         state.counters["simulations"] = tally.simulations;
         state.counters["passes"] = tally.passes;
         state.counters["contact"] = tally.contactFraction;

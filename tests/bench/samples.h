@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "core/contact/lane_pass.h"
+
 namespace asperity::bench {
 
 /// Per iteration of a case.
@@ -31,10 +33,11 @@ struct Sample {
 enum class Clock { Cpu, Wall };
 
 /// Registers a case. `prepare` runs once, before the first repetition and outside the timing, and
-/// returns what is timed.
+/// returns what is timed, on this instruction set.
 using Body = std::function<Tally()>;
 void addCase(const std::string& name, const std::function<Body()>& prepare,
-             Clock clock = Clock::Cpu, int repetitions = 0, double seconds = 0);
+             Clock clock = Clock::Cpu, int repetitions = 0, double seconds = 0,
+             InstructionSet set = InstructionSet::Best);
 
 /// Repetitions and the least time of each, for cases that do not say.
 void setEffort(int repetitions, double seconds);

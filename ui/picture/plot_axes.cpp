@@ -66,7 +66,7 @@ PlotAxis linearAxisAlong(double from, double to, float pixels, float size, const
 
 PlotAxis linearAxisUp(double from, double to, float pixels, float size, const std::string& name,
                       std::string_view unit) {
-  return axisOf(from, to, linearTicks(from, to, tickCount(pixels, 5 * size), unit), name);
+  return axisOf(from, to, linearTicks(from, to, tickCount(pixels, 4 * size), unit), name);
 }
 
 PlotAxis logarithmicAxis(double from, double to, int most, std::string title,
