@@ -14,9 +14,8 @@ namespace asperity {
 namespace {
 
 std::string summaryOf(const Line& line, const std::vector<std::string>& outputs) {
-  std::string text =
-      fmt::format("length {} m, {} points, rms height {:.6g} m, rms slope {:.6g}\n", line.length,
-                  line.nodes(), line.rmsHeight, line.rmsSlope);
+  std::string text = fmt::format("length {} m, {} points, rms height {:.6g} m, rms slope {:.6g}\n",
+                                 line.length, line.nodes(), line.rmsHeight, line.rmsSlope);
   for (const std::string& output : outputs) text += fmt::format("wrote {}\n", output);
   return text;
 }

@@ -9,7 +9,8 @@
 
 namespace asperity {
 
-/// {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random), "scene"}.
+/// {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random),
+/// "scene"}.
 nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);
 
 }  // namespace asperity
