@@ -50,6 +50,15 @@ struct Memory {
   TravelLine travel;
 };
 
+std::string failureOf(const SteadyResult& result, double velocity, std::int64_t realization) {
+  const std::string where =
+      fmt::format("at velocity {:.4g} m/s on realization {}", velocity, realization);
+  if (result.residual <= kAcceptedResidual)
+    return "contact is too short for the digits that numbers have, " + where;
+  return fmt::format("the force balance is not met {}: relative residual {:.2g}", where,
+                     result.residual);
+}
+
 class Averaging {
  public:
   Averaging(const Scene& scene, const CurveOptions& options)
@@ -105,9 +114,7 @@ class Averaging {
       return {};
     for (std::size_t i = 0; i < row.size(); ++i)
       if (row[i].status != SteadyStatus::Balanced)
-        throw std::runtime_error(fmt::format(
-            "the force balance is not met at velocity {} on realization {}: relative residual {}",
-            velocities_[i], realization, row[i].residual));
+        throw std::runtime_error(failureOf(row[i], velocities_[i], realization));
     return row;
   }
 

@@ -71,9 +71,11 @@ void Session::poll() {
 }
 
 void Session::takeMessages() {
-  for (const RunnerMessage& message : runner_.takeMessages())
-    if (message.sceneNumber == sceneNumber_)
-      emit complained(QString::fromStdString(message.key), QString::fromStdString(message.text));
+  for (const RunnerMessage& message : runner_.takeMessages()) {
+    if (message.sceneNumber != sceneNumber_) continue;
+    brokenNumber_ = sceneNumber_;
+    emit complained(QString::fromStdString(message.key), QString::fromStdString(message.text));
+  }
 }
 
 void Session::takeCurves() {
@@ -103,10 +105,10 @@ void Session::judgeFrame() {
   runningNumber_ = sceneNumber_;
   trouble_ = trouble;
   if (!isNews) return;
-  if (trouble.isEmpty())
-    emit sceneRuns();
-  else
+  if (!trouble.isEmpty())
     emit complained({}, trouble);
+  else if (brokenNumber_ != sceneNumber_)  // the curve may fail where the present velocity is fine
+    emit sceneRuns();
 }
 
 }  // namespace asperity

@@ -41,7 +41,8 @@ class Session : public QObject {
   void plotChanged();
   /// What is wrong with the present scene, by the runner's word or by its frame; key may be empty.
   void complained(const QString& key, const QString& text);
-  /// A sound frame of the present scene is here: whatever was wrong before is over.
+  /// A sound frame of the present scene is here and nothing was said against it: whatever was wrong
+  /// before is over.
   void sceneRuns();
 
  private:
@@ -54,6 +55,7 @@ class Session : public QObject {
   Runner runner_;
   std::uint64_t sceneNumber_ = 0;
   std::uint64_t runningNumber_ = 0;  // newest scene of which a frame was seen
+  std::uint64_t brokenNumber_ = 0;   // newest scene that the runner complained about
   QString trouble_;                  // said of that scene's frames
   std::shared_ptr<const Frame> frame_;
   FrictionPlot friction_;

@@ -241,6 +241,21 @@ TEST_F(MainWindowTest, WhatMendsASceneTakesItsComplaintsAway) {
   EXPECT_FALSE(waves.hasError());
 }
 
+TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
+  ASSERT_TRUE(waitForFrame());
+  Scene still = smallScene();
+  still.sliding.velocity = 0;  // there is an answer at rest, but none where it slides
+  still.elastomer.shearModulus = 1e15;
+  still.elastomer.relaxationTime = 1e3;
+  still.load.normalForce = 1e-30;
+  window_.showScene(still);
+  ASSERT_TRUE(waitForFrame());
+  ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
+  QTest::qWait(100);
+  EXPECT_TRUE(window_.messages().isVisible());
+  EXPECT_LT(window_.messages().text().size(), 160);
+}
+
 TEST_F(MainWindowTest, AProfileWithoutAFileIsNeitherRunNorSaved) {
   ASSERT_TRUE(waitForFrame());
   const std::uint64_t before = session().sceneNumber();
