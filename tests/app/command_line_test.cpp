@@ -216,7 +216,7 @@ TEST_F(CommandLineTest, WithoutADisplayTheWindowSaysWhatToDoInstead) {
 TEST_F(CommandLineTest, ADisplayThatCannotBeReachedIsOneLine) {
   for (const char* display : {"DISPLAY=:987", "DISPLAY=nonsense", "QT_QPA_PLATFORM=nonsense"})
     expectRefused("s.json", 1, "the display cannot be reached",
-                  std::string("env -u WAYLAND_DISPLAY ") + display);
+                  std::string("env -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM ") + display);
 }
 
 TEST_F(CommandLineTest, AClosedOrFullStandardErrorChangesNoStatus) {
