@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/input_error.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -42,6 +43,16 @@ struct SurfaceCommand {
 
 /// The scene of a command, with its assignments. Throws InputError.
 Scene sceneOf(const CommonOptions& options);
+
+/// Does the work; bad input that names no file of its own is said of the scene's file.
+template <class Work>
+auto saidOfScene(const CommonOptions& options, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw error.file().empty() ? error.in(options.scene) : error;
+  }
+}
 
 int runCheck(const CommonOptions& command);
 int runCurve(const CurveCommand& command);

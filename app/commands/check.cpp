@@ -37,12 +37,10 @@ std::string summaryOf(const Scene& scene, const LineSource& source, const LawInp
 
 int runCheck(const CommonOptions& command) {
   const Scene scene = sceneOf(command);
-  try {
+  saidOfScene(command, [&] {
     const LineSource source(scene, pointsPerElement(scene));
     printSummary(command.json, command.quiet, summaryOf(scene, source, lawInputOf(scene, source)));
-  } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(command.scene) : error;
-  }
+  });
   if (command.json) {
     nlohmann::ordered_json answer = provenance("check", scene);
     answer["valid"] = true;

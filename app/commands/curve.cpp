@@ -19,11 +19,7 @@ Curve compute(const Scene& scene, const CommonOptions& common) {
   options.progress = [&bar](const CurveProgress& progress) {
     bar.show(progress.realizationsDone, progress.realizationsTotal);
   };
-  try {
-    return frictionCurve(scene, options);
-  } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(common.scene) : error;
-  }
+  return saidOfScene(common, [&] { return frictionCurve(scene, options); });
 }
 
 std::string summaryOf(const Curve& curve, const std::vector<std::string>& outputs) {

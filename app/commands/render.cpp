@@ -66,14 +66,6 @@ std::vector<std::string> filesFor(const RenderCommand& command) {
   return files;
 }
 
-SteadyFrames prepare(const Scene& scene, const std::string& file) {
-  try {
-    return SteadyFrames(std::make_shared<const Scene>(scene));
-  } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(file) : error;
-  }
-}
-
 void printJson(const Scene& scene, const SteadyResult& result,
                const std::vector<std::string>& files) {
   nlohmann::ordered_json answer = provenance("render", scene);
@@ -91,7 +83,8 @@ int runRender(const RenderCommand& command) {
   const Size size = sizeFrom(command.size);
   if (!std::isfinite(command.framesPerSecond))
     throw InputError("", "--fps", "is not a finite number");
-  const SteadyFrames frames = prepare(scene, command.common.scene);
+  const SteadyFrames frames = saidOfScene(
+      command.common, [&] { return SteadyFrames(std::make_shared<const Scene>(scene)); });
   const std::vector<std::string> files = filesFor(command);  // makes the folder: after all checks
   const auto count = static_cast<std::int64_t>(files.size());
   {

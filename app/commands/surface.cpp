@@ -40,15 +40,13 @@ void writeSurface(const std::string& output, const Scene& scene, const LineSourc
 int runSurface(const SurfaceCommand& command) {
   const Scene scene = sceneOf(command.common);
   checkOutputs(command.outputs, {".csv", ".json", ".png"});
-  try {
+  saidOfScene(command.common, [&] {
     const LineSource source(scene, pointsPerElement(scene));
     const Line line = source.make(0);
     for (const std::string& output : command.outputs) writeSurface(output, scene, source, line);
     printSummary(command.common.json, command.common.quiet, summaryOf(line, command.outputs));
     if (command.common.json) fmt::print("{}", surfaceJson(scene, source, line));
-  } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(command.common.scene) : error;
-  }
+  });
   return kDone;
 }
 

@@ -9,9 +9,6 @@
 namespace asperity {
 namespace {
 
-constexpr int kMostPasses = 200;
-constexpr int kPatience = 2;  // passes without a smaller residual before the best is taken
-
 /// Newton's iteration with the bracket it has found so far.
 class Iteration {
  public:

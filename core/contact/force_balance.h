@@ -14,6 +14,11 @@ inline constexpr double kAcceptedResidual = 1e-10;
 /// Relative error of F_N at which iteration ends.
 inline constexpr double kWantedResidual = 1e-13;
 
+/// Passes over a resolved line before a balance is given up.
+inline constexpr int kMostPasses = 200;
+/// Passes without a smaller residual before the best one is taken.
+inline constexpr int kPatience = 2;
+
 struct Balance {
   double depth = 0;     // m, indentation below the lowest point
   int passes = 0;       // over the line

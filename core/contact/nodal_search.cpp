@@ -7,7 +7,7 @@
 namespace asperity {
 namespace {
 
-constexpr int kMostPasses = 400;
+constexpr int kMostLooks = 400;
 constexpr double kRounding = 1e-14;  // relative; depths closer than this are one edge
 
 /// share of `upper`, the rest of `lower`.
@@ -91,11 +91,11 @@ double NodalSearch::pointInside() const {
 
 void NodalSearch::chooseNext() {
   const double differing = upper_.loaded - lower_.loaded;
-  if (differing == 0 && passes_ < kMostPasses)
+  if (differing == 0 && passes_ < kMostLooks)
     return ask(Stage::Answer, upper_.depth - (upper_.force - load_) / stiffness(upper_));
   // Neighbouring numbers, but for rounding: what enters between them is on the edge.
   const bool neighbours = upper_.depth - lower_.depth <= kRounding * upper_.depth;
-  if (neighbours || passes_ >= kMostPasses) return askAround(upper_.depth);
+  if (neighbours || passes_ >= kMostLooks) return askAround(upper_.depth);
   if (halving_) return ask(Stage::Narrow, 0.5 * (lower_.depth + upper_.depth));
   if (differing == 1) return ask(Stage::Threshold, upper_.depth);
   ask(Stage::Narrow, pointInside());
@@ -131,7 +131,7 @@ void NodalSearch::askAround(double edge) {
 
 void NodalSearch::takeAbove(const NodalLook& look) {
   above_ = look;
-  if (!isEnough(look) && passes_ < kMostPasses) {
+  if (!isEnough(look) && passes_ < kMostLooks) {
     if (!halving_ && look.depth < upper_.depth) {
       lower_ = look;
       return halve();
@@ -144,7 +144,7 @@ void NodalSearch::takeAbove(const NodalLook& look) {
 }
 
 void NodalSearch::takeBelow(const NodalLook& look) {
-  if (!isEnough(look) || passes_ >= kMostPasses) return finishBetween(look, above_);
+  if (!isEnough(look) || passes_ >= kMostLooks) return finishBetween(look, above_);
   if (!halving_ && look.depth > lower_.depth) {
     upper_ = look;
     return halve();
@@ -155,7 +155,7 @@ void NodalSearch::takeBelow(const NodalLook& look) {
 
 void NodalSearch::takeAnswer(const NodalLook& look) {
   const double residual = std::abs(look.force - load_) / load_;
-  if (residual > kAcceptedResidual && passes_ < kMostPasses) {
+  if (residual > kAcceptedResidual && passes_ < kMostLooks) {
     (isEnough(look) ? upper_ : lower_) = look;
     return ask(Stage::Narrow, 0.5 * (lower_.depth + upper_.depth));
   }

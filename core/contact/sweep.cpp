@@ -12,9 +12,6 @@
 namespace asperity {
 namespace {
 
-constexpr int kMostPasses = 200;
-constexpr int kPatience = 2;  // passes without a smaller residual before the best is taken
-
 /// The balance of one velocity, in one lane: the bracket found so far and the best pass.
 class LaneBalance {
  public:
