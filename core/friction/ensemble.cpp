@@ -1,16 +1,11 @@
 #include "core/friction/ensemble.h"
 
-#include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/contact/steady_sliding.h"
-#include "core/contact/sweep.h"
 #include "core/friction/law.h"
+#include "core/friction/realizations.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -41,24 +36,6 @@ struct VelocityAverage {
   RunningMean mu, contactFraction, rmsSlopeContact, indentation, normalForce;
 };
 
-/// One realization: a result for each velocity done.
-using Row = std::vector<SteadyResult>;
-
-/// What a thread uses again for one realization after another.
-struct Memory {
-  Line line;
-  TravelLine travel;
-};
-
-std::string failureOf(const SteadyResult& result, double velocity, std::int64_t realization) {
-  const std::string where =
-      fmt::format("at velocity {:.4g} m/s on realization {}", velocity, realization);
-  if (result.residual <= kAcceptedResidual)
-    return "contact is too short for the digits that numbers have, " + where;
-  return fmt::format("the force balance is not met {}: relative residual {:.2g}", where,
-                     result.residual);
-}
-
 class Averaging {
  public:
   Averaging(const Scene& scene, const CurveOptions& options)
@@ -67,21 +44,14 @@ class Averaging {
         source_(scene, pointsPerElement(scene)),
         velocities_(sweepVelocities(scene.sweep)),
         total_(source_.isRandom() ? scene.ensemble.realizations : 1),
-        averages_(velocities_.size()),
-        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+        averages_(velocities_.size()) {}
 
   Curve run() {
-    // The first curve comes at once; later batches are large enough to keep all threads busy.
-    for (std::int64_t done = 0, batch = 1; done < total_ && !stopped();) {
-      batch = std::min(batch, total_ - done);
-      const std::vector<Row> rows = compute(done, batch);
-      if (stopped()) break;
-      for (const Row& row : rows) add(row);
-      done += batch;
-      batch = std::min<std::int64_t>(2 * batch, 32);
-      curve_.isComplete = done == total_;
-      report(done);
-    }
+    const RealizationTask task{scene_, source_, {&scene_.load, 1}, velocities_};
+    curve_.isComplete = slideRealizations(
+        task, total_, options_.threads, options_.stop,
+        [this](std::span<const SteadyResult> row) { add(row); },
+        [this](std::int64_t done) { report(done); });
     curve_.points = points();
     const auto solves = std::max(1.0, static_cast<double>(solves_));
     curve_.meanPasses = static_cast<double>(passes_) / solves;
@@ -90,35 +60,7 @@ class Averaging {
   }
 
  private:
-  bool stopped() const { return options_.stop.stop_requested(); }
-
-  std::vector<Row> compute(std::int64_t first, std::int64_t count) {
-    std::vector<Row> rows(static_cast<std::size_t>(count));
-    arena_.execute([&] {
-      tbb::parallel_for(std::int64_t{0}, count, [&](std::int64_t i) {
-        if (!stopped()) rows[static_cast<std::size_t>(i)] = sweep(first + i);
-      });
-    });
-    return rows;
-  }
-
-  Row sweep(std::int64_t realization) {
-    Memory& memory = memory_.local();
-    const Scheme scheme = scene_.accuracy.scheme;
-    source_.makeInto(memory.line, realization,
-                     scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
-    prepareTravelInto(memory.travel, memory.line, scheme);
-    const TravelLine& line = memory.travel;
-    Row row(velocities_.size());
-    if (!slideSweep(line, conditionsOf(scene_, 0), scene_.load, velocities_, row, options_.stop))
-      return {};
-    for (std::size_t i = 0; i < row.size(); ++i)
-      if (row[i].status != SteadyStatus::Balanced)
-        throw std::runtime_error(failureOf(row[i], velocities_[i], realization));
-    return row;
-  }
-
-  void add(const Row& row) {
+  void add(std::span<const SteadyResult> row) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       // Pressed by nothing there is no coefficient; what is averaged is counted.
       if (std::isfinite(row[i].mu)) averages_[i].mu.add(row[i].mu);
@@ -178,8 +120,6 @@ class Averaging {
   std::vector<double> velocities_;
   std::int64_t total_;
   std::vector<VelocityAverage> averages_;
-  tbb::task_arena arena_;
-  tbb::enumerable_thread_specific<Memory> memory_;
   Curve curve_;
   std::int64_t solves_ = 0, passes_ = 0, marginal_ = 0;
 };
