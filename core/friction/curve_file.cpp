@@ -31,17 +31,25 @@ constexpr const char* kRealizations = "realizations";
 
 }  // namespace
 
-std::string curveCsv(const std::vector<CurvePoint>& points) {
+std::string csvNumber(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : std::string();
+}
+
+std::string curveHeader() {
   std::string text;
   for (const Column& column : kColumns) text += fmt::format("{},", column.name);
-  text += fmt::format("{}\n", kRealizations);
-  for (const CurvePoint& point : points) {
-    for (const Column& column : kColumns) {
-      const double value = point.*column.member;
-      text += std::isfinite(value) ? fmt::format("{},", value) : std::string(",");
-    }
-    text += fmt::format("{}\n", point.realizations);
-  }
+  return text + fmt::format("{}\n", kRealizations);
+}
+
+std::string curveRow(const CurvePoint& point) {
+  std::string text;
+  for (const Column& column : kColumns) text += csvNumber(point.*column.member) + ",";
+  return text + fmt::format("{}\n", point.realizations);
+}
+
+std::string curveCsv(const std::vector<CurvePoint>& points) {
+  std::string text = curveHeader();
+  for (const CurvePoint& point : points) text += curveRow(point);
   return text;
 }
 

@@ -126,16 +126,18 @@ class Averaging {
 
 }  // namespace
 
-std::vector<double> sweepVelocities(const Sweep& sweep) {
-  std::vector<double> velocities;
-  for (std::int64_t i = 0; i < sweep.points; ++i) {
-    const double part =
-        sweep.points > 1 ? static_cast<double>(i) / static_cast<double>(sweep.points - 1) : 0;
-    velocities.push_back(sweep.velocityFrom *
-                         std::pow(sweep.velocityTo / sweep.velocityFrom, part));
+std::vector<double> logSpaced(double from, double to, std::int64_t points) {
+  std::vector<double> values;
+  for (std::int64_t i = 0; i < points; ++i) {
+    const double part = points > 1 ? static_cast<double>(i) / static_cast<double>(points - 1) : 0;
+    values.push_back(from * std::pow(to / from, part));
   }
-  if (sweep.points > 1) velocities.back() = sweep.velocityTo;  // to the last bit
-  return velocities;
+  if (points > 1) values.back() = to;
+  return values;
+}
+
+std::vector<double> sweepVelocities(const Sweep& sweep) {
+  return logSpaced(sweep.velocityFrom, sweep.velocityTo, sweep.points);
 }
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options) {
