@@ -47,7 +47,8 @@ class Averaging {
         averages_(velocities_.size()) {}
 
   Curve run() {
-    const RealizationTask task{scene_, source_, {&scene_.load, 1}, velocities_};
+    const LoadCase sweep{scene_.load, velocities_};
+    const RealizationTask task{scene_, source_, {&sweep, 1}};
     curve_.isComplete = slideRealizations(
         task, total_, options_.threads, options_.stop,
         [this](std::span<const SteadyResult> row) { add(row); },

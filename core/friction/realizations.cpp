@@ -54,22 +54,26 @@ class Realizations {
     task_.source.makeInto(memory.line, realization,
                           scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
     prepareTravelInto(memory.travel, memory.line, scheme);
-    const std::size_t row = task_.velocities.size();
-    Results results(task_.loads.size() * row);
-    for (std::size_t j = 0; j < task_.loads.size(); ++j) {
-      const std::span<SteadyResult> into(results.data() + j * row, row);
-      if (!slideSweep(memory.travel, conditionsOf(task_.scene, 0), task_.loads[j], task_.velocities,
-                      into, stop_))
+    std::size_t count = 0;
+    for (const LoadCase& one : task_.cases) count += one.velocities.size();
+    Results results(count);
+    std::span<SteadyResult> left(results);
+    for (const LoadCase& one : task_.cases) {
+      const std::span<SteadyResult> row = left.first(one.velocities.size());
+      left = left.subspan(row.size());
+      if (!slideSweep(memory.travel, conditionsOf(task_.scene, 0), one.load, one.velocities, row,
+                      stop_))
         return {};
-      requireBalance(into, realization);
+      requireBalance(one, row, realization);
     }
     return results;
   }
 
-  void requireBalance(std::span<const SteadyResult> row, std::int64_t realization) const {
+  static void requireBalance(const LoadCase& one, std::span<const SteadyResult> row,
+                             std::int64_t realization) {
     for (std::size_t i = 0; i < row.size(); ++i)
       if (row[i].status != SteadyStatus::Balanced)
-        throw std::runtime_error(failureOf(row[i], task_.velocities[i], realization));
+        throw std::runtime_error(failureOf(row[i], one.velocities[i], realization));
   }
 
   const RealizationTask& task_;

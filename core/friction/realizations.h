@@ -10,6 +10,7 @@
 #include <functional>
 #include <span>
 #include <stop_token>
+#include <vector>
 
 #include "core/contact/steady_sliding.h"
 #include "core/scene/scene.h"
@@ -17,14 +18,19 @@
 
 namespace asperity {
 
+/// One load and the velocities to slide at under it.
+struct LoadCase {
+  Load load;
+  std::vector<double> velocities;  // m/s, ascending
+};
+
 struct RealizationTask {
   const Scene& scene;  // its elastomer and scheme; load and sweep are those below
   const LineSource& source;
-  std::span<const Load> loads;
-  std::span<const double> velocities;  // m/s, ascending
+  std::span<const LoadCase> cases;
 };
 
-/// Of one realization: results[j * velocities + i] for load j and velocity i.
+/// Of one realization: the velocities of the first case, of the second, ...
 using TakeRealization = std::function<void(std::span<const SteadyResult> results)>;
 
 /// Called on the calling thread between realizations, where all of `done` have been taken.

@@ -3,24 +3,35 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/friction/realizations.h"
-
 namespace asperity {
 
-Study::Study(const Scene& scene, std::vector<double> normalForces, std::vector<double> velocities,
-             const StudyOptions& options)
-    : scene_(scene), normalForces_(std::move(normalForces)), velocities_(std::move(velocities)) {
+namespace {
+
+std::vector<LoadCase> casesOf(const std::vector<double>& normalForces,
+                              const std::vector<double>& velocities) {
+  std::vector<LoadCase> cases;
+  for (const double force : normalForces)
+    cases.push_back({{LoadKind::Force, force, 0}, velocities});
+  return cases;
+}
+
+}  // namespace
+
+Study::Study(const Scene& scene, const std::vector<double>& normalForces,
+             const std::vector<double>& velocities, const StudyOptions& options)
+    : Study(scene, casesOf(normalForces, velocities), options) {}
+
+Study::Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions& options)
+    : scene_(scene), cases_(std::move(cases)) {
   const LineSource source(scene_, pointsPerElement(scene_));
   line_ = source.statistics();
   length_ = source.length();
   realizations_ = source.isRandom() ? scene_.ensemble.realizations : 1;
   groups_ = static_cast<int>(std::min<std::int64_t>(kGroups, realizations_));
   groupSizes_.assign(static_cast<std::size_t>(groups_), 0);
-  sums_.assign(groupSizes_.size() * normalForces_.size() * velocities_.size(), Sums{});
-  std::vector<Load> loads;
-  for (const double force : normalForces_) loads.push_back({LoadKind::Force, force, 0});
+  sums_.assign(groupSizes_.size() * cellOf(cases_.size(), 0), Sums{});
   std::int64_t taken = 0;
-  const RealizationTask task{scene_, source, loads, velocities_};
+  const RealizationTask task{scene_, source, cases_};
   const bool isWhole = slideRealizations(
       task, realizations_, options.threads, options.stop,
       [&](std::span<const SteadyResult> results) { add(taken++, results); },
@@ -50,9 +61,12 @@ void Study::add(std::int64_t realization, std::span<const SteadyResult> results)
   }
 }
 
+std::size_t Study::cellOf(std::size_t j, std::size_t i) const {
+  return j * cases_.front().velocities.size() + i;
+}
+
 double Study::mean(Quantity quantity, std::size_t j, std::size_t i, int leftOut) const {
-  const std::size_t cell = j * velocities_.size() + i;
-  const std::size_t cells = normalForces_.size() * velocities_.size();
+  const std::size_t cell = cellOf(j, i), cells = cellOf(cases_.size(), 0);
   double sum = 0;
   std::int64_t count = 0;
   for (std::size_t group = 0; group < groupSizes_.size(); ++group) {
@@ -64,7 +78,7 @@ double Study::mean(Quantity quantity, std::size_t j, std::size_t i, int leftOut)
 }
 
 double Study::mu(std::size_t j, std::size_t i, int leftOut) const {
-  return firstMu_[j * velocities_.size() + i] + mean(Mu, j, i, leftOut);
+  return firstMu_[cellOf(j, i)] + mean(Mu, j, i, leftOut);
 }
 
 double Study::normalizedMu(std::size_t j, std::size_t i, int leftOut) const {
@@ -91,15 +105,15 @@ double Study::marginalFraction(std::size_t j, std::size_t i) const {
 }
 
 LawInput Study::lawInput(std::size_t j, std::size_t i) const {
-  const SlidingConditions conditions = conditionsOf(scene_, velocities_[i]);
-  return {conditions.shearModulus, conditions.relaxationTime, length_,          line_.rmsHeight,
-          line_.rmsSlope,          scene_.surface.hurst,      normalForces_[j], velocities_[i]};
+  const SlidingConditions conditions = conditionsOf(scene_, velocities(j)[i]);
+  return {conditions.shearModulus, conditions.relaxationTime, length_,        line_.rmsHeight,
+          line_.rmsSlope,          scene_.surface.hurst,      normalForce(j), velocities(j)[i]};
 }
 
 CurvePoint Study::point(std::size_t j, std::size_t i) const {
   const LawInput in = lawInput(j, i);
   CurvePoint point;
-  point.velocity = velocities_[i];
+  point.velocity = velocities(j)[i];
   point.mu = mu(j, i);
   point.muStandardError = muStandardError(j, i);
   point.muLaw = frictionLaw(in);

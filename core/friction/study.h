@@ -15,6 +15,7 @@
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/law.h"
+#include "core/friction/realizations.h"
 #include "core/scene/scene.h"
 #include "core/surface/line_source.h"
 
@@ -41,12 +42,15 @@ class Study {
   static constexpr int kAll = -1;  // no group left out
 
   /// normalForces (N) and velocities (m/s) both ascending.
-  Study(const Scene& scene, std::vector<double> normalForces, std::vector<double> velocities,
-        const StudyOptions& options);
+  Study(const Scene& scene, const std::vector<double>& normalForces,
+        const std::vector<double>& velocities, const StudyOptions& options);
+  /// Each force with velocities of its own, all of one number.
+  Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions& options);
 
   const Scene& scene() const { return scene_; }
-  const std::vector<double>& normalForces() const { return normalForces_; }
-  const std::vector<double>& velocities() const { return velocities_; }
+  std::size_t forces() const { return cases_.size(); }
+  double normalForce(std::size_t j) const { return cases_[j].load.normalForce; }  // N
+  const std::vector<double>& velocities(std::size_t j = 0) const { return cases_[j].velocities; }
   const LineStatistics& line() const { return line_; }
   std::int64_t realizations() const { return realizations_; }
   int groups() const { return groups_; }
@@ -74,10 +78,11 @@ class Study {
   using Sums = std::array<double, kQuantities>;
 
   void add(std::int64_t realization, std::span<const SteadyResult> results);
+  std::size_t cellOf(std::size_t j, std::size_t i) const;
   double mean(Quantity quantity, std::size_t j, std::size_t i, int leftOut) const;
 
   Scene scene_;
-  std::vector<double> normalForces_, velocities_;
+  std::vector<LoadCase> cases_;
   LineStatistics line_;
   double length_ = 0;  // m
   std::int64_t realizations_ = 0;

@@ -13,16 +13,16 @@ namespace asperity {
 enum class Verdict { Yes, No, OnlyForScheme };
 
 struct Claim {
-  std::string id;        // "slope_in_region_1"
-  std::string where;     // in the paper: "p. 2, Fig. 2"
-  std::string claim;     // what is said there
-  std::string quantity;  // what `measured` is, with its unit
-  Estimate measured;
+  std::string id{};        // "slope_in_region_1"
+  std::string where{};     // in the paper: "p. 2, Fig. 2"
+  std::string claim{};     // what is said there
+  std::string quantity{};  // what `measured` is, with its unit
+  Estimate measured{};
   double expected = kNotApplicable;  // by the paper; not every claim has a number
-  std::string criterion;             // when it holds
+  std::string criterion{};           // when it holds
   Verdict holds = Verdict::No;
-  std::string scheme;  // with OnlyForScheme: which
-  std::string note;
+  std::string scheme{};  // with OnlyForScheme: which
+  std::string note{};
 };
 
 /// Whether it holds as the criterion says.
