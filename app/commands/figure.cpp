@@ -100,7 +100,7 @@ std::string claimLines(const Figure& figure) {
                                : std::string("not measured");
     if (std::isfinite(claim.measured.standardError))
       measured += fmt::format(" \u00B1 {:.1g}", claim.measured.standardError);
-    text += fmt::format("  {:<44} {}  ({}; {})\n", holdsText(claim), claim.claim, claim.quantity,
+    text += fmt::format("  {}: {}\n      {}: {}\n", holdsText(claim), claim.claim, claim.quantity,
                         measured);
   }
   return text;
