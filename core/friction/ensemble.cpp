@@ -48,7 +48,7 @@ class Averaging {
 
   Curve run() {
     const LoadCase sweep{scene_.load, velocities_};
-    const RealizationTask task{scene_, source_, {&sweep, 1}};
+    const RealizationTask task{scene_, source_, {&sweep, 1}, 0};
     curve_.isComplete = slideRealizations(
         task, total_, options_.threads, options_.stop,
         [this](std::span<const SteadyResult> row) { add(row); },
