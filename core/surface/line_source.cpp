@@ -12,11 +12,13 @@
 #include "core/surface/random_phase.h"
 #include "core/surface/shapes.h"
 #include "core/surface/spectrum.h"
+#include "core/surface/summit_correlation.h"
 
 namespace asperity {
 namespace {
 
 constexpr std::int64_t kMostNodes = std::int64_t{1} << 26;
+constexpr std::int64_t kNodesOfProduct = 4;  // per element, of a product of waves: not aliased
 
 }  // namespace
 
@@ -49,8 +51,11 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
 
 /// Half of each cosine's amplitude: the coefficient of exp(i q x).
 void LineSource::setAmplitudes() {
-  amplitudes_ =
-      selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst, surface_.rmsHeight);
+  const double longest = surface_.rollOffWavelength;
+  amplitudes_ = selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst,
+                                     surface_.rmsHeight, longest > 0 ? length_ / longest : 0);
+  if (surface_.summitCorrelation != 0)
+    summits_.emplace(static_cast<std::size_t>(elements_ * kNodesOfProduct));
   for (double& amplitude : amplitudes_) amplitude /= 2;
 }
 
@@ -88,6 +93,7 @@ FourierLine LineSource::spectrum(std::int64_t number) const {
   }
   FourierLine line{length_, std::vector<std::complex<double>>(modes)};
   phaseFactors(amplitudes_, {phases.data() + 1, modes}, line.coefficients);
+  if (summits_) return withSummitCorrelation(line, surface_.summitCorrelation, *summits_);
   return line;
 }
 
