@@ -7,7 +7,9 @@
 namespace asperity {
 namespace {
 
-constexpr int kMostArmPasses = 400;
+constexpr int kMostArmPasses = 200;
+constexpr double kQuasiNewtonBelow =
+    1e-3;  // relative residual from which on slopes are only kept up
 constexpr double kSlowPeriods =
     1e5;  // memory in periods beyond which a period's change is rounding
 
@@ -34,7 +36,8 @@ class ArmSolver::Search {
         size_(memory_.arms() + first_),
         unknown_(size_),
         low_(load / line_.length),
-        high_(load > 0 ? low_ + line_.meanRise : depth) {
+        high_(load > 0 ? low_ + line_.meanRise : depth),
+        tangent_(memory_) {
     for (const double inverse : memory_.inverse) {
       const double periods = line_.length * inverse;  // slid, per memory
       change_.push_back(-std::expm1(-periods));
@@ -44,29 +47,46 @@ class ArmSolver::Search {
 
   ArmBalance run(const ArmBalance* guess) {
     start(guess);
-    Vector residual = evaluate(unknown_);
-    remember();
-    resetSlope();
+    Vector residual = evaluate(unknown_, &tangent_);
+    bool fresh = true;  // the slope is that of this very pass
     int stalled = 0;
-    while (passes_ < kMostArmPasses && worst_ > kWantedResidual && stalled < 4) {
+    if (!factor()) return best_;
+    while (passes_ < kMostArmPasses && bestWorst_ > kWantedResidual && stalled < kPatience) {
       const Vector from = unknown_, before = residual;
       const double worstBefore = worst_;
       Vector step = stepFor(residual);
       limit(step);
-      for (std::size_t i = 0; i < size_; ++i) unknown_[i] = from[i] + step[i];
-      residual = evaluate(unknown_);
-      learn(step, before, residual);
-      // Much worse: what was learnt holds no more.
-      if (!(worst_ < 10 * worstBefore)) retreat(from, before, worstBefore, residual);
-      const bool closer = worst_ < bestWorst_;
-      if (closer) remember();
-      stalled = closer || bestWorst_ > kAcceptedResidual ? 0 : stalled + 1;
+      move(from, step);
+      const bool exact = !(worstBefore < kQuasiNewtonBelow);
+      residual = evaluate(unknown_, exact ? &tangent_ : nullptr);
+      const bool good = worst_ < 0.5 * worstBefore;
+      stalled = good || bestWorst_ > kAcceptedResidual ? 0 : stalled + 1;
+      if (!good && fresh && bestWorst_ > kAcceptedResidual)
+        shorten(from, step, worstBefore, residual);
+      fresh = exact || !good;
+      if (!exact && !good && bestWorst_ > kWantedResidual) residual = evaluate(unknown_, &tangent_);
+      if (fresh)
+        factor();
+      else
+        learn(step, before, residual);
     }
-    best_.force.passes = passes_;
     return best_;
   }
 
  private:
+  void move(const Vector& from, const Vector& step) {
+    for (std::size_t i = 0; i < size_; ++i) unknown_[i] = from[i] + step[i];
+  }
+
+  /// Newton's step, but not so long that it leads away.
+  void shorten(const Vector& from, Vector& step, double worstBefore, Vector& residual) {
+    for (int i = 0; i < 12 && !(worst_ < worstBefore); ++i) {
+      for (double& each : step) each *= 0.35;
+      move(from, step);
+      residual = evaluate(unknown_, &tangent_);
+    }
+  }
+
   double depthOf(const Vector& unknown) const { return first_ > 0 ? unknown[0] : fixedDepth_; }
 
   void start(const ArmBalance* guess) {
@@ -83,14 +103,13 @@ class ArmSolver::Search {
   }
 
   /// Residuals in m: missing mean depth first, then how far each arm is from where it closes.
-  Vector evaluate(const Vector& unknown) {
+  Vector evaluate(const Vector& unknown, ArmTangent* tangent) {
     const double depth = depthOf(unknown), length = line_.length;
     const std::span<const double> yield(unknown.data() + first_, memory_.arms());
-    pass_.run(depth, yield);
+    pass_.run(depth, yield, tangent);
     ++passes_;
     const StateSums& sums = pass_.sums();
     const double mean = sums.depth / length, wanted = first_ > 0 ? load_ / length : mean;
-    stiffness_ = sums.stiffness / length;
     Vector residual(size_);
     closure_ = 0;
     const double scale = std::max(std::abs(mean), std::numeric_limits<double>::min());
@@ -98,11 +117,13 @@ class ArmSolver::Search {
     for (std::size_t i = 0; i < memory_.arms(); ++i) {
       const double missing = pass_.yieldChange()[i] / change_[i];
       closure_ = std::max(closure_, std::abs(missing) / scale);
-      residual[i + first_] = missing - slowness_[i] * (mean - wanted);
+      residual[i + first_] = missing;
     }
     forceResidual_ = first_ > 0 ? std::abs(residual[0]) / wanted : 0;
     worst_ = std::max(forceResidual_, closure_);
     if (!(worst_ >= 0)) worst_ = std::numeric_limits<double>::infinity();
+    if (worst_ < bestWorst_) remember();
+    best_.force.passes = passes_;
     return residual;
   }
 
@@ -114,16 +135,43 @@ class ArmSolver::Search {
     best_.yield.assign(unknown_.begin() + first_, unknown_.end());
   }
 
-  /// The inverse Jacobian as if arms and depth did not know of each other, but for fast arms, which
-  /// yield with the depth.
-  void resetSlope() {
-    inverse_.assign(size_ * size_, 0);
-    for (std::size_t i = first_; i < size_; ++i) inverse_[i * size_ + i] = -1;
-    if (first_ == 0) return;
-    const double perDepth = 1 / std::max(stiffness_, 1e-12);
-    inverse_[0] = perDepth;
-    for (std::size_t i = 0; i < memory_.arms(); ++i)
-      inverse_[(i + 1) * size_] = (1 - slowness_[i]) * perDepth;
+  /// The inverse Jacobian from the derivatives of the last pass, by elimination with row pivots;
+  /// false where it has none.
+  bool factor() {
+    const std::size_t n = size_, skipped = 1 - first_;
+    Vector slope(n * n);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (first_ > 0) slope[k] = tangent_.ofDepthIntegral(k) / line_.length;
+      for (std::size_t i = 0; i < memory_.arms(); ++i)
+        slope[(i + first_) * n + k] = tangent_.ofYieldChange(i, k + skipped) / change_[i];
+    }
+    inverse_.assign(n * n, 0);
+    for (std::size_t i = 0; i < n; ++i) inverse_[i * n + i] = 1;
+    for (std::size_t c = 0; c < n; ++c) {
+      std::size_t pivot = c;
+      for (std::size_t i = c + 1; i < n; ++i)
+        if (std::abs(slope[i * n + c]) > std::abs(slope[pivot * n + c])) pivot = i;
+      if (!(std::abs(slope[pivot * n + c]) > 0)) return false;
+      for (std::size_t k = 0; k < n; ++k) {
+        if (pivot == c) break;
+        std::swap(slope[c * n + k], slope[pivot * n + k]);
+        std::swap(inverse_[c * n + k], inverse_[pivot * n + k]);
+      }
+      const double scale = 1 / slope[c * n + c];
+      for (std::size_t k = 0; k < n; ++k) {
+        slope[c * n + k] *= scale;
+        inverse_[c * n + k] *= scale;
+      }
+      for (std::size_t i = 0; i < n; ++i) {
+        const double part = slope[i * n + c];
+        if (i == c || part == 0) continue;
+        for (std::size_t k = 0; k < n; ++k) {
+          slope[i * n + k] -= part * slope[c * n + k];
+          inverse_[i * n + k] -= part * inverse_[c * n + k];
+        }
+      }
+    }
+    return true;
   }
 
   Vector stepFor(const Vector& residual) const {
@@ -133,18 +181,13 @@ class ArmSolver::Search {
     return step;
   }
 
-  /// Depths stay where a force can be carried; yields above nothing and below the depth.
+  /// Depths stay where a force can be carried, to rounding.
   void limit(Vector& step) const {
-    double part = 1;
-    if (first_ > 0) {
-      const double depth = unknown_[0];
-      if (depth + step[0] > high_ && step[0] > 0)
-        part = std::min(part, 0.9 * (high_ - depth) / step[0]);
-      if (depth + step[0] < low_ && step[0] < 0)
-        part = std::min(part, 0.9 * (low_ - depth) / step[0]);
-    }
-    if (!(part > 0)) part = 0.1;
-    for (double& each : step) each *= part;
+    if (first_ == 0) return;
+    const double depth = unknown_[0], slack = 1e-9 * high_;
+    const double next = depth + step[0];
+    if (next > high_ + slack) step[0] = high_ - depth;
+    if (next < low_ - slack) step[0] = 0.9 * (low_ - depth);
   }
 
   /// Broyden's update of the inverse.
@@ -163,18 +206,6 @@ class ArmSolver::Search {
         inverse_[i * size_ + k] += (step[i] - predicted[i]) * row[k] / scale;
   }
 
-  void retreat(const Vector& from, const Vector& before, double worstBefore, Vector& residual) {
-    Vector step(size_);
-    resetSlope();
-    for (std::size_t i = 0; i < size_; ++i) step[i] = 0.25 * (unknown_[i] - from[i]);
-    for (std::size_t i = 0; i < size_; ++i) unknown_[i] = from[i] + step[i];
-    residual = evaluate(unknown_);
-    if (worst_ < 10 * worstBefore) return;
-    unknown_ = from;
-    residual = before;
-    worst_ = worstBefore;
-  }
-
   const TravelLine& line_;
   const ArmMemory& memory_;
   ArmPass& pass_;
@@ -184,7 +215,9 @@ class ArmSolver::Search {
   double low_, high_;  // m, of the depth
   Vector change_;      // 1 - exp(-L / c_i)
   Vector slowness_;    // 1 for an arm that hardly changes in a period, 0 for one that forgets it
-  double stiffness_ = 0, forceResidual_ = 0, closure_ = 0, worst_ = 0, bestWorst_ = 0;
+  ArmTangent tangent_;
+  double forceResidual_ = 0, closure_ = 0, worst_ = 0;
+  double bestWorst_ = std::numeric_limits<double>::infinity();
   int passes_ = 0;
   ArmBalance best_;
 };

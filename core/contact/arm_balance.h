@@ -1,8 +1,9 @@
 // Steady sliding of elements with arms: what the arms have yielded at the lowest point is the same
 // after a period, and the force is the wanted one. Repeated passes close only at the rate
-// exp(-L / v tau); here all unknowns move together by a quasi-Newton step (Broyden 1965) whose
-// first guess is exact for slow arms (they have yielded the mean depth F_N / 4 G L) and for fast
-// ones (they remember nothing of a period ago), so an arm of any time takes a few passes.
+// exp(-L / v tau); here depth and arms move together by Newton's method with the derivatives that
+// a pass gathers beside, kept up by Broyden's update while that is good enough: an arm of any time
+// takes a few passes. At the start slow arms have yielded the mean depth F_N / 4 G L and fast ones
+// follow the line, which is exact for both.
 // Ownership: keeps its workspace; refers to the line. Threading: one thread at a time.
 #pragma once
 

@@ -52,8 +52,12 @@ ArmPass::ArmPass(const TravelLine& line, const ArmMemory& memory)
       arcMode_(memory.modes()),
       yieldChange_(memory.arms()) {}
 
-void ArmPass::run(double depth, std::span<const double> yield) {
+void ArmPass::run(double depth, std::span<const double> yield, ArmTangent* tangent) {
+  tangent_ = tangent;
+  if (tangent) tangent->begin();
   go<false>(depth, yield, nullptr);
+  if (tangent) tangent->finish(line_.length - (touching_ ? contactStart_ : arcStart_), touching_);
+  tangent_ = nullptr;
 }
 
 void ArmPass::runForState(double depth, std::span<const double> yield, ArmShape* shape) {
@@ -67,6 +71,7 @@ void ArmPass::go(double depth, std::span<const double> yield, ArmShape* shape) {
   level_ = 0;
   touching_ = true;
   entryDepth_ = depth;
+  contactStart_ = 0;
   std::fill(yieldChange_.begin(), yieldChange_.end(), 0);
   for (std::size_t i = 0; i < strain_.size(); ++i) strain_[i] = depth - yield[i];
   refreshSums();
@@ -81,7 +86,7 @@ void ArmPass::go(double depth, std::span<const double> yield, ArmShape* shape) {
     return;
   }
   gatherArc(line_.length);
-  if (Everything) enter<true>(depth_);  // the lowest point takes over
+  if (Everything) enter<true>(line_.length, depth_);  // the lowest point takes over
   for (std::size_t i = slow; i < arms; ++i) {
     yieldChange_[i] = -yield[i];
     for (std::size_t j = 0; j < mode_.size(); ++j)
@@ -149,7 +154,6 @@ std::size_t ArmPass::contactSegment(std::size_t i) {
   }
   const double volume = depth_ * h - line_.bounds(i).riseIntegral;
   sums_.depth += volume;
-  sums_.stiffness += h;
   for (std::size_t k = 0; k < memory_.slow; ++k)
     yieldChange_[k] += memory_.yieldKept[k] * now[k] + d0 * memory_.yieldDriven[0][k] +
                        d1 * memory_.yieldDriven[1][k] + d2 * memory_.yieldDriven[2][k];
@@ -293,7 +297,6 @@ double ArmPass::pressed(const Inside& inside, double from, double to) {
   const double found = liftOff(piece), u = std::min(found, 1.0);
   const double volume = piece.length * piece.depth.integral(u);
   sums_.depth += volume;
-  sums_.stiffness += piece.length * u;
   if (u > 0) {
     const double before = Everything ? springEnergy(0) : 0;
     if constexpr (Everything) gatherPiece(piece, u);
@@ -308,6 +311,7 @@ double ArmPass::pressed(const Inside& inside, double from, double to) {
 
 template <bool Everything>
 void ArmPass::leave(double position, double depth) {
+  if (tangent_) tangent_->leave(position - contactStart_);
   touching_ = false;
   level_ = 0;
   arcStart_ = position;
@@ -340,14 +344,13 @@ void ArmPass::gatherArc(double position) {
       yieldChange_[i] += memory_.conversion.toYield[j * arms + i] * arcMode_[j] * back;
   }
   sums_.depth += volume * length;
-  double begin = 0;
-  for (const double amplitude : arcMode_) begin += amplitude;
-  if (begin > 0) sums_.stiffness += volume * length / begin;
 }
 
 template <bool Everything>
-void ArmPass::enter(double depth) {
+void ArmPass::enter(double position, double depth) {
+  if (tangent_) tangent_->enter(position - arcStart_);
   touching_ = true;
+  contactStart_ = position;
   entryDepth_ = depth;
   std::fill(strain_.begin(), strain_.end(), 0);
   const std::size_t arms = strain_.size();
@@ -463,7 +466,7 @@ void ArmPass::lookInside(std::size_t i) {
     const double entry = findEntry(inside, t, end, line_.bounds(i).lowest);
     if (entry == kNone) break;
     gatherArc(inside.at(entry));
-    enter<Everything>(depth_ - inside.rise(entry));
+    enter<Everything>(inside.at(entry), depth_ - inside.rise(entry));
     t = entry;
   }
   if (touching_) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/contact/arm_memory.h"
+#include "core/contact/arm_tangent.h"
 #include "core/contact/pass_sums.h"
 #include "core/contact/travel_line.h"
 
@@ -26,8 +27,8 @@ class ArmPass {
  public:
   ArmPass(const TravelLine& line, const ArmMemory& memory);
 
-  /// Enough for the balance: sums().depth, .stiffness (roughly) and yieldChange().
-  void run(double depth, std::span<const double> yield);
+  /// Enough for the balance: sums().depth and yieldChange(); with `tangent` their derivatives too.
+  void run(double depth, std::span<const double> yield, ArmTangent* tangent = nullptr);
   /// All sums.
   void runForState(double depth, std::span<const double> yield, ArmShape* shape = nullptr);
 
@@ -51,7 +52,7 @@ class ArmPass {
   template <bool Everything>
   double pressed(const Inside& inside, double from, double to);
   template <bool Everything>
-  void enter(double depth);
+  void enter(double position, double depth);
   template <bool Everything>
   void leave(double position, double depth);
 
@@ -83,8 +84,10 @@ class ArmPass {
   std::vector<double> yieldChange_;     // m
   double strainSum_ = 0, lossSum_ = 0;  // sum g_i e_i (m), sum g_i e_i / c_i
   double arcStart_ = 0;                 // m
+  double contactStart_ = 0;             // m
   double entryDepth_ = 0;               // m, where the present contact began
   StateSums sums_;
+  ArmTangent* tangent_ = nullptr;
 };
 
 }  // namespace asperity
