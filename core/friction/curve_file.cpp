@@ -28,19 +28,30 @@ constexpr std::array<Column, 10> kColumns{{
     {"dimensionless_force", &CurvePoint::dimensionlessForce},
 }};
 constexpr const char* kRealizations = "realizations";
+// Only where a scene has local friction.
+constexpr const char *kInterface = "mu_interface", *kTotal = "mu_total";
+
+bool hasInterface(const std::vector<CurvePoint>& points) {
+  return !points.empty() && std::isfinite(points.front().muInterface);
+}
 
 }  // namespace
 
 std::string curveCsv(const std::vector<CurvePoint>& points) {
   std::string text;
   for (const Column& column : kColumns) text += fmt::format("{},", column.name);
-  text += fmt::format("{}\n", kRealizations);
+  const bool interface = hasInterface(points);
+  text += kRealizations;
+  if (interface) text += fmt::format(",{},{}", kInterface, kTotal);
+  text += "\n";
   for (const CurvePoint& point : points) {
     for (const Column& column : kColumns) {
       const double value = point.*column.member;
       text += std::isfinite(value) ? fmt::format("{},", value) : std::string(",");
     }
-    text += fmt::format("{}\n", point.realizations);
+    text += fmt::format("{}", point.realizations);
+    if (interface) text += fmt::format(",{},{}", point.muInterface, point.mu + point.muInterface);
+    text += "\n";
   }
   return text;
 }
@@ -55,6 +66,10 @@ std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene)
       row[column.name] = std::isfinite(value) ? Json(value) : Json(nullptr);
     }
     row[kRealizations] = point.realizations;
+    if (hasInterface(points)) {
+      row[kInterface] = point.muInterface;
+      row[kTotal] = point.mu + point.muInterface;
+    }
     rows.push_back(std::move(row));
   }
   Json root = provenance("curve", scene);

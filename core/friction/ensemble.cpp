@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/steady_sliding.h"
-#include "core/contact/sweep.h"
+#include "core/contact/scene_sliding.h"
 #include "core/friction/law.h"
+#include "core/scene/plan.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -38,7 +38,7 @@ class RunningMean {
 };
 
 struct VelocityAverage {
-  RunningMean mu, contactFraction, rmsSlopeContact, indentation, normalForce;
+  RunningMean mu, muInterface, contactFraction, rmsSlopeContact, indentation, normalForce;
 };
 
 /// One realization: a result for each velocity done.
@@ -64,13 +64,17 @@ class Averaging {
   Averaging(const Scene& scene, const CurveOptions& options)
       : scene_(scene),
         options_(options),
+        sliding_(scene),
         source_(scene, pointsPerElement(scene)),
         velocities_(sweepVelocities(scene.sweep)),
         total_(source_.isRandom() ? scene.ensemble.realizations : 1),
+        hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
         averages_(velocities_.size()),
         arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
 
   Curve run() {
+    countStage(Stage::Line);
+    if (total_ > 1) countStage(Stage::Averaging);
     // The first curve comes at once; later batches are large enough to keep all threads busy.
     for (std::int64_t done = 0, batch = 1; done < total_ && !stopped();) {
       batch = std::min(batch, total_ - done);
@@ -110,8 +114,7 @@ class Averaging {
     prepareTravelInto(memory.travel, memory.line, scheme);
     const TravelLine& line = memory.travel;
     Row row(velocities_.size());
-    if (!slideSweep(line, conditionsOf(scene_, 0), scene_.load, velocities_, row, options_.stop))
-      return {};
+    if (!sliding_.sweep(line, velocities_, row, options_.stop)) return {};
     for (std::size_t i = 0; i < row.size(); ++i)
       if (row[i].status != SteadyStatus::Balanced)
         throw std::runtime_error(failureOf(row[i], velocities_[i], realization));
@@ -122,6 +125,7 @@ class Averaging {
     for (std::size_t i = 0; i < row.size(); ++i) {
       // Pressed by nothing there is no coefficient; what is averaged is counted.
       if (std::isfinite(row[i].mu)) averages_[i].mu.add(row[i].mu);
+      if (hasInterface_) averages_[i].muInterface.add(row[i].muInterface);
       averages_[i].contactFraction.add(row[i].contactFraction);
       averages_[i].indentation.add(row[i].indentation);
       averages_[i].normalForce.add(row[i].normalForce);
@@ -150,6 +154,7 @@ class Averaging {
     point.velocity = velocity;
     point.mu = average.mu.mean();
     point.muStandardError = average.mu.standardError();
+    point.muInterface = average.muInterface.mean();
     point.contactFraction = average.contactFraction.mean();
     point.rmsSlopeContact = average.rmsSlopeContact.mean();
     point.indentation = average.indentation.mean();
@@ -167,16 +172,19 @@ class Averaging {
         line.rmsSlope,           scene_.surface.hurst,      normalForce,      point.velocity};
     if (!(line.rmsHeight > 0)) return;
     point.normalizedMu = point.mu / line.rmsSlope;
-    point.dimensionlessVelocity = dimensionlessVelocity(in);
     point.dimensionlessForce = dimensionlessForce(in);
+    if (sliding_.law().kind() == ElementKind::Arms) return;  // Eqs. (5) to (14) have one time
+    point.dimensionlessVelocity = dimensionlessVelocity(in);
     if (source_.isRandom()) point.muLaw = frictionLaw(in);
   }
 
   const Scene& scene_;
   const CurveOptions& options_;
+  SceneSliding sliding_;
   LineSource source_;
   std::vector<double> velocities_;
   std::int64_t total_;
+  bool hasInterface_;
   std::vector<VelocityAverage> averages_;
   tbb::task_arena arena_;
   tbb::enumerable_thread_specific<Memory> memory_;

@@ -26,6 +26,10 @@ void needSteadySliding(const Scene& scene, const std::string& what) {
         "", "sliding.kind",
         fmt::format("{} needs steady sliding, not {}", what, std::get<std::string>(kind)));
   }
+  needEquilibrium(scene);
+}
+
+void needEquilibrium(const Scene& scene) {
   if (lawOf(scene.elastomer).equilibriumModulus == 0)
     throw InputError("", "elastomer.equilibrium_modulus",
                      "is 0: in steady sliding the elastomer sinks for ever; it needs more than 0");

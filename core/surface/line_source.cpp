@@ -7,6 +7,7 @@
 
 #include "core/scene/input_error.h"
 #include "core/scene/parameters.h"
+#include "core/scene/plan.h"
 #include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
 #include "core/surface/random_phase.h"
@@ -34,7 +35,7 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
     throw InputError("", "surface.waves",
                      fmt::format("{} is outside 1 to {}, what {} elements carry", surface_.waves,
                                  (elements_ - 1) / 2, elements_));
-  if (surface_.kind == SurfaceKind::SelfAffine) setAmplitudes();
+  if (surface_.kind == SurfaceKind::SelfAffine) setAmplitudes(scene);
   if (surface_.kind == SurfaceKind::SelfAffine || surface_.kind == SurfaceKind::Profile)
     transform_.emplace(nodes_);
   if (isRandom()) {
@@ -50,11 +51,13 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
 }
 
 /// Half of each cosine's amplitude: the coefficient of exp(i q x).
-void LineSource::setAmplitudes() {
-  const double longest = surface_.rollOffWavelength;
-  amplitudes_ = selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst,
-                                     surface_.rmsHeight, longest > 0 ? length_ / longest : 0);
-  if (surface_.summitCorrelation != 0)
+void LineSource::setAmplitudes(const Scene& scene) {
+  const bool rollsOff = callsFor(scene, Purpose::Surface, Stage::RollOff);
+  if (rollsOff) countStage(Stage::RollOff);
+  amplitudes_ =
+      selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst, surface_.rmsHeight,
+                           rollsOff ? length_ / surface_.rollOffWavelength : 0);
+  if (callsFor(scene, Purpose::Surface, Stage::SummitCorrelation))
     summits_.emplace(static_cast<std::size_t>(elements_ * kNodesOfProduct));
   for (double& amplitude : amplitudes_) amplitude /= 2;
 }
@@ -93,8 +96,9 @@ FourierLine LineSource::spectrum(std::int64_t number) const {
   }
   FourierLine line{length_, std::vector<std::complex<double>>(modes)};
   phaseFactors(amplitudes_, {phases.data() + 1, modes}, line.coefficients);
-  if (summits_) return withSummitCorrelation(line, surface_.summitCorrelation, *summits_);
-  return line;
+  if (!summits_) return line;
+  countStage(Stage::SummitCorrelation);
+  return withSummitCorrelation(line, surface_.summitCorrelation, *summits_);
 }
 
 Line LineSource::makeShape() const {

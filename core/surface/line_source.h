@@ -45,7 +45,7 @@ class LineSource {
   std::int64_t elements() const { return elements_; }  // per period, without oversampling
 
  private:
-  void setAmplitudes();
+  void setAmplitudes(const Scene& scene);
   void readProfileOf(const Scene& scene);
   Line makeShape() const;
   void setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line) const;
