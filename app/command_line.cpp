@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "core/friction/figures/figure.h"
 #include "core/scene/input_error.h"
 #include "core/scene/parameter_table.h"
 #include "core/scene/scene_file.h"
@@ -33,6 +34,7 @@ class CommandLine {
     addCurve();
     addRender();
     addSurface();
+    addFigure();
     app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.",
                             kDone, kRunFailed, kBadInput));
   }
@@ -64,7 +66,7 @@ class CommandLine {
 
   bool timing() const {
     return window_.timing || check_.timing || curve_.common.timing || render_.common.timing ||
-           surface_.common.timing;
+           surface_.common.timing || figure_.common.timing;
   }
 
  private:
@@ -123,6 +125,23 @@ class CommandLine {
     addOutputs(verb, surface_.outputs,
                "FILE.csv (position, height), FILE.json or FILE.png; may repeat");
   }
+  void addFigure() {
+    CLI::App* verb = app_.add_subcommand(
+        "figure", "The figures of Li et al. (2013): data, picture, and the paper's claims checked");
+    std::string words;
+    for (const FigureEntry& entry : figureEntries())
+      words += fmt::format("  {:8} {}\n", entry.word, entry.headline);
+    verb->add_option("NAME", figure_.names, "One or more of the figures below, or all for 1 to 6")
+        ->required();
+    verb->add_option("-o,--output", figure_.output, "Folder for CSV, PNG, SVG and claims.json")
+        ->required();
+    verb->add_option("--realizations", figure_.realizations, "Random lines to average over")
+        ->capture_default_str()
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
+    addShared(*verb, figure_.common);
+    verb->footer("Figures:\n" + words);
+    verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
+  }
   static void addOutputs(CLI::App* verb, std::vector<std::string>& outputs, const char* sentence) {
     verb->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
   }
@@ -132,6 +151,7 @@ class CommandLine {
   CurveCommand curve_;
   RenderCommand render_;
   SurfaceCommand surface_;
+  FigureCommand figure_;
   std::function<int()> selected_;
 };
 

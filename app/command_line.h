@@ -41,6 +41,13 @@ struct SurfaceCommand {
   std::vector<std::string> outputs;
 };
 
+struct FigureCommand {
+  CommonOptions common;  // without a scene: the paper's parameters
+  std::vector<std::string> names;
+  std::string output;  // folder
+  std::int64_t realizations = 200;
+};
+
 /// The scene of a command, with its assignments. Throws InputError.
 Scene sceneOf(const CommonOptions& options);
 
@@ -58,6 +65,7 @@ int runCheck(const CommonOptions& command);
 int runCurve(const CurveCommand& command);
 int runRender(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);
+int runFigure(const FigureCommand& command);
 /// The window; an empty scene opens the default one.
 int runWindowCommand(const CommonOptions& command);
 

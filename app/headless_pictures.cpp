@@ -3,7 +3,11 @@
 #include <QGuiApplication>
 #include <cstdio>
 
+#include "app/output.h"
+#include "core/scene/input_error.h"
+#include "ui/picture/pdf_file.h"
 #include "ui/picture/png_file.h"
+#include "ui/picture/svg_file.h"
 #include "ui/picture/text_painter.h"
 #include "ui/render/osmesa_context.h"
 
@@ -33,6 +37,19 @@ HeadlessPictures::HeadlessPictures()
 
 HeadlessPictures::~HeadlessPictures() {
   if (writing_.valid()) writing_.wait();
+}
+
+void HeadlessPictures::write(const std::string& file, const DrawList& list,
+                             const PictureFacts& facts) {
+  const std::string extension = extensionOf(file);
+  if (extension == ".png")
+    writePng(file, list);
+  else if (extension == ".svg")
+    writeSvg(file, list, {facts.title, facts.metadata});
+  else if (extension == ".pdf")
+    writePdf(file, list, {facts.title, facts.metadata});
+  else
+    throw InputError(file, "", "'" + extension + "' is not one of .png, .svg, .pdf");
 }
 
 void HeadlessPictures::writePng(const std::string& file, const DrawList& list) {

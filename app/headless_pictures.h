@@ -1,7 +1,7 @@
 // Pictures without a screen: a Qt application on the offscreen platform for texts, OSMesa for
 // shapes, and one thread that encodes and writes a picture while the next one is drawn.
 // Ownership: one at a time, made and used on the main thread.
-// Failure: std::runtime_error (no OSMesa, a file that cannot be written), from writePng or finish.
+// Failure: std::runtime_error (no OSMesa, a file that cannot be written), from any call.
 #pragma once
 
 #include <future>
@@ -16,12 +16,22 @@ namespace asperity {
 
 class OsmesaContext;
 
+/// What a picture file says of itself besides what it shows.
+struct PictureFacts {
+  std::string title;     // of the document; empty: none
+  std::string metadata;  // where it came from, any UTF-8 text; empty: none
+};
+
 class HeadlessPictures {
  public:
   HeadlessPictures();
   ~HeadlessPictures();
   HeadlessPictures(const HeadlessPictures&) = delete;
   HeadlessPictures& operator=(const HeadlessPictures&) = delete;
+
+  /// As PNG, SVG or PDF, by the extension (.png, .svg, .pdf); throws InputError for any other.
+  /// SVG and PDF keep what `facts` says.
+  void write(const std::string& file, const DrawList& list, const PictureFacts& facts = {});
 
   /// Draws at once; the file may be written later, but before finish() returns.
   void writePng(const std::string& file, const DrawList& list);

@@ -31,6 +31,13 @@ void checkOutputs(const std::vector<std::string>& files,
   }
 }
 
+void makeFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder))
+    throw InputError(folder, "", "is not a folder and cannot be made one");
+}
+
 void printSummary(bool machineReads, bool quiet, const std::string& text) {
   if (quiet) return;
   if (machineReads)

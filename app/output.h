@@ -15,6 +15,9 @@ std::string extensionOf(const std::string& file);
 void checkOutputs(const std::vector<std::string>& files,
                   std::initializer_list<std::string_view> extensions);
 
+/// Makes the folder, with those above it, where it is not there. Throws InputError.
+void makeFolder(const std::string& folder);
+
 /// What a person reads: to stdout, or to stderr where stdout is the machine's.
 void printSummary(bool machineReads, bool quiet, const std::string& text);
 

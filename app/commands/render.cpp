@@ -54,10 +54,7 @@ std::vector<std::string> filesFor(const RenderCommand& command) {
   const fs::path folder = command.output;
   if (folder.has_extension() && !fs::is_directory(folder))
     throw InputError(command.output, "", "is neither a folder nor a .png file");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    throw InputError(command.output, "", "is not a folder and cannot be made one");
+  makeFolder(command.output);
   const std::int64_t frames = command.frames > 0 ? command.frames : kFramesOfFolder;
   std::vector<std::string> files;
   for (std::int64_t i = 1; i <= frames; ++i)

@@ -36,35 +36,39 @@ void SceneSliding::addInterface(const TravelLine& line, SteadyResult& result) co
       localFriction(interface_, result.normalForce, result.contactFraction * line.length);
 }
 
-bool SceneSliding::sweepArms(const TravelLine& line, std::span<const double> velocities,
-                             std::span<SteadyResult> results, const std::stop_token& stop) const {
+void SceneSliding::countSteady(const Load& load) const {
+  countStage(Stage::SteadyPass);
+  if (load.kind == LoadKind::Force) countStage(Stage::ForceBalance);
+  if (law_.kind() != ElementKind::Elastic) countStage(Stage::FreeSurface);
+}
+
+bool SceneSliding::sweepArms(const TravelLine& line, const Load& load,
+                             std::span<const double> velocities, std::span<SteadyResult> results,
+                             const std::stop_token& stop) const {
   ArmState last;
   for (std::size_t i = 0; i < velocities.size(); ++i) {
     if (stop.stop_requested()) return false;
     const bool known = i > 0 && last.result.status == SteadyStatus::Balanced;
-    last = slideWithArms(line, law_, modes_, load_, velocities[i], known ? &last : nullptr);
+    last = slideWithArms(line, law_, modes_, load, velocities[i], known ? &last : nullptr);
     results[i] = last.result;
   }
   return true;
 }
 
-bool SceneSliding::sweep(const TravelLine& line, std::span<const double> velocities,
-                         std::span<SteadyResult> results, const std::stop_token& stop) const {
-  countStage(Stage::SteadyPass);
-  if (load_.kind == LoadKind::Force) countStage(Stage::ForceBalance);
-  if (law_.kind() != ElementKind::Elastic) countStage(Stage::FreeSurface);
+bool SceneSliding::sweep(const TravelLine& line, const Load& load,
+                         std::span<const double> velocities, std::span<SteadyResult> results,
+                         const std::stop_token& stop) const {
+  countSteady(load);
   if (velocities.size() > 1) countStage(Stage::Sweep);
-  const bool done = hasArms_ ? sweepArms(line, velocities, results, stop)
-                             : slideSweep(line, conditions(0), load_, velocities, results, stop);
+  const bool done = hasArms_ ? sweepArms(line, load, velocities, results, stop)
+                             : slideSweep(line, conditions(0), load, velocities, results, stop);
   if (done)
     for (SteadyResult& result : results) addInterface(line, result);
   return done;
 }
 
 SteadyState SceneSliding::at(const TravelLine& line, double velocity) const {
-  countStage(Stage::SteadyPass);
-  if (load_.kind == LoadKind::Force) countStage(Stage::ForceBalance);
-  if (law_.kind() != ElementKind::Elastic) countStage(Stage::FreeSurface);
+  countSteady(load_);
   SteadyState state;
   if (hasArmsAt(velocity)) {
     ArmState found = slideWithArms(line, law_, modes_, load_, velocity);

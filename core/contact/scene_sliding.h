@@ -37,18 +37,19 @@ class SceneSliding {
   const RetardationModes& modes() const { return modes_; }
 
   /// results[i] is for velocities[i] (m/s, ascending); as slideSweep.
-  bool sweep(const TravelLine& line, std::span<const double> velocities,
+  bool sweep(const TravelLine& line, const Load& load, std::span<const double> velocities,
              std::span<SteadyResult> results, const std::stop_token& stop = {}) const;
 
-  /// velocity: m/s, >= 0.
+  /// Under the scene's load. velocity: m/s, >= 0.
   SteadyState at(const TravelLine& line, double velocity) const;
   SteadyShape shape(const TravelLine& line, double velocity, const SteadyState& state) const;
 
  private:
   SlidingConditions conditions(double velocity) const;
   bool hasArmsAt(double velocity) const;
-  bool sweepArms(const TravelLine& line, std::span<const double> velocities,
+  bool sweepArms(const TravelLine& line, const Load& load, std::span<const double> velocities,
                  std::span<SteadyResult> results, const std::stop_token& stop) const;
+  void countSteady(const Load& load) const;
   void addInterface(const TravelLine& line, SteadyResult& result) const;
 
   Load load_;

@@ -35,24 +35,39 @@ bool hasInterface(const std::vector<CurvePoint>& points) {
   return !points.empty() && std::isfinite(points.front().muInterface);
 }
 
+std::string withoutLineEnd(std::string row) {
+  row.pop_back();
+  return row;
+}
+
 }  // namespace
 
-std::string curveCsv(const std::vector<CurvePoint>& points) {
+std::string csvNumber(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : std::string();
+}
+
+std::string curveHeader() {
   std::string text;
   for (const Column& column : kColumns) text += fmt::format("{},", column.name);
-  const bool interface = hasInterface(points);
-  text += kRealizations;
-  if (interface) text += fmt::format(",{},{}", kInterface, kTotal);
-  text += "\n";
-  for (const CurvePoint& point : points) {
-    for (const Column& column : kColumns) {
-      const double value = point.*column.member;
-      text += std::isfinite(value) ? fmt::format("{},", value) : std::string(",");
-    }
-    text += fmt::format("{}", point.realizations);
-    if (interface) text += fmt::format(",{},{}", point.muInterface, point.mu + point.muInterface);
-    text += "\n";
+  return text + fmt::format("{}\n", kRealizations);
+}
+
+std::string curveRow(const CurvePoint& point) {
+  std::string text;
+  for (const Column& column : kColumns) text += csvNumber(point.*column.member) + ",";
+  return text + fmt::format("{}\n", point.realizations);
+}
+
+std::string curveCsv(const std::vector<CurvePoint>& points) {
+  if (!hasInterface(points)) {
+    std::string text = curveHeader();
+    for (const CurvePoint& point : points) text += curveRow(point);
+    return text;
   }
+  std::string text = fmt::format("{},{},{}\n", withoutLineEnd(curveHeader()), kInterface, kTotal);
+  for (const CurvePoint& point : points)
+    text += fmt::format("{},{},{}\n", withoutLineEnd(curveRow(point)), csvNumber(point.muInterface),
+                        csvNumber(point.mu + point.muInterface));
   return text;
 }
 

@@ -11,6 +11,12 @@
 
 namespace asperity {
 
+/// Empty where it is not finite.
+std::string csvNumber(double value);
+/// The names of the columns and the cells of a point, each with its line end.
+std::string curveHeader();
+std::string curveRow(const CurvePoint& point);
+
 std::string curveCsv(const std::vector<CurvePoint>& points);
 std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene);
 

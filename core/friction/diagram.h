@@ -15,8 +15,8 @@ namespace asperity {
 enum class AxisScale { Linear, Logarithmic };
 
 struct DiagramAxis {
-  std::string title;  // "sliding velocity"
-  std::string unit;   // "m/s"; empty: a pure number
+  std::string title{};  // "sliding velocity"
+  std::string unit{};   // "m/s"; empty: a pure number
   AxisScale scale = AxisScale::Logarithmic;
   double from = 0, to = 0;  // equal: as the points need
 };
@@ -33,7 +33,7 @@ enum class SeriesMark { None, Circle, Square, Triangle, Diamond };
 enum class SeriesStroke { None, Solid, Dashed, Dotted };
 
 struct DiagramSeries {
-  std::string name;  // for the legend; empty: not in it
+  std::string name{};  // for the legend; empty: not in it
   SeriesMark mark = SeriesMark::None;
   SeriesStroke stroke = SeriesStroke::Solid;
   bool isBand = false;    // low to high as a filled band instead of error bars
@@ -41,18 +41,18 @@ struct DiagramSeries {
   int colour = -1;        // of the palette's distinct colours, in order; -1: the next one
   /// Place on the colour ramp, 0 to 1, instead of a distinct colour; NaN: not on the ramp.
   double ramp = std::numeric_limits<double>::quiet_NaN();
-  std::vector<DiagramPoint> points;
+  std::vector<DiagramPoint> points{};
 };
 
 /// A range along x that has a name ("I", "zone 1"), shaded by turns.
 struct DiagramSpan {
   double from = 0, to = 0;
-  std::string label;
+  std::string label{};
 };
 
 /// A text at a point, with an arrow from (x, y) to (arrowX, arrowY) where these are given.
 struct DiagramLabel {
-  std::string text;
+  std::string text{};
   double x = 0, y = 0;
   double arrowX = std::numeric_limits<double>::quiet_NaN();
   double arrowY = std::numeric_limits<double>::quiet_NaN();
@@ -60,12 +60,12 @@ struct DiagramLabel {
 
 /// What the colours of a ramp mean; shown instead of a legend entry for each of its series.
 struct DiagramRamp {
-  std::string title;     // "normal force"
+  std::string title{};   // "normal force"
   std::string from, to;  // "1 mN", "100 N"
 };
 
 struct Diagram {
-  std::string title;  // over this diagram; may be empty
+  std::string title{};  // over this diagram; may be empty
   DiagramAxis x, y;
   std::vector<DiagramSeries> series;  // later ones over earlier ones
   std::vector<DiagramSpan> spans;
@@ -75,9 +75,9 @@ struct Diagram {
 
 /// Diagrams side by side under one heading.
 struct DiagramSheet {
-  std::string title;     // "Fig. 3: six Hurst exponents"
-  std::string subtitle;  // the parameters, one line
-  std::string note;      // below, small: what to know when reading it
+  std::string title{};     // "Fig. 3: six Hurst exponents"
+  std::string subtitle{};  // the parameters, one line
+  std::string note{};      // below, small: what to know when reading it
   std::vector<Diagram> diagrams;
 };
 

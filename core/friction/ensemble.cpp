@@ -1,15 +1,12 @@
 #include "core/friction/ensemble.h"
 
-#include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/scene_sliding.h"
+#include "core/contact/steady_sliding.h"
 #include "core/friction/law.h"
+#include "core/friction/realizations.h"
+#include "core/scene/element_law.h"
 #include "core/scene/plan.h"
 #include "core/surface/line_source.h"
 
@@ -41,51 +38,27 @@ struct VelocityAverage {
   RunningMean mu, muInterface, contactFraction, rmsSlopeContact, indentation, normalForce;
 };
 
-/// One realization: a result for each velocity done.
-using Row = std::vector<SteadyResult>;
-
-/// What a thread uses again for one realization after another.
-struct Memory {
-  Line line;
-  TravelLine travel;
-};
-
-std::string failureOf(const SteadyResult& result, double velocity, std::int64_t realization) {
-  const std::string where =
-      fmt::format("at velocity {:.4g} m/s on realization {}", velocity, realization);
-  if (result.residual <= kAcceptedResidual)
-    return "contact is too short for the digits that numbers have, " + where;
-  return fmt::format("the force balance is not met {}: relative residual {:.2g}", where,
-                     result.residual);
-}
-
 class Averaging {
  public:
   Averaging(const Scene& scene, const CurveOptions& options)
       : scene_(scene),
         options_(options),
-        sliding_(scene),
         source_(scene, pointsPerElement(scene)),
         velocities_(sweepVelocities(scene.sweep)),
         total_(source_.isRandom() ? scene.ensemble.realizations : 1),
         hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
-        averages_(velocities_.size()),
-        arena_(options.threads > 0 ? options.threads : tbb::task_arena::automatic) {}
+        hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
+        averages_(velocities_.size()) {}
 
   Curve run() {
     countStage(Stage::Line);
     if (total_ > 1) countStage(Stage::Averaging);
-    // The first curve comes at once; later batches are large enough to keep all threads busy.
-    for (std::int64_t done = 0, batch = 1; done < total_ && !stopped();) {
-      batch = std::min(batch, total_ - done);
-      const std::vector<Row> rows = compute(done, batch);
-      if (stopped()) break;
-      for (const Row& row : rows) add(row);
-      done += batch;
-      batch = std::min<std::int64_t>(2 * batch, 32);
-      curve_.isComplete = done == total_;
-      report(done);
-    }
+    const LoadCase sweep{scene_.load, velocities_};
+    const RealizationTask task{scene_, source_, {&sweep, 1}, 0};
+    curve_.isComplete = slideRealizations(
+        task, total_, options_.threads, options_.stop,
+        [this](std::span<const SteadyResult> row) { add(row); },
+        [this](std::int64_t done) { report(done); });
     curve_.points = points();
     const auto solves = std::max(1.0, static_cast<double>(solves_));
     curve_.meanPasses = static_cast<double>(passes_) / solves;
@@ -94,34 +67,7 @@ class Averaging {
   }
 
  private:
-  bool stopped() const { return options_.stop.stop_requested(); }
-
-  std::vector<Row> compute(std::int64_t first, std::int64_t count) {
-    std::vector<Row> rows(static_cast<std::size_t>(count));
-    arena_.execute([&] {
-      tbb::parallel_for(std::int64_t{0}, count, [&](std::int64_t i) {
-        if (!stopped()) rows[static_cast<std::size_t>(i)] = sweep(first + i);
-      });
-    });
-    return rows;
-  }
-
-  Row sweep(std::int64_t realization) {
-    Memory& memory = memory_.local();
-    const Scheme scheme = scene_.accuracy.scheme;
-    source_.makeInto(memory.line, realization,
-                     scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
-    prepareTravelInto(memory.travel, memory.line, scheme);
-    const TravelLine& line = memory.travel;
-    Row row(velocities_.size());
-    if (!sliding_.sweep(line, velocities_, row, options_.stop)) return {};
-    for (std::size_t i = 0; i < row.size(); ++i)
-      if (row[i].status != SteadyStatus::Balanced)
-        throw std::runtime_error(failureOf(row[i], velocities_[i], realization));
-    return row;
-  }
-
-  void add(const Row& row) {
+  void add(std::span<const SteadyResult> row) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       // Pressed by nothing there is no coefficient; what is averaged is counted.
       if (std::isfinite(row[i].mu)) averages_[i].mu.add(row[i].mu);
@@ -173,37 +119,36 @@ class Averaging {
     if (!(line.rmsHeight > 0)) return;
     point.normalizedMu = point.mu / line.rmsSlope;
     point.dimensionlessForce = dimensionlessForce(in);
-    if (sliding_.law().kind() == ElementKind::Arms) return;  // Eqs. (5) to (14) have one time
+    if (hasArms_) return;  // Eqs. (5) to (14) know one relaxation time
     point.dimensionlessVelocity = dimensionlessVelocity(in);
     if (source_.isRandom()) point.muLaw = frictionLaw(in);
   }
 
   const Scene& scene_;
   const CurveOptions& options_;
-  SceneSliding sliding_;
   LineSource source_;
   std::vector<double> velocities_;
   std::int64_t total_;
-  bool hasInterface_;
+  bool hasInterface_, hasArms_;
   std::vector<VelocityAverage> averages_;
-  tbb::task_arena arena_;
-  tbb::enumerable_thread_specific<Memory> memory_;
   Curve curve_;
   std::int64_t solves_ = 0, passes_ = 0, marginal_ = 0;
 };
 
 }  // namespace
 
-std::vector<double> sweepVelocities(const Sweep& sweep) {
-  std::vector<double> velocities;
-  for (std::int64_t i = 0; i < sweep.points; ++i) {
-    const double part =
-        sweep.points > 1 ? static_cast<double>(i) / static_cast<double>(sweep.points - 1) : 0;
-    velocities.push_back(sweep.velocityFrom *
-                         std::pow(sweep.velocityTo / sweep.velocityFrom, part));
+std::vector<double> logSpaced(double from, double to, std::int64_t points) {
+  std::vector<double> values;
+  for (std::int64_t i = 0; i < points; ++i) {
+    const double part = points > 1 ? static_cast<double>(i) / static_cast<double>(points - 1) : 0;
+    values.push_back(from * std::pow(to / from, part));
   }
-  if (sweep.points > 1) velocities.back() = sweep.velocityTo;  // to the last bit
-  return velocities;
+  if (points > 1) values.back() = to;
+  return values;
+}
+
+std::vector<double> sweepVelocities(const Sweep& sweep) {
+  return logSpaced(sweep.velocityFrom, sweep.velocityTo, sweep.points);
 }
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options) {

@@ -37,7 +37,10 @@ struct Curve {
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options = {});
 
-/// v_i = from (to / from)^(i / (points - 1)), m/s.
+/// x_i = from (to / from)^(i / (points - 1)), the last one `to` to the last bit.
+std::vector<double> logSpaced(double from, double to, std::int64_t points);
+
+/// The same of a scene's velocities, m/s.
 std::vector<double> sweepVelocities(const Sweep& sweep);
 
 }  // namespace asperity

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/program.h"
+#include "tests/app/program_test.h"
 
 namespace asperity {
 namespace {
@@ -14,29 +14,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
-constexpr const char* kScene =
-    R"({"schema":"asperity-scene/1","title":"A scene","surface":{"elements":200},)"
-    R"("sweep":{"points":5},"ensemble":{"realizations":6}})";
-
-class CommandLineTest : public testing::Test {
- protected:
-  void SetUp() override { program.folder.write("s.json", kScene); }
-
-  /// One line on stderr, nothing on stdout, nothing written.
-  void expectRefused(const std::string& arguments, int status, const std::string& says,
-                     const std::string& before = "") {
-    SCOPED_TRACE(arguments);
-    const auto names = program.folder.names();
-    const Said said = program.run(arguments, before);
-    EXPECT_EQ(said.status, status);
-    EXPECT_THAT(said.err, StartsWith("asperity: "));
-    EXPECT_THAT(said.err, HasSubstr(says));
-    EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1) << said.err;
-    EXPECT_THAT(program.folder.names(), testing::UnorderedElementsAreArray(names));
-  }
-
-  Program program;
-};
+using CommandLineTest = ProgramTest;
 
 TEST_F(CommandLineTest, VersionAndHelp) {
   EXPECT_EQ(program.run("--version").out, "asperity " ASPERITY_VERSION "\n");
@@ -99,7 +77,8 @@ TEST_F(CommandLineTest, BadUsageIsExitTwo) {
   expectRefused("render s.json -o a.png --frames 0", 2, "--frames");
   expectRefused("render s.json -o a.png --frames 3", 2, "needs a folder");
   expectRefused("nowhere.json", 2, "cannot be opened");
-  expectRefused("chekc s.json", 2, "chekc is neither a verb (check, curve, render, surface) nor");
+  expectRefused("chekc s.json", 2,
+                "chekc is neither a verb (check, curve, render, surface, figure) nor");
   expectRefused("render s.json -o new/folder --fps nan", 2, "--fps");
   expectRefused("curve s.json -o ''", 2, "an output needs a name");
 }

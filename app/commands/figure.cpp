@@ -1,0 +1,167 @@
+// asperity figure: the paper's figures from a fresh computation, each with its data, its picture
+// and the paper's sentences about it held against what was computed.
+#include "core/friction/figures/figure.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "app/command_line.h"
+#include "app/headless_pictures.h"
+#include "app/output.h"
+#include "app/progress_bar.h"
+#include "core/run/steady_frames.h"
+#include "core/scene/atomic_file.h"
+#include "core/scene/input_error.h"
+#include "core/scene/scene_file.h"
+#include "ui/picture/contact_picture.h"
+#include "ui/picture/diagram_picture.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<FigureName> allOfThePaper() {
+  std::vector<FigureName> names;
+  for (const FigureEntry& entry : figureEntries())
+    if (entry.name < FigureName::Master) names.push_back(entry.name);
+  return names;
+}
+
+FigureName nameOf(const std::string& word) {
+  std::string words;
+  for (const FigureEntry& entry : figureEntries()) {
+    if (entry.word == word) return entry.name;
+    words += std::string(entry.word) + ", ";
+  }
+  throw InputError("", "NAME", fmt::format("{} is not one of {}all", word.substr(0, 60), words));
+}
+
+/// Each once, in the order given.
+std::vector<FigureName> namesOf(const std::vector<std::string>& words) {
+  std::vector<FigureName> names;
+  const auto add = [&](FigureName name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const std::string& word : words)
+    if (word == "all")
+      for (const FigureName name : allOfThePaper()) add(name);
+    else
+      add(nameOf(word));
+  return names;
+}
+
+std::string fileOf(const FigureCommand& command, FigureName name, const char* extension) {
+  return (fs::path(command.output) / fmt::format("figure_{}{}", entryOf(name).word, extension))
+      .string();
+}
+
+std::string claimsFile(const FigureCommand& command) {
+  return (fs::path(command.output) / "claims.json").string();
+}
+
+/// All that can be wrong with the output is said before the work.
+void prepareFolder(const FigureCommand& command, const std::vector<FigureName>& names) {
+  makeFolder(command.output);
+  for (const FigureName name : names)
+    for (const char* extension : {".csv", ".png", ".svg"})
+      checkWritable(fileOf(command, name, extension));
+  checkWritable(claimsFile(command));
+}
+
+DrawList pictureOf(const Figure& figure) {
+  const DiagramOptions print = printOptions(figure.sheet);
+  if (!figure.sheet.diagrams.empty()) return composeDiagrams(figure.sheet, print);
+  ContactPictureOptions contact;
+  contact.width = print.width;
+  contact.height = print.height;
+  contact.scale = print.scale;
+  Scene scene = figure.scene;
+  scene.title = figure.sheet.title;
+  const SteadyFrames frames(std::make_shared<const Scene>(scene));
+  return composeContact(frames.frame(0, 1, 25), contact);
+}
+
+void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPictures& pictures) {
+  writeFileAtomically(fileOf(command, figure.name, ".csv"), figure.csv);
+  const DrawList picture = pictureOf(figure);
+  const PictureFacts facts{figure.sheet.title, writeScene(figure.scene)};
+  for (const char* extension : {".png", ".svg"})
+    pictures.write(fileOf(command, figure.name, extension), picture, facts);
+}
+
+std::string claimLines(const Figure& figure) {
+  std::string text;
+  for (const Claim& claim : figure.claims) {
+    std::string measured = std::isfinite(claim.measured.value)
+                               ? fmt::format("{:.4g}", claim.measured.value)
+                               : std::string("not measured");
+    if (std::isfinite(claim.measured.standardError))
+      measured += fmt::format(" \u00B1 {:.1g}", claim.measured.standardError);
+    text += fmt::format("  {}: {}\n      {}: {}\n", holdsText(claim), claim.claim, claim.quantity,
+                        measured);
+  }
+  return text;
+}
+
+struct Made {
+  std::vector<Figure> figures;
+  std::vector<double> seconds;
+};
+
+Made makeFigures(const FigureCommand& command, const std::vector<FigureName>& names) {
+  Made made;
+  HeadlessPictures pictures;
+  for (const FigureName name : names) {
+    const auto start = std::chrono::steady_clock::now();
+    ProgressBar bar(fmt::format("figure {}", entryOf(name).word), command.common.quiet);
+    FigureOptions options;
+    options.realizations = command.realizations;
+    options.assignments = command.common.assignments;
+    options.threads = command.common.threads;
+    options.progress = [&bar](double part) {
+      bar.show(static_cast<std::int64_t>(1000 * part), 1000);
+    };
+    writeFigure(command, made.figures.emplace_back(makeFigure(name, options)), pictures);
+    made.seconds.push_back(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  pictures.finish();
+  return made;
+}
+
+std::string summaryOf(const FigureCommand& command, const Made& made) {
+  double total = 0;
+  for (const double seconds : made.seconds) total += seconds;
+  std::string text;
+  for (std::size_t i = 0; i < made.figures.size(); ++i) {
+    const Figure& figure = made.figures[i];
+    text += fmt::format("{}\n{}", figure.sheet.title, claimLines(figure));
+    if (made.figures.size() > 1)
+      text += fmt::format("  {:.0f} % of the run time\n", 100 * made.seconds[i] / total);
+  }
+  for (const Figure& figure : made.figures)
+    text += fmt::format("wrote {} (.png, .svg)\n", fileOf(command, figure.name, ".csv"));
+  return text + fmt::format("wrote {}\n", claimsFile(command));
+}
+
+}  // namespace
+
+int runFigure(const FigureCommand& command) {
+  const std::vector<FigureName> names = namesOf(command.names);
+  FigureOptions options;
+  options.realizations = command.realizations;
+  options.assignments = command.common.assignments;
+  for (const FigureName name : names) figureScene(name, options);
+  prepareFolder(command, names);
+  const Made made = makeFigures(command, names);
+  const std::string claims = claimsJson(made.figures);
+  writeFileAtomically(claimsFile(command), claims);
+  printSummary(command.common.json, command.common.quiet, summaryOf(command, made));
+  if (command.common.json) fmt::print("{}", claims);
+  return kDone;
+}
+
+}  // namespace asperity

@@ -1,0 +1,144 @@
+// Fig. 5: alpha and beta of Eq. (5) in zone 1 over the Hurst exponent.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/friction/curve_file.h"
+#include "core/friction/figures/figure_parts.h"
+#include "core/friction/figures/figures_each.h"
+#include "core/friction/law.h"
+
+namespace asperity {
+namespace {
+
+struct Coefficients {
+  double hurst = 0;
+  Estimate alpha, beta;
+};
+
+Coefficients coefficientsOf(const Study& study) {
+  return {study.scene().surface.hurst,
+          jackknife(study.groups(), [&](int out) { return alphaOf(study, out); }),
+          jackknife(study.groups(), [&](int out) { return betaOf(study, out); })};
+}
+
+DiagramPoint pointOf(double x, const Estimate& estimate) {
+  return {x, estimate.value, estimate.value - estimate.standardError,
+          estimate.value + estimate.standardError};
+}
+
+Diagram emptyDiagram(const char* title, const char* name) {
+  Diagram diagram;
+  diagram.title = title;
+  diagram.x = {"Hurst exponent H", "", AxisScale::Linear, 0, 1};
+  diagram.y = {name, "", AxisScale::Linear};
+  return diagram;
+}
+
+Diagram alphaDiagram(const std::vector<Coefficients>& all) {
+  Diagram diagram = emptyDiagram("exponent", "\u03B1");
+  diagram.y.to = 0.6;
+  DiagramSeries theory{"\u03B1 = H/(1 + H), Eq. (7)"};
+  theory.isTheory = true;
+  for (int k = 0; k <= 50; ++k) theory.points.push_back({k / 50.0, forceExponent(k / 50.0)});
+  DiagramSeries measured{"measured, 0.001 \u2264 F_N/GhL \u2264 0.1", SeriesMark::Circle,
+                         SeriesStroke::None};
+  for (const Coefficients& one : all) measured.points.push_back(pointOf(one.hurst, one.alpha));
+  diagram.series = {theory, measured};
+  return diagram;
+}
+
+Diagram betaDiagram(const std::vector<Coefficients>& all) {
+  Diagram diagram = emptyDiagram("prefactor", "\u03B2");
+  diagram.y.to = 3;
+  DiagramSeries one{"\u03B2 = 1, silently in Eq. (12)"};
+  one.isTheory = true;
+  one.stroke = SeriesStroke::Dashed;
+  one.points = {{0, 1}, {1, 1}};
+  DiagramSeries table{"table used by Eq. (11) here"};
+  table.isTheory = true;
+  for (int k = 0; k <= 50; ++k) table.points.push_back({k / 50.0, betaOf(k / 50.0)});
+  DiagramSeries measured{"measured, 0.001 \u2264 F_N/GhL \u2264 1", SeriesMark::Circle,
+                         SeriesStroke::None};
+  for (const Coefficients& here : all) measured.points.push_back(pointOf(here.hurst, here.beta));
+  diagram.series = {one, table, measured};
+  return diagram;
+}
+
+bool isMiddle(double hurst) {
+  return hurst > 0.2 - 1e-9 && hurst < 0.8 + 1e-9;
+}
+
+Claim exponentClaim(const std::vector<Coefficients>& all) {
+  Claim claim{"alpha_is_H_over_1_plus_H", "p. 3, Eq. (7), Fig. 5",
+              "For 0.2 < H < 0.8 the exponent alpha = H/(1+H) fits the numerical data very well",
+              "largest |alpha - H/(1+H)| at the seven Hurst exponents from 0.2 to 0.8"};
+  std::string each;
+  double worst = -1;
+  for (const Coefficients& one : all) {
+    if (!isMiddle(one.hurst)) continue;
+    const double deviation = std::abs(one.alpha.value - forceExponent(one.hurst));
+    each += fmt::format("{}H = {:g}: {:.3f} for {:.3f}", each.empty() ? "" : ", ", one.hurst,
+                        one.alpha.value, forceExponent(one.hurst));
+    if (deviation <= worst) continue;
+    worst = deviation;
+    claim.measured = {deviation, one.alpha.standardError};
+  }
+  claim.expected = 0;
+  claim.criterion = "below 0.02 at each";
+  claim.holds = verdict(worst < 0.02);
+  claim.note = each + ". F_N / G h L from 0.001 to 0.1.";
+  return claim;
+}
+
+Claim prefactorClaim(const std::vector<Coefficients>& all) {
+  const auto top = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.beta.value < b.beta.value;
+  });
+  Claim claim{"beta_of_equation_12", "p. 3, Eq. (12)",
+              "Eq. (11) can be rewritten as Eq. (12), in which beta does not appear",
+              "largest beta of the eleven Hurst exponents"};
+  claim.measured = top->beta;
+  claim.expected = 1;
+  claim.criterion = "every beta within 0.1 of 1";
+  claim.holds = verdict(std::all_of(all.begin(), all.end(), [](const Coefficients& one) {
+    return std::abs(one.beta.value - 1) < 0.1;
+  }));
+  std::string each;
+  for (const Coefficients& one : all)
+    each += fmt::format("{}{:g}: {:.2f}", each.empty() ? "" : ", ", one.hurst, one.beta.value);
+  claim.note =
+      "Eq. (12) sets beta = 1 without saying so and is low by that factor in region I. "
+      "beta by H: " +
+      each + ".";
+  return claim;
+}
+
+}  // namespace
+
+void addExponentsFigure(Figure& figure, const FigureOptions& options) {
+  const std::vector<double> exponents = elevenHurstExponents();
+  FigureWork work(options, static_cast<double>(exponents.size()));
+  std::vector<Coefficients> all;
+  figure.csv = "hurst,alpha,alpha_standard_error,alpha_law,beta,beta_standard_error,realizations\n";
+  for (const double hurst : exponents) {
+    Scene scene = figure.scene;
+    scene.surface.hurst = hurst;
+    const double slope = LineSource(scene, 1).statistics().rmsSlope;
+    const Study study(scene, zone1Cases(scene, slope), work.next(1));
+    const Coefficients& one = all.emplace_back(coefficientsOf(study));
+    figure.csv +=
+        fmt::format("{},{},{},{},{},{},{}\n", hurst, one.alpha.value,
+                    csvNumber(one.alpha.standardError), forceExponent(hurst), one.beta.value,
+                    csvNumber(one.beta.standardError), study.realizations());
+  }
+  figure.sheet.diagrams = {alphaDiagram(all), betaDiagram(all)};
+  figure.sheet.note =
+      "In the limit of low velocity. \u03B2 belongs to \u03B1 = H/(1 + H). Bars: one standard "
+      "error, "
+      "smaller than most marks.";
+  figure.claims = {exponentClaim(all), prefactorClaim(all)};
+}
+
+}  // namespace asperity

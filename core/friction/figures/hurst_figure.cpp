@@ -1,0 +1,124 @@
+// Fig. 3: six Hurst exponents at a large force, with Eq. (11).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/friction/curve_file.h"
+#include "core/friction/ensemble.h"
+#include "core/friction/figures/figure_parts.h"
+#include "core/friction/figures/figures_each.h"
+
+namespace asperity {
+namespace {
+
+double hurstOf(const Study& study) {
+  return study.scene().surface.hurst;
+}
+
+/// The study where `read` is largest, as an index.
+template <class Read>
+std::size_t largest(const std::vector<Study>& studies, const Read& read) {
+  std::size_t top = 0;
+  for (std::size_t k = 1; k < studies.size(); ++k)
+    if (read(studies[k], Study::kAll) > read(studies[top], Study::kAll)) top = k;
+  return top;
+}
+
+Claim linearClaim(const std::vector<Study>& studies) {
+  const auto deviation = [](const Study& study, int out) {
+    return std::abs(velocityExponent(study, 0, 0, 4, out) - 1);
+  };
+  const Study& worst = studies[largest(studies, deviation)];
+  Claim claim{"region_1_is_linear_for_all_H", "p. 2, Fig. 3",
+              "At small velocities the coefficient of friction increases linearly with velocity, "
+              "for six Hurst exponents",
+              "largest |n - 1| of mu ~ v^n over the five lowest velocities"};
+  claim.measured = jackknife(worst.groups(), [&](int out) { return deviation(worst, out); });
+  claim.expected = 0;
+  claim.criterion = "below 0.02";
+  claim.holds = verdict(claim.measured.value < 0.02);
+  claim.note = fmt::format("Largest at H = {:g}.", hurstOf(worst));
+  return claim;
+}
+
+/// Largest |mu / Eq. (11) - 1| up to the maximum.
+double lawDeviation(const Study& study, int out) {
+  const double top = plateauOf(study, 0).velocity;
+  double worst = 0;
+  for (std::size_t i = 0; i < study.velocities().size() && study.velocities()[i] <= top; ++i)
+    worst = std::max(worst, std::abs(study.mu(0, i, out) / frictionLaw(study.lawInput(0, i)) - 1));
+  return worst;
+}
+
+Claim lawClaim(const std::vector<Study>& studies) {
+  const Study& worst = studies[largest(studies, lawDeviation)];
+  Claim claim{"equation_11", "p. 3, Eq. (11), Fig. 3",
+              "Eq. (11) interpolates between regions I, II and III; its quality can be seen in "
+              "Fig. 3",
+              "largest |mu / Eq. (11) - 1| up to the maximum, beta as measured"};
+  claim.measured = jackknife(worst.groups(), [&](int out) { return lawDeviation(worst, out); });
+  claim.expected = 0;
+  claim.criterion = "below 0.25";
+  claim.holds = verdict(claim.measured.value < 0.25);
+  std::string each;
+  for (const Study& study : studies)
+    each += fmt::format("{}H = {:g}: {:.0f} %", each.empty() ? "" : ", ", hurstOf(study),
+                        100 * lawDeviation(study, Study::kAll));
+  claim.note = each + ". With the rms slope of the whole line for that in contact.";
+  return claim;
+}
+
+/// mu at the highest velocity over the maximum.
+double leftAtTheEnd(const Study& study, int out) {
+  return study.normalizedMu(0, study.velocities().size() - 1, out) /
+         plateauOf(study, 0, out).normalizedMu;
+}
+
+Claim outsideClaim(const std::vector<Study>& studies) {
+  const auto lost = [](const Study& study, int out) { return 1 - leftAtTheEnd(study, out); };
+  const Study& worst = studies[largest(studies, lost)];
+  Claim claim{
+      "region_4_out_of_scope", "p. 2, Figs. 3 and 4",
+      "At high forces the decreasing region IV is outside the scope of practical velocities",
+      "smallest mu at the highest velocity over the maximum"};
+  claim.measured = jackknife(worst.groups(), [&](int out) { return leftAtTheEnd(worst, out); });
+  claim.expected = 1;
+  claim.criterion = "above 0.9";
+  claim.holds = verdict(claim.measured.value > 0.9);
+  claim.note = fmt::format("At {:.3g} m/s, smallest at H = {:g}.", worst.velocities().back(),
+                           hurstOf(worst));
+  return claim;
+}
+
+}  // namespace
+
+void addHurstFigure(Figure& figure, const FigureOptions& options) {
+  const std::vector<double> exponents = sixHurstExponents();
+  FigureWork work(options, static_cast<double>(exponents.size()));
+  std::vector<Study> studies;
+  Diagram diagram = frictionDiagram();
+  figure.csv = "hurst," + curveHeader();
+  for (std::size_t k = 0; k < exponents.size(); ++k) {
+    Scene scene = figure.scene;
+    scene.surface.hurst = exponents[k];
+    const Study& study = studies.emplace_back(
+        work.study(scene, {scene.load.normalForce}, sweepVelocities(scene.sweep), 1));
+    DiagramSeries law = lawSeries(study, 0, k == 0 ? "Eq. (11)" : "");
+    diagram.series.insert(diagram.series.begin() + static_cast<std::ptrdiff_t>(k), law);
+    DiagramSeries series = frictionSeries(study, 0, fmt::format("H = {:g}", exponents[k]));
+    series.mark = SeriesMark::Circle;
+    series.stroke = SeriesStroke::None;
+    series.colour = static_cast<int>(k);
+    diagram.series.push_back(series);
+    figure.csv += tableRows(study, 0, fmt::format("{},", exponents[k]));
+  }
+  figure.sheet.diagrams.push_back(std::move(diagram));
+  figure.sheet.note =
+      "Points: averages with one standard error. Lines: Eq. (11) with the rms slope of the whole "
+      "line, \u03B1 = H/(1 + H) and \u03B2 as measured (Fig. 5).";
+  figure.claims = {linearClaim(studies), lawClaim(studies), outsideClaim(studies),
+                   fullContactClaim(studies)};
+}
+
+}  // namespace asperity

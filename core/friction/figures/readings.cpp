@@ -1,0 +1,164 @@
+#include "core/friction/figures/readings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/friction/ensemble.h"
+#include "core/friction/fit.h"
+
+namespace asperity {
+namespace {
+
+/// Where values pass `level` between two velocities, straight in logarithms; NaN: never.
+template <class Value>
+double crossing(const std::vector<double>& velocities, std::size_t from, double level,
+                const Value& value) {
+  for (std::size_t i = from; i + 1 < velocities.size(); ++i) {
+    const double a = std::log(value(i) / level), b = std::log(value(i + 1) / level);
+    if (a == 0) return velocities[i];
+    if ((a < 0) != (b < 0))
+      return velocities[i] * std::pow(velocities[i + 1] / velocities[i], a / (a - b));
+  }
+  return kNotApplicable;
+}
+
+std::size_t highest(const Study& study, std::size_t j, int leftOut) {
+  std::size_t top = 0;
+  for (std::size_t i = 1; i < study.velocities(j).size(); ++i)
+    if (study.mu(j, i, leftOut) > study.mu(j, top, leftOut)) top = i;
+  return top;
+}
+
+}  // namespace
+
+double velocityExponent(const Study& study, std::size_t j, std::size_t first, std::size_t last,
+                        int leftOut) {
+  std::vector<double> velocities, mu;
+  for (std::size_t i = first; i <= last; ++i) {
+    velocities.push_back(study.velocities(j)[i]);
+    mu.push_back(study.mu(j, i, leftOut));
+  }
+  return fitPower(velocities, mu).slope;
+}
+
+Plateau plateauOf(const Study& study, std::size_t j, int leftOut) {
+  const std::vector<double>& velocities = study.velocities(j);
+  const std::size_t top = highest(study, j, leftOut);
+  const double middle = study.normalizedMu(j, top, leftOut);
+  if (top == 0 || top + 1 == velocities.size()) return {velocities[top], middle};
+  // Velocities are evenly spaced in their logarithm.
+  const double before = study.normalizedMu(j, top - 1, leftOut);
+  const double after = study.normalizedMu(j, top + 1, leftOut);
+  const double bend = before - 2 * middle + after;
+  const double shift = bend < 0 ? 0.5 * (before - after) / bend : 0;
+  return {velocities[top] * std::pow(velocities[top + 1] / velocities[top], shift),
+          middle - 0.25 * (before - after) * shift};
+}
+
+RegionBorders regionBorders(const Study& study, std::size_t j, int leftOut,
+                            const BorderRule& rule) {
+  const std::vector<double>& velocities = study.velocities(j);
+  const double perVelocity = study.mu(j, 0, leftOut) / velocities[0];
+  const double reached = rule.ofMaximum * plateauOf(study, j, leftOut).normalizedMu;
+  const auto overLine = [&](std::size_t i) {
+    return study.mu(j, i, leftOut) / (perVelocity * velocities[i]);
+  };
+  const auto normalized = [&](std::size_t i) { return study.normalizedMu(j, i, leftOut); };
+  return {crossing(velocities, 0, rule.ofLine, overLine),
+          crossing(velocities, 0, reached, normalized),
+          crossing(velocities, highest(study, j, leftOut), reached, normalized)};
+}
+
+double normalizedMuAt(const Study& study, std::size_t j, double velocity, int leftOut) {
+  const std::vector<double>& velocities = study.velocities(j);
+  const auto above = std::upper_bound(velocities.begin() + 1, velocities.end() - 1, velocity);
+  const auto i = static_cast<std::size_t>(above - velocities.begin());
+  const double part =
+      std::log(velocity / velocities[i - 1]) / std::log(velocities[i] / velocities[i - 1]);
+  const double before = study.normalizedMu(j, i - 1, leftOut);
+  return before * std::pow(study.normalizedMu(j, i, leftOut) / before, part);
+}
+
+double lowVelocityFactor(const Study& study, std::size_t j, std::size_t i, int leftOut) {
+  const LawInput in = study.lawInput(j, i);
+  return study.mu(j, i, leftOut) * in.rmsHeight /
+         (in.relaxationTime * in.velocity * in.rmsSlope * in.rmsSlope);
+}
+
+namespace {
+
+/// Velocity (m/s) at which Eq. (13) has this value.
+double velocityAt(double dimensionless, const Scene& scene, double rmsSlope) {
+  return dimensionless * std::numbers::sqrt2 * scene.surface.rmsHeight /
+         (scene.elastomer.relaxationTime * rmsSlope);
+}
+
+}  // namespace
+
+FullContact fullContactOf(const Study& study) {
+  FullContact found;
+  for (std::size_t j = 0; j < study.forces(); ++j)
+    for (std::size_t i = 0; i < study.velocities(j).size(); ++i) {
+      if (study.contactFraction(j, i) < 1 - 1e-12) continue;
+      ++found.points;
+      LawInput in = study.lawInput(j, i);
+      const auto deviation = [&] { return std::abs(study.mu(j, i) / fullContactFriction(in) - 1); };
+      found.toSpectral = std::max(found.toSpectral, deviation());
+      in.rmsSlope = study.rmsSlopeContact(j, i);
+      found.toResolved = std::max(found.toResolved, deviation());
+    }
+  return found;
+}
+
+double forceAt(const Scene& scene, double dimensionlessForce) {
+  return dimensionlessForce * scene.elastomer.shearModulus * scene.surface.rmsHeight *
+         scene.surface.length;
+}
+
+double alphaOf(const Study& study, int leftOut) {
+  std::vector<double> forces, factors;
+  for (std::size_t j = 0; j < study.forces(); ++j) {
+    const double force = dimensionlessForce(study.lawInput(j, 0));
+    if (force > kAlphaUpTo * (1 + 1e-9)) continue;
+    forces.push_back(force);
+    factors.push_back(lowVelocityFactor(study, j, 0, leftOut));
+  }
+  return -fitPower(forces, factors).slope;
+}
+
+double betaOf(const Study& study, int leftOut) {
+  const double alpha = forceExponent(study.scene().surface.hurst);
+  double sum = 0;
+  for (std::size_t j = 0; j < study.forces(); ++j) {
+    const double force = dimensionlessForce(study.lawInput(j, 0));
+    sum += std::log(lowVelocityFactor(study, j, 0, leftOut)) + alpha * std::log(force);
+  }
+  return std::exp(sum / static_cast<double>(study.forces()));
+}
+
+std::vector<LoadCase> zone1Cases(const Scene& scene, double rmsSlope) {
+  std::vector<LoadCase> cases;
+  for (const double force : logSpaced(kZone1From, kBetaUpTo, 13))
+    cases.push_back(
+        {{LoadKind::Force, forceAt(scene, force), 0}, {velocityAt(1e-5, scene, rmsSlope)}});
+  return cases;
+}
+
+std::vector<LoadCase> plateauCases(const Scene& scene, double rmsSlope,
+                                   const std::vector<double>& normalForces) {
+  const double hurst = scene.surface.hurst;
+  std::vector<LoadCase> cases;
+  for (const double normalForce : normalForces) {
+    // Region I meets the plateau at vbar = f; the maximum lies one to two decades above.
+    const double force = normalForce / forceAt(scene, 1);
+    const double meeting =
+        std::hypot(force / 4, std::pow(force, forceExponent(hurst)) / betaOf(hurst));
+    const double velocity = velocityAt(meeting, scene, rmsSlope);
+    cases.push_back(
+        {{LoadKind::Force, normalForce, 0}, logSpaced(3 * velocity, 300 * velocity, 9)});
+  }
+  return cases;
+}
+
+}  // namespace asperity

@@ -1,0 +1,76 @@
+// What the paper reads from its curves by eye, defined once: slopes, the regions' borders, the
+// plateau. All read averages at one force (index j), optionally without one group of realizations
+// (see jackknife). Pure; any thread.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/friction/study.h"
+
+namespace asperity {
+
+/// Exponent n of mu ~ v^n, fitted to velocities `first` to `last` (indices, both included).
+double velocityExponent(const Study& study, std::size_t j, std::size_t first, std::size_t last,
+                        int leftOut = Study::kAll);
+
+struct Plateau {
+  double velocity = 0;      // m/s
+  double normalizedMu = 0;  // mu / rms slope of the line
+};
+
+/// The curve's maximum, from the parabola in ln v through the three highest neighbours.
+Plateau plateauOf(const Study& study, std::size_t j, int leftOut = Study::kAll);
+
+/// Where the curve leaves one region for the next (m/s); NaN where it never does.
+struct RegionBorders {
+  double endOfLinear = 0;  // I to II: so far below its line through region I
+  double toPlateau = 0;    // II to III: this part of the maximum reached
+  double offPlateau = 0;   // III to IV: below that again
+};
+
+/// How a border is recognized; the paper does not say.
+struct BorderRule {
+  double ofLine = 0.8;
+  double ofMaximum = 0.95;
+};
+
+/// Region I is that of the lowest velocity.
+RegionBorders regionBorders(const Study& study, std::size_t j, int leftOut = Study::kAll,
+                            const BorderRule& rule = {});
+
+/// mu / rms slope at a velocity between those computed, straight in logarithms.
+double normalizedMuAt(const Study& study, std::size_t j, double velocity,
+                      int leftOut = Study::kAll);
+
+/// mu / (tau v grad^2 / h) in the limit of low velocity, read at velocity i: beta Fbar^-alpha of
+/// Eq. (5).
+double lowVelocityFactor(const Study& study, std::size_t j, std::size_t i,
+                         int leftOut = Study::kAll);
+
+/// Where the whole line is in contact on every realization: mu against Eq. (8).
+struct FullContact {
+  int points = 0;
+  double toResolved = 0;  // largest |mu / Eq. (8) - 1| with the rms slope of the line's segments
+  double toSpectral = 0;  // the same with that of the spectrum: the resolution of the line
+};
+FullContact fullContactOf(const Study& study);
+
+/// F_N (N) of a dimensionless force: Fbar G h L, Eq. (14).
+double forceAt(const Scene& scene, double dimensionlessForce);
+
+/// Eq. (5)'s exponent and prefactor in zone 1, from forces at velocity index 0. alpha is the slope
+/// of ln mu over ln Fbar up to kAlphaUpTo; beta goes with alpha = H/(1+H), the mean of the
+/// logarithm up to kBetaUpTo.
+double alphaOf(const Study& study, int leftOut = Study::kAll);
+double betaOf(const Study& study, int leftOut = Study::kAll);
+inline constexpr double kZone1From = 1e-3, kAlphaUpTo = 0.1, kBetaUpTo = 1;
+
+/// Thirteen forces that span the window, and one velocity in the limit of slow sliding.
+std::vector<LoadCase> zone1Cases(const Scene& scene, double rmsSlope);
+
+/// Forces with nine velocities each around the maximum of its curve.
+std::vector<LoadCase> plateauCases(const Scene& scene, double rmsSlope,
+                                   const std::vector<double>& normalForces);
+
+}  // namespace asperity

@@ -1,0 +1,107 @@
+#include "core/friction/realizations.h"
+
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "core/contact/scene_sliding.h"
+
+namespace asperity {
+namespace {
+
+using Results = std::vector<SteadyResult>;
+
+/// What a thread uses again for one realization after another.
+struct Memory {
+  Line line;
+  TravelLine travel;
+};
+
+std::string failureOf(const SteadyResult& result, double velocity, std::int64_t realization) {
+  const std::string where =
+      fmt::format("at velocity {:.4g} m/s on realization {}", velocity, realization);
+  if (result.residual <= kAcceptedResidual)
+    return "contact is too short for the digits that numbers have, " + where;
+  return fmt::format("the force balance is not met {}: relative residual {:.2g}", where,
+                     result.residual);
+}
+
+class Realizations {
+ public:
+  Realizations(const RealizationTask& task, int threads, const std::stop_token& stop)
+      : task_(task),
+        sliding_(task.scene),
+        stop_(stop),
+        arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+
+  std::vector<Results> compute(std::int64_t first, std::int64_t count) {
+    std::vector<Results> batch(static_cast<std::size_t>(count));
+    arena_.execute([&] {
+      tbb::parallel_for(std::int64_t{0}, count, [&](std::int64_t i) {
+        if (!stop_.stop_requested())
+          batch[static_cast<std::size_t>(i)] = slide(task_.first + first + i);
+      });
+    });
+    return batch;
+  }
+
+ private:
+  /// Cut short where stop is requested.
+  Results slide(std::int64_t realization) {
+    Memory& memory = memory_.local();
+    const Scheme scheme = task_.scene.accuracy.scheme;
+    task_.source.makeInto(memory.line, realization,
+                          scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
+    prepareTravelInto(memory.travel, memory.line, scheme);
+    std::size_t count = 0;
+    for (const LoadCase& one : task_.cases) count += one.velocities.size();
+    Results results(count);
+    std::span<SteadyResult> left(results);
+    for (const LoadCase& one : task_.cases) {
+      const std::span<SteadyResult> row = left.first(one.velocities.size());
+      left = left.subspan(row.size());
+      if (!sliding_.sweep(memory.travel, one.load, one.velocities, row, stop_)) return {};
+      requireBalance(one, row, realization);
+    }
+    return results;
+  }
+
+  static void requireBalance(const LoadCase& one, std::span<const SteadyResult> row,
+                             std::int64_t realization) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (row[i].status != SteadyStatus::Balanced)
+        throw std::runtime_error(failureOf(row[i], one.velocities[i], realization));
+  }
+
+  const RealizationTask& task_;
+  SceneSliding sliding_;
+  const std::stop_token& stop_;
+  tbb::task_arena arena_;
+  tbb::enumerable_thread_specific<Memory> memory_;
+};
+
+}  // namespace
+
+bool slideRealizations(const RealizationTask& task, std::int64_t count, int threads,
+                       const std::stop_token& stop, const TakeRealization& take,
+                       const BatchDone& batchDone) {
+  Realizations realizations(task, threads, stop);
+  // The first one comes at once; later batches are large enough to keep all threads busy.
+  for (std::int64_t done = 0, batch = 1; done < count;
+       batch = std::min<std::int64_t>(2 * batch, 32)) {
+    batch = std::min(batch, count - done);
+    const std::vector<Results> finished = realizations.compute(done, batch);
+    if (stop.stop_requested()) return false;
+    for (const Results& results : finished) take(results);
+    done += batch;
+    if (batchDone) batchDone(done);
+  }
+  return true;
+}
+
+}  // namespace asperity

@@ -1,0 +1,143 @@
+#include "core/friction/study.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+std::vector<LoadCase> casesOf(const std::vector<double>& normalForces,
+                              const std::vector<double>& velocities) {
+  std::vector<LoadCase> cases;
+  for (const double force : normalForces)
+    cases.push_back({{LoadKind::Force, force, 0}, velocities});
+  return cases;
+}
+
+}  // namespace
+
+Study::Study(const Scene& scene, const std::vector<double>& normalForces,
+             const std::vector<double>& velocities, const StudyOptions& options)
+    : Study(scene, casesOf(normalForces, velocities), options) {}
+
+Study::Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions& options)
+    : scene_(scene), cases_(std::move(cases)) {
+  const LineSource source(scene_, pointsPerElement(scene_));
+  line_ = source.statistics();
+  length_ = source.length();
+  realizations_ = source.isRandom() ? scene_.ensemble.realizations : 1;
+  groups_ = static_cast<int>(std::min<std::int64_t>(kGroups, realizations_));
+  groupSizes_.assign(static_cast<std::size_t>(groups_), 0);
+  sums_.assign(groupSizes_.size() * cellOf(cases_.size(), 0), Sums{});
+  std::int64_t taken = 0;
+  const RealizationTask task{scene_, source, cases_, 0};
+  const bool isWhole = slideRealizations(
+      task, realizations_, options.threads, options.stop,
+      [&](std::span<const SteadyResult> results) { add(taken++, results); },
+      [&](std::int64_t done) {
+        if (options.progress) options.progress(done, realizations_);
+      });
+  if (!isWhole) throw StudyStopped{};
+}
+
+void Study::add(std::int64_t realization, std::span<const SteadyResult> results) {
+  const auto group = static_cast<std::size_t>(realization % groups_);
+  ++groupSizes_[group];
+  Sums* const sums = sums_.data() + group * results.size();
+  if (firstMu_.empty())
+    for (const SteadyResult& result : results) firstMu_.push_back(result.mu);
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const SteadyResult& result = results[k];
+    const double slope = std::isfinite(result.rmsSlopeContact) ? result.rmsSlopeContact : 0;
+    const double above = result.mu - firstMu_[k];
+    sums[k][Mu] += above;
+    sums[k][MuSquared] += above * above;
+    sums[k][Contact] += result.contactFraction;
+    sums[k][SlopeSquares] += result.contactFraction * slope * slope;
+    sums[k][Indentation] += result.indentation;
+    sums[k][Marginal] += result.marginalShare < 1 ? 1 : 0;
+    largestResidual_ = std::max(largestResidual_, result.residual);
+  }
+}
+
+std::size_t Study::cellOf(std::size_t j, std::size_t i) const {
+  return j * cases_.front().velocities.size() + i;
+}
+
+double Study::mean(Quantity quantity, std::size_t j, std::size_t i, int leftOut) const {
+  const std::size_t cell = cellOf(j, i), cells = cellOf(cases_.size(), 0);
+  double sum = 0;
+  std::int64_t count = 0;
+  for (std::size_t group = 0; group < groupSizes_.size(); ++group) {
+    if (static_cast<int>(group) == leftOut) continue;
+    sum += sums_[group * cells + cell][quantity];
+    count += groupSizes_[group];
+  }
+  return sum / static_cast<double>(count);
+}
+
+double Study::mu(std::size_t j, std::size_t i, int leftOut) const {
+  return firstMu_[cellOf(j, i)] + mean(Mu, j, i, leftOut);
+}
+
+double Study::normalizedMu(std::size_t j, std::size_t i, int leftOut) const {
+  return mu(j, i, leftOut) / line_.rmsSlope;
+}
+
+double Study::contactFraction(std::size_t j, std::size_t i, int leftOut) const {
+  return mean(Contact, j, i, leftOut);
+}
+
+double Study::rmsSlopeContact(std::size_t j, std::size_t i, int leftOut) const {
+  return std::sqrt(mean(SlopeSquares, j, i, leftOut) / mean(Contact, j, i, leftOut));
+}
+
+double Study::muStandardError(std::size_t j, std::size_t i) const {
+  if (realizations_ < 2) return kNotApplicable;
+  const double above = mean(Mu, j, i, kAll);
+  const double variance = std::max(0.0, mean(MuSquared, j, i, kAll) - above * above);
+  return std::sqrt(variance / static_cast<double>(realizations_ - 1));
+}
+
+double Study::marginalFraction(std::size_t j, std::size_t i) const {
+  return mean(Marginal, j, i, kAll);
+}
+
+LawInput Study::lawInput(std::size_t j, std::size_t i) const {
+  const SlidingConditions conditions = conditionsOf(scene_, velocities(j)[i]);
+  return {conditions.shearModulus, conditions.relaxationTime, length_,        line_.rmsHeight,
+          line_.rmsSlope,          scene_.surface.hurst,      normalForce(j), velocities(j)[i]};
+}
+
+CurvePoint Study::point(std::size_t j, std::size_t i) const {
+  const LawInput in = lawInput(j, i);
+  CurvePoint point;
+  point.velocity = velocities(j)[i];
+  point.mu = mu(j, i);
+  point.muStandardError = muStandardError(j, i);
+  point.muLaw = frictionLaw(in);
+  point.contactFraction = contactFraction(j, i);
+  point.rmsSlopeContact = rmsSlopeContact(j, i);
+  point.indentation = mean(Indentation, j, i, kAll);
+  point.normalizedMu = normalizedMu(j, i);
+  point.dimensionlessVelocity = dimensionlessVelocity(in);
+  point.dimensionlessForce = dimensionlessForce(in);
+  point.realizations = realizations_;
+  return point;
+}
+
+Estimate jackknife(int groups, const std::function<double(int leftOut)>& read) {
+  Estimate estimate;
+  estimate.value = read(Study::kAll);
+  if (groups < 2) return estimate;
+  std::vector<double> without;
+  double sum = 0;
+  for (int group = 0; group < groups; ++group) sum += without.emplace_back(read(group));
+  double squares = 0;
+  for (const double value : without) squares += (value - sum / groups) * (value - sum / groups);
+  estimate.standardError = std::sqrt(squares * (groups - 1) / groups);
+  return estimate;
+}
+
+}  // namespace asperity

@@ -1,0 +1,100 @@
+// A scene at several loads and velocities on all its realizations, kept so that whatever is read
+// from the averages (a slope, a plateau, an exponent) comes with an honest uncertainty: the
+// jackknife over groups of realizations, which knows that all loads and velocities share the lines.
+// Immutable once computed; any thread.
+// Failure: as frictionCurve, whose averages these are.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/contact/steady_sliding.h"
+#include "core/friction/curve_point.h"
+#include "core/friction/law.h"
+#include "core/friction/realizations.h"
+#include "core/scene/scene.h"
+#include "core/surface/line_source.h"
+
+namespace asperity {
+
+struct Estimate {
+  double value = kNotApplicable;
+  double standardError = kNotApplicable;  // needs two realizations
+};
+
+struct StudyOptions {
+  int threads = 0;
+  std::stop_token stop;
+  std::function<void(std::int64_t done, std::int64_t total)> progress;
+};
+
+/// Thrown where `stop` was requested.
+struct StudyStopped {};
+
+class Study {
+ public:
+  /// Groups of realizations that the jackknife leaves out in turn; fewer lines: one each.
+  static constexpr int kGroups = 20;
+  static constexpr int kAll = -1;  // no group left out
+
+  /// normalForces (N) and velocities (m/s) both ascending.
+  Study(const Scene& scene, const std::vector<double>& normalForces,
+        const std::vector<double>& velocities, const StudyOptions& options);
+  /// Each force with velocities of its own, all of one number.
+  Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions& options);
+
+  const Scene& scene() const { return scene_; }
+  std::size_t forces() const { return cases_.size(); }
+  double normalForce(std::size_t j) const { return cases_[j].load.normalForce; }  // N
+  const std::vector<double>& velocities(std::size_t j = 0) const { return cases_[j].velocities; }
+  const LineStatistics& line() const { return line_; }
+  std::int64_t realizations() const { return realizations_; }
+  int groups() const { return groups_; }
+
+  /// Averages over all realizations but those of one group, at force j and velocity i.
+  double mu(std::size_t j, std::size_t i, int leftOut = kAll) const;
+  double normalizedMu(std::size_t j, std::size_t i, int leftOut = kAll) const;  // mu / rms slope
+  double contactFraction(std::size_t j, std::size_t i, int leftOut = kAll) const;
+  /// Root mean square over realizations, each weighted by its contact: of the pooled contact.
+  double rmsSlopeContact(std::size_t j, std::size_t i, int leftOut = kAll) const;
+  double muStandardError(std::size_t j, std::size_t i) const;
+  /// Lines whose force fell into a jump of the nodal rule.
+  double marginalFraction(std::size_t j, std::size_t i) const;
+  double largestResidual() const { return largestResidual_; }
+
+  /// Eqs. (5) to (14) at force j and velocity i, with the rms slope of the whole line.
+  LawInput lawInput(std::size_t j, std::size_t i) const;
+  /// The row of a table.
+  CurvePoint point(std::size_t j, std::size_t i) const;
+
+ private:
+  /// Friction is summed from that of the first realization, so that no digits are lost where all
+  /// lines agree.
+  enum Quantity { Mu, MuSquared, Contact, SlopeSquares, Indentation, Marginal, kQuantities };
+  using Sums = std::array<double, kQuantities>;
+
+  void add(std::int64_t realization, std::span<const SteadyResult> results);
+  std::size_t cellOf(std::size_t j, std::size_t i) const;
+  double mean(Quantity quantity, std::size_t j, std::size_t i, int leftOut) const;
+
+  Scene scene_;
+  std::vector<LoadCase> cases_;
+  LineStatistics line_;
+  double length_ = 0;  // m
+  std::int64_t realizations_ = 0;
+  int groups_ = 1;
+  std::vector<std::int64_t> groupSizes_;
+  std::vector<Sums> sums_;       // [group][force][velocity]
+  std::vector<double> firstMu_;  // [force][velocity]
+  double largestResidual_ = 0;
+};
+
+/// A number read from the averages of one or more studies with the same realizations, and its
+/// standard error. `read` gets the group to leave out, or Study::kAll.
+Estimate jackknife(int groups, const std::function<double(int leftOut)>& read);
+
+}  // namespace asperity

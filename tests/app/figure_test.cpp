@@ -1,0 +1,66 @@
+// asperity figure: files, claims, refusals.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program_test.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing::UnorderedElementsAre;
+
+class FigureCommandTest : public ProgramTest {
+ protected:
+  std::string read(const std::string& name) const {
+    return TemporaryFolder::read(program.folder / name);
+  }
+};
+
+constexpr const char* kQuick = " --realizations 3 --set surface.elements=300";
+
+TEST_F(FigureCommandTest, WritesDataPicturesAndClaims) {
+  const Said said = program.run(std::string("figure 1 5 -o out") + kQuick);
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(program.folder.names("out"),
+              UnorderedElementsAre("figure_1.csv", "figure_1.png", "figure_1.svg", "figure_5.csv",
+                                   "figure_5.png", "figure_5.svg", "claims.json"));
+  EXPECT_THAT(read("out/figure_5.csv"), StartsWith("hurst,alpha,"));
+  EXPECT_THAT(read("out/figure_5.png"), StartsWith("\x89PNG"));
+  EXPECT_THAT(read("out/figure_5.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(read("out/figure_1.svg"), HasSubstr("<path"));
+  EXPECT_THAT(said.out, HasSubstr("% of the run time"));
+}
+
+TEST_F(FigureCommandTest, AnswersWithTheClaimsAsJson) {
+  const Said said = program.run(std::string("figure 5 -o out --json") + kQuick);
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(said.out, read("out/claims.json"));
+  const auto json = nlohmann::json::parse(said.out);
+  EXPECT_EQ(json["claims"][0]["figure"], "5");
+  EXPECT_EQ(json["figures"]["5"]["scene"]["surface"]["elements"], 300);
+}
+
+/// The same figure twice, byte for byte, whatever the threads.
+TEST_F(FigureCommandTest, IsTheSameEveryTime) {
+  for (const char* run : {"a --threads 1", "b --threads 2"})
+    ASSERT_EQ(program.run(std::string("figure 2 6 -o ") + run + kQuick).status, 0);
+  for (const std::string& name : program.folder.names("a"))
+    EXPECT_EQ(read("a/" + name), read("b/" + name)) << name;
+}
+
+TEST_F(FigureCommandTest, RefusesWhatItCannotDo) {
+  expectRefused("figure 7 -o out", 2, "7 is not one of 1, 2, 3, 4, 5, 6, master, spacing, all");
+  expectRefused("figure 2", 2, "--output");
+  expectRefused("figure -o out", 2, "NAME");
+  expectRefused("figure 2 -o out --realizations 0", 2, "realizations");
+  expectRefused("figure 4 -o out --set load.normal_force=1", 2,
+                "load.normal_force: figure 4 sets it itself");
+  expectRefused("figure 2 -o out --set surface.hurts=1", 2, "surface.hurst");
+  expectRefused("figure 2 -o s.json", 2, "s.json: is not a folder");
+}
+
+}  // namespace
+}  // namespace asperity

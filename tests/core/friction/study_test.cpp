@@ -1,0 +1,94 @@
+// Studies: the averages of friction curves, and uncertainties by the jackknife.
+#include "core/friction/study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/friction/ensemble.h"
+
+namespace asperity {
+namespace {
+
+Scene smallScene(std::int64_t realizations = 12) {
+  Scene scene;
+  scene.surface.elements = 400;
+  scene.sweep = {1e-3, 10, 5};
+  scene.ensemble.realizations = realizations;
+  return scene;
+}
+
+Study studyOf(const Scene& scene, int threads = 0) {
+  StudyOptions options;
+  options.threads = threads;
+  return {scene,
+          {scene.load.normalForce, 10 * scene.load.normalForce},
+          sweepVelocities(scene.sweep),
+          options};
+}
+
+TEST(Study, HasTheAveragesOfTheCurve) {
+  const Scene scene = smallScene();
+  const Study study = studyOf(scene);
+  const Curve curve = frictionCurve(scene);
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    const CurvePoint& expected = curve.points[i];
+    const CurvePoint point = study.point(0, i);
+    EXPECT_NEAR(point.mu / expected.mu, 1, 1e-12);
+    EXPECT_NEAR(point.muStandardError / expected.muStandardError, 1, 1e-9);
+    EXPECT_DOUBLE_EQ(point.muLaw, expected.muLaw);
+    EXPECT_NEAR(point.contactFraction / expected.contactFraction, 1, 1e-12);
+    EXPECT_NEAR(point.indentation / expected.indentation, 1, 1e-12);
+    EXPECT_NEAR(point.normalizedMu / expected.normalizedMu, 1, 1e-12);
+    EXPECT_EQ(point.realizations, expected.realizations);
+  }
+}
+
+TEST(Study, DoesNotDependOnTheThreads) {
+  const Study one = studyOf(smallScene(), 1), three = studyOf(smallScene(), 3);
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t i = 0; i < 5; ++i) {
+      EXPECT_EQ(one.mu(j, i), three.mu(j, i));
+      EXPECT_EQ(one.muStandardError(j, i), three.muStandardError(j, i));
+    }
+}
+
+/// Of a mean, leaving out single realizations gives the standard error of the mean exactly.
+TEST(Study, JackknifeOfAMeanIsItsStandardError) {
+  const Study study = studyOf(smallScene());
+  ASSERT_EQ(study.groups(), 12);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Estimate mean = jackknife(study.groups(), [&](int out) { return study.mu(0, i, out); });
+    EXPECT_EQ(mean.value, study.mu(0, i));
+    EXPECT_NEAR(mean.standardError / study.muStandardError(0, i), 1, 1e-9);
+  }
+}
+
+TEST(Study, OneRealizationHasNoError) {
+  const Study study = studyOf(smallScene(1));
+  EXPECT_TRUE(std::isnan(study.muStandardError(0, 0)));
+  EXPECT_TRUE(std::isnan(
+      jackknife(study.groups(), [&](int out) { return study.mu(0, 0, out); }).standardError));
+}
+
+/// Eq. (6): mu is that of the pooled contact, exactly, as v -> 0.
+TEST(Study, PooledSlopeBelongsToEquation6) {
+  Scene scene = smallScene();
+  scene.sweep = {1e-7, 1e-6, 2};
+  const Study study = studyOf(scene);
+  const double law =
+      contactFriction(study.lawInput(0, 0), study.contactFraction(0, 0) * scene.surface.length,
+                      study.rmsSlopeContact(0, 0));
+  EXPECT_NEAR(study.mu(0, 0) / law, 1, 1e-4);
+}
+
+TEST(Study, StopsOnRequest) {
+  std::stop_source source;
+  source.request_stop();
+  StudyOptions options;
+  options.stop = source.get_token();
+  EXPECT_THROW(Study(smallScene(), {0.1}, {1.0}, options), StudyStopped);
+}
+
+}  // namespace
+}  // namespace asperity

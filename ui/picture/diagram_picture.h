@@ -1,0 +1,26 @@
+// Diagrams as pictures, in the manner of a printed journal: axes with their units, curves with
+// error bars or bands, theory lines, marks, regions, legends; several diagrams side by side. Pure
+// functions of their arguments; the same picture on the screen, in PNG, SVG and PDF. Any thread.
+#pragma once
+
+#include "core/friction/diagram.h"
+#include "ui/picture/contact_picture.h"
+#include "ui/render/draw_list.h"
+
+namespace asperity {
+
+struct DiagramOptions {
+  int width = 1200, height = 800;  // pixels
+  float scale = 1;                 // of fonts and line widths; 2 at twice the pixels
+  Theme theme = lightTheme();
+};
+
+/// A size fit for print: 2400 x 1600 pixels at scale 2 for one diagram, wider where there are
+/// several.
+DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme = lightTheme());
+
+/// Every text on the picture and none over another, from 320 x 200 pixels on; what finds no place
+/// is shortened, then left out. Never throws for what a sheet holds.
+DrawList composeDiagrams(const DiagramSheet& sheet, const DiagramOptions& options);
+
+}  // namespace asperity
