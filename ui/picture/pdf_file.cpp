@@ -1,6 +1,7 @@
 #include "ui/picture/pdf_file.h"
 
 #include <QBuffer>
+#include <QImage>
 #include <QPageSize>
 #include <QPainter>
 #include <QPainterPath>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int kResolution = 1200;  // dots an inch, of what the painter rounds to
 constexpr double kPointsPerInch = 72;
+constexpr int kSoftPixels = 2;  // of an image, each way in a pixel of the picture
 
 QPointF pointOf(const Place& place) {
   return {place.x, place.y};
@@ -45,11 +47,49 @@ QBrush brushOf(const VectorPaint& paint) {
 
 void paintFill(QPainter& painter, const VectorFill& fill) {
   const QBrush brush = brushOf(fill.paint);
-  const bool opaque = fill.paint.from.a >= 1 && fill.paint.to.a >= 1;
-  // Viewers smooth edges whatever the file says: opaque pieces overlap a little.
-  painter.setPen(fill.isPieceOfMesh && opaque ? QPen(brush, 0.5) : QPen(Qt::NoPen));
+  // Viewers smooth edges whatever the file says: pieces overlap a little.
+  painter.setPen(fill.isPieceOfMesh ? QPen(brush, 0.5) : QPen(Qt::NoPen));
   painter.setBrush(brush);
   painter.drawPath(pathOf(fill.outlines, true));
+}
+
+bool isSoft(const VectorFill& fill) {
+  return fill.isPieceOfMesh && (fill.paint.from.a < 1 || fill.paint.to.a < 1);
+}
+
+/// Translucent light that changes from place to place as an image: Qt's PDF knows no gradients of
+/// opacity, and pieces would show at their edges. Of the whole pixels around the fills.
+void paintSoft(QPainter& painter, const std::vector<VectorFill>& fills, std::size_t first,
+               std::size_t last, const QRectF& shown) {
+  QRectF bounds;
+  for (std::size_t i = first; i < last; ++i)
+    bounds |= pathOf(fills[i].outlines, true).controlPointRect();
+  const QRect box = (bounds & shown).toAlignedRect();
+  if (box.isEmpty()) return;
+  QImage image(box.size() * kSoftPixels, QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::transparent);
+  QPainter soft(&image);
+  soft.scale(kSoftPixels, kSoftPixels);
+  soft.translate(-box.topLeft());
+  soft.setPen(Qt::NoPen);
+  for (std::size_t i = first; i < last; ++i) {
+    soft.setBrush(brushOf(fills[i].paint));
+    soft.drawPath(pathOf(fills[i].outlines, true));
+  }
+  soft.end();
+  painter.drawImage(QRectF(box), image);
+}
+
+void paintFills(QPainter& painter, const std::vector<VectorFill>& fills, const QRectF& shown) {
+  for (std::size_t i = 0; i < fills.size();) {
+    std::size_t end = i;
+    while (end < fills.size() && isSoft(fills[end])) ++end;
+    if (end > i)
+      paintSoft(painter, fills, i, end, shown);
+    else
+      paintFill(painter, fills[end++]);
+    i = end;
+  }
 }
 
 void paintStroke(QPainter& painter, const VectorStroke& stroke) {
@@ -71,8 +111,12 @@ void paintList(QPainter& painter, const DrawList& list) {
     const VectorLayer vector = vectorized(layer);
     painter.save();
     const Clip& clip = vector.clip;
-    if (clip.width > 0) painter.setClipRect(QRectF(clip.x, clip.y, clip.width, clip.height));
-    for (const VectorFill& fill : vector.fills) paintFill(painter, fill);
+    QRectF shown(0, 0, list.width, list.height);
+    if (clip.width > 0) {
+      shown &= QRectF(clip.x, clip.y, clip.width, clip.height);
+      painter.setClipRect(shown);
+    }
+    paintFills(painter, vector.fills, shown);
     for (const VectorStroke& stroke : vector.strokes) paintStroke(painter, stroke);
     painter.restore();
   }
@@ -123,6 +167,7 @@ std::string pdfOf(const DrawList& list, const PdfOptions& options) {
     QPainter painter;
     if (!painter.begin(&writer)) throw std::runtime_error("The picture cannot be written as PDF.");
     const double scale = options.pointsPerPixel * kResolution / kPointsPerInch;
+    painter.setRenderHint(QPainter::LosslessImageRendering);
     painter.scale(scale, scale);
     paintList(painter, list);
     painter.end();

@@ -15,13 +15,22 @@ namespace {
 using Corner = std::array<float, 2>;
 using Triangle = std::array<DrawVertex, 3>;
 
-constexpr float kOneColour = 1.5F / 255;  // triangles that vary less are of one colour
-constexpr float kSameShade = 2.5F / 255;  // two descriptions of the same change of colour
-constexpr float kPiece = 0.06F;           // a piece of a mesh varies no more than this
-constexpr float kSmallest = 3;            // pixels; smaller ones are not split
+// As differences of what is seen, 0 to 1.
+constexpr float kOneColour = 1e-4F;   // a triangle that varies less was meant to be of one colour
+constexpr float kSameShade = 0.012F;  // two descriptions of the same change of colour
+constexpr float kPiece = 0.08F;       // a piece of a mesh varies no more than this
+constexpr float kInvisible = 0.002F;  // opacity
+constexpr float kSmallest = 4;        // pixels; smaller pieces are not split
 
 float areaOf(const Triangle& t) {
   return ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y)) / 2;
+}
+
+/// What is nearly transparent may be of any colour.
+float seenDistance(const Rgba& a, const Rgba& b) {
+  const float opacity = std::max(a.a, b.a);
+  return std::max({opacity * std::abs(a.r - b.r), opacity * std::abs(a.g - b.g),
+                   opacity * std::abs(a.b - b.b), std::abs(a.a - b.a)});
 }
 
 Rgba meanOf(const Triangle& t) {
@@ -32,9 +41,8 @@ Rgba meanOf(const Triangle& t) {
 }
 
 float variation(const Triangle& t) {
-  return std::max({colourDistance(t[0].colour, t[1].colour),
-                   colourDistance(t[1].colour, t[2].colour),
-                   colourDistance(t[2].colour, t[0].colour)});
+  return std::max({seenDistance(t[0].colour, t[1].colour), seenDistance(t[1].colour, t[2].colour),
+                   seenDistance(t[2].colour, t[0].colour)});
 }
 
 std::array<float, 4> channels(const Rgba& c) {
@@ -57,31 +65,31 @@ struct Shade {
   }
   bool describes(const Triangle& t) const {
     return std::all_of(t.begin(), t.end(), [&](const DrawVertex& v) {
-      return colourDistance(at(along(v)), v.colour) <= kSameShade;
+      return seenDistance(at(along(v)), v.colour) <= kSameShade;
     });
   }
 };
 
 /// None where the colours do not change along one direction.
 std::optional<Shade> shadeOf(const Triangle& t) {
-  const float ux = t[1].x - t[0].x, uy = t[1].y - t[0].y;
-  const float vx = t[2].x - t[0].x, vy = t[2].y - t[0].y;
-  const float determinant = ux * vy - vx * uy;
+  const double ux = t[1].x - t[0].x, uy = t[1].y - t[0].y;
+  const double vx = t[2].x - t[0].x, vy = t[2].y - t[0].y;
+  const double determinant = ux * vy - vx * uy;
   const auto c0 = channels(t[0].colour), c1 = channels(t[1].colour), c2 = channels(t[2].colour);
-  std::array<std::array<float, 2>, 4> gradients{};
-  float steepest = 0;
+  std::array<std::array<double, 2>, 4> gradients{};
+  double steepest = 0;
   Shade shade{{t[0].x, t[0].y}, t[0].colour, 1, 0, {}};
   for (std::size_t i = 0; i < 4; ++i) {
-    const float du = c1[i] - c0[i], dv = c2[i] - c0[i];
+    const double du = c1[i] - c0[i], dv = c2[i] - c0[i];
     gradients[i] = {(du * vy - dv * uy) / determinant, (dv * ux - du * vx) / determinant};
-    const float size = std::hypot(gradients[i][0], gradients[i][1]);
+    const double size = std::hypot(gradients[i][0], gradients[i][1]);
     if (size <= steepest) continue;
     steepest = size;
-    shade.x = gradients[i][0] / size;
-    shade.y = gradients[i][1] / size;
+    shade.x = static_cast<float>(gradients[i][0] / size);
+    shade.y = static_cast<float>(gradients[i][1] / size);
   }
   for (std::size_t i = 0; i < 4; ++i)
-    shade.slope[i] = gradients[i][0] * shade.x + gradients[i][1] * shade.y;
+    shade.slope[i] = static_cast<float>(gradients[i][0] * shade.x + gradients[i][1] * shade.y);
   if (!std::isfinite(shade.x + shade.y) || !shade.describes(t)) return std::nullopt;
   return shade;
 }
@@ -92,6 +100,7 @@ class FillCollector {
   void add(Triangle t) {
     const float area = areaOf(t);
     if (!(std::abs(area) > 1e-6F)) return;
+    if (std::max({t[0].colour.a, t[1].colour.a, t[2].colour.a}) < kInvisible) return;
     if (area < 0) std::swap(t[1], t[2]);
     if (variation(t) <= kOneColour)
       addFlat(t, meanOf(t), false);
@@ -227,11 +236,6 @@ std::vector<Polyline> outlineOf(const std::vector<Place>& corners) {
 
 bool isDrawable(const DrawVertex& vertex) {
   return std::isfinite(vertex.x) && std::isfinite(vertex.y);
-}
-
-float colourDistance(const Rgba& a, const Rgba& b) {
-  return std::max(
-      {std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b), std::abs(a.a - b.a)});
 }
 
 bool sameColour(const Rgba& a, const Rgba& b) {

@@ -11,8 +11,6 @@ namespace asperity {
 std::vector<VectorFill> fillsOf(const std::vector<DrawVertex>& triangles);
 
 bool isDrawable(const DrawVertex& vertex);  // finite
-/// Greatest difference of a channel.
-float colourDistance(const Rgba& a, const Rgba& b);
 /// The same in eight bits a channel.
 bool sameColour(const Rgba& a, const Rgba& b);
 

@@ -1,6 +1,7 @@
 #include "ui/picture/vector_shapes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/picture/colours.h"
 #include "ui/picture/vector_fills.h"
@@ -23,14 +24,34 @@ std::vector<DrawVertex> cleaned(const DrawLine& line) {
   return clean;
 }
 
+bool isTranslucent(const std::vector<DrawVertex>& vertices) {
+  return std::any_of(vertices.begin(), vertices.end(),
+                     [](const DrawVertex& v) { return v.colour.a < 1; });
+}
+
+/// Pieces of a translucent line would show where their ends overlap.
+void giveMeanColour(std::vector<DrawVertex>& vertices) {
+  Rgba mean{0, 0, 0, 0};
+  for (const DrawVertex& v : vertices) {
+    mean.r += v.colour.r;
+    mean.g += v.colour.g;
+    mean.b += v.colour.b;
+    mean.a += v.colour.a;
+  }
+  const auto count = static_cast<float>(vertices.size());
+  mean = {mean.r / count, mean.g / count, mean.b / count, mean.a / count};
+  for (DrawVertex& v : vertices) v.colour = mean;
+}
+
 class StrokeCollector {
  public:
   explicit StrokeCollector(std::vector<VectorStroke>& strokes) : strokes_(strokes) {}
 
   void add(const DrawLine& line) {
-    const std::vector<DrawVertex> vertices = cleaned(line);
+    std::vector<DrawVertex> vertices = cleaned(line);
     if (vertices.empty() || !(line.width > 0)) return;
     width_ = line.width;
+    if (isTranslucent(vertices)) giveMeanColour(vertices);
     open_ = false;
     if (vertices.size() == 1) begin(vertices[0].colour, {vertices[0].x, vertices[0].y});
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) addSegment(vertices[i], vertices[i + 1]);
@@ -39,7 +60,9 @@ class StrokeCollector {
  private:
   /// In steps of nearly one colour.
   void addSegment(const DrawVertex& a, const DrawVertex& b) {
-    const float change = colourDistance(a.colour, b.colour) * kColourSteps;
+    const float change = kColourSteps * std::max({std::abs(a.colour.r - b.colour.r),
+                                                  std::abs(a.colour.g - b.colour.g),
+                                                  std::abs(a.colour.b - b.colour.b)});
     const auto steps = std::min(kMostSteps, static_cast<std::size_t>(change) + 1);
     for (std::size_t k = 0; k < steps; ++k) {
       const auto at = [&](float stepsDone) {

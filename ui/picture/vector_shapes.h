@@ -39,7 +39,8 @@ struct VectorLayer {
 };
 
 /// Triangles in a row that share a paint become one fill, without the edges between them; lines in
-/// a row that share an opaque pen become one stroke; a line splits where its colour changes.
+/// a row that share an opaque pen become one stroke; a line splits where its colour changes, or has
+/// the mean of its colours where it is translucent.
 VectorLayer vectorized(const DrawLayer& layer);
 
 /// The outline of triangles that are all turned the same way: edges that two of them share are
