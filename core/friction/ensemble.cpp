@@ -6,31 +6,11 @@
 #include "core/contact/steady_sliding.h"
 #include "core/friction/law.h"
 #include "core/friction/realizations.h"
+#include "core/friction/running_mean.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
 namespace {
-
-/// Mean and spread of a stream of numbers (Welford's recurrence).
-class RunningMean {
- public:
-  void add(double value) {
-    ++count_;
-    const double step = value - mean_;
-    mean_ += step / static_cast<double>(count_);
-    squares_ += step * (value - mean_);
-  }
-  double mean() const { return count_ > 0 ? mean_ : kNotApplicable; }
-  double standardError() const {
-    const auto n = static_cast<double>(count_);
-    return count_ > 1 ? std::sqrt(squares_ / (n * (n - 1))) : kNotApplicable;
-  }
-  std::int64_t count() const { return count_; }
-
- private:
-  std::int64_t count_ = 0;
-  double mean_ = 0, squares_ = 0;
-};
 
 struct VelocityAverage {
   RunningMean mu, contactFraction, rmsSlopeContact, indentation, normalForce;
@@ -48,7 +28,7 @@ class Averaging {
 
   Curve run() {
     const LoadCase sweep{scene_.load, velocities_};
-    const RealizationTask task{scene_, source_, {&sweep, 1}};
+    const RealizationTask task{scene_, source_, {&sweep, 1}, 0};
     curve_.isComplete = slideRealizations(
         task, total_, options_.threads, options_.stop,
         [this](std::span<const SteadyResult> row) { add(row); },

@@ -40,7 +40,7 @@ class Realizations {
     std::vector<Results> batch(static_cast<std::size_t>(count));
     arena_.execute([&] {
       tbb::parallel_for(std::int64_t{0}, count, [&](std::int64_t i) {
-        if (!stop_.stop_requested()) batch[static_cast<std::size_t>(i)] = slide(first + i);
+        if (!stop_.stop_requested()) batch[static_cast<std::size_t>(i)] = slide(task_.first + first + i);
       });
     });
     return batch;
