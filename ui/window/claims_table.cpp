@@ -1,6 +1,8 @@
 #include "ui/window/claims_table.h"
 
 #include <QHeaderView>
+#include <QPainter>
+#include <QStyledItemDelegate>
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +14,16 @@ namespace {
 
 enum Column { kHolds, kClaim, kMeasured, kExpected, kWhere, kColumns };
 
+constexpr int kAside = 5;  // pixels of air beside a cell's text
+constexpr int kAbove = 4;  // and above and below it
+
 QString text(const std::string& utf8) {
   return QString::fromStdString(utf8);
+}
+
+/// With a minus sign instead of a hyphen.
+QString numberLabel(double value) {
+  return readingLabel(value).replace('-', u'−');
 }
 
 QString verdictText(const Claim& claim) {
@@ -43,6 +53,31 @@ QString detailsOf(const Claim& claim) {
   return lines.join('\n');
 }
 
+/// Cells with air around their texts; the selected row is tinted, and its verdict keeps its colour.
+class ClaimDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyleOptionViewItem inside = option;
+    inside.rect.adjust(0, 0, -2 * kAside, 0);
+    return QStyledItemDelegate::sizeHint(inside, index) + QSize(2 * kAside, 2 * kAbove);
+  }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    QStyleOptionViewItem inside = option;
+    if (option.state & QStyle::State_Selected) {
+      QColor tint = option.palette.color(QPalette::Highlight);
+      tint.setAlphaF(0.18F);
+      painter->fillRect(option.rect, tint);
+    }
+    inside.state &= ~(QStyle::State_Selected | QStyle::State_HasFocus | QStyle::State_MouseOver);
+    inside.rect.adjust(kAside, kAbove, -kAside, -kAbove);
+    QStyledItemDelegate::paint(painter, inside, index);
+  }
+};
+
 }  // namespace
 
 QString estimateText(const Estimate& estimate) {
@@ -51,13 +86,13 @@ QString estimateText(const Estimate& estimate) {
   if (!std::isfinite(estimate.value) || !std::isfinite(error) || error <= 0 || size >= 1e5 ||
       size < 1e-3)
     return std::isfinite(error) && error > 0
-               ? readingLabel(estimate.value) + QStringLiteral(" ± ") + readingLabel(error)
-               : readingLabel(estimate.value);
+               ? numberLabel(estimate.value) + QStringLiteral(" ± ") + readingLabel(error)
+               : numberLabel(estimate.value);
   // Two digits of an uncertainty that begins with 1, one of any other.
   const int place = static_cast<int>(std::floor(std::log10(error)));
   const int digits = error / std::pow(10, place) < 1.95 ? 1 - place : -place;
   const int decimals = std::clamp(digits, 0, 6);
-  return QString::number(estimate.value, 'f', decimals) + QStringLiteral(" ± ") +
+  return QString::number(estimate.value, 'f', decimals).replace('-', u'−') + QStringLiteral(" ± ") +
          QString::number(error, 'f', decimals);
 }
 
@@ -66,6 +101,7 @@ ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   setAccessibleName(tr("what the paper says of this figure, and whether it holds"));
   setHorizontalHeaderLabels(
       {tr("Holds"), tr("The paper says"), tr("Measured"), tr("Expected"), tr("Where")});
+  setItemDelegate(new ClaimDelegate(this));
   setEditTriggers(NoEditTriggers);
   setSelectionBehavior(SelectRows);
   setSelectionMode(SingleSelection);
@@ -106,7 +142,7 @@ void ClaimsTable::fill() {
   for (int row = 0; row < rowCount(); ++row) {
     const Claim& claim = claims_[static_cast<std::size_t>(row)];
     const QStringList cells{verdictText(claim), text(claim.claim), estimateText(claim.measured),
-                            std::isfinite(claim.expected) ? readingLabel(claim.expected) : "",
+                            std::isfinite(claim.expected) ? numberLabel(claim.expected) : "",
                             text(claim.where)};
     for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);

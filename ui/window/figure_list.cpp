@@ -24,7 +24,7 @@ class EntryDelegate : public QStyledItemDelegate {
     const int width = viewWidth(option) - 2 * kPadding;
     const QRect headline = metrics.boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap,
                                                 index.data(kHeadline).toString());
-    return {0, metrics.height() + headline.height() + 22};
+    return {0, metrics.height() + headline.height() + 18};
   }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -56,7 +56,7 @@ class EntryDelegate : public QStyledItemDelegate {
 
   static void paintTexts(QPainter& painter, const QStyleOptionViewItem& option,
                          const QModelIndex& index) {
-    const QRect inside = option.rect.adjusted(kPadding, 8, -kPadding, -8);
+    const QRect inside = option.rect.adjusted(kPadding, 7, -kPadding, -7);
     QFont bold = option.font;
     bold.setBold(true);
     painter.setFont(bold);

@@ -37,6 +37,10 @@ void FigurePicture::setTheme(const Theme& theme) {
   update();
 }
 
+bool FigurePicture::isPainted() const {
+  return made_ && shown_ == asked_ && image_.size() == size() * devicePixelRatioF();
+}
+
 void FigurePicture::requestPicture() {
   if (!made_ || size().isEmpty()) return;
   const double scale = devicePixelRatioF();

@@ -24,8 +24,8 @@ class FigurePicture : public QWidget {
   void showText(const QString& text);
   void setTheme(const Theme& theme);
 
-  /// Whether the picture on the screen is of the figure last shown, at this size and theme.
-  bool isPainted() const { return made_ && shown_ == asked_; }
+  /// Whether the picture is of the figure last shown, at this size and in this theme.
+  bool isPainted() const;
 
   QSize sizeHint() const override { return {900, 560}; }
   QSize minimumSizeHint() const override { return {320, 200}; }

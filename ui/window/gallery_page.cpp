@@ -14,6 +14,7 @@
 #include "ui/window/claims_table.h"
 #include "ui/window/figure_list.h"
 #include "ui/window/figure_picture.h"
+#include "ui/window/gallery_style.h"
 #include "ui/window/message_bar.h"
 
 namespace asperity {
@@ -106,17 +107,15 @@ QWidget* GalleryPage::makeChoices() {
   row->addWidget(realizations_, 1);
   column->addLayout(row);
   auto* presets = new QHBoxLayout;
-  const auto addPreset = [&](const char* name, const QString& text, int count) {
-    auto* button = new QPushButton(text.arg(count));
-    button->setObjectName(name);
-    connect(button, &QPushButton::clicked, this, [this, count] { realizations_->setValue(count); });
-    presets->addWidget(button);
-  };
-  addPreset("quick", tr("Quick: %1"), kQuick);
-  addPreset("paper", tr("Paper: %1"), kPaper);
-  column->addLayout(presets);
-  addButton(*column, "computeAll", tr("Compute &all"), tr("All figures, one after another"),
+  presets->setSpacing(6);
+  addButton(*presets, "quick", tr("&Quick"), tr("%1 realizations").arg(kQuick),
+            &GalleryPage::chooseQuick);
+  addButton(*presets, "paper", tr("Pap&er"), tr("%1 realizations, as in the paper").arg(kPaper),
+            &GalleryPage::choosePaper);
+  presets->addStretch(1);
+  addButton(*presets, "computeAll", tr("Compute &all"), tr("All figures, one after another"),
             &GalleryPage::computeAll);
+  column->addLayout(presets);
   return choices;
 }
 
@@ -187,6 +186,7 @@ void GalleryPage::showEvent(QShowEvent* event) {
 }
 
 void GalleryPage::setTheme(const Theme& theme) {
+  setStyleSheet(galleryStyleSheet(paletteOf(theme)));
   picture_->setTheme(theme);
   claims_->setDark(isDark(theme));
 }
@@ -212,7 +212,6 @@ void GalleryPage::showChosen() {
                            : tr("%1 appears here once it is computed.").arg(figureLabel(chosen())));
     claims_->setClaims({});
   }
-  claims_->setVisible(status.made != nullptr);
   status.error.isEmpty() ? messages_->hide() : messages_->showMessage(status.error);
   showWork();
 }

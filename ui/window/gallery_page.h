@@ -63,6 +63,8 @@ class GalleryPage : public QWidget {
   QPushButton* addButton(QLayout& row, const char* name, const QString& text, const QString& tip,
                          void (GalleryPage::*run)());
 
+  void chooseQuick();
+  void choosePaper();
   void compute();
   void computeAll();
   void cancel() { gallery_->cancel(); }

@@ -18,6 +18,14 @@ void GalleryPage::choose(FigureName name, bool compute) {
   if (compute && !gallery_->status(name).made) this->compute();
 }
 
+void GalleryPage::chooseQuick() {
+  realizations_->setValue(kQuick);
+}
+
+void GalleryPage::choosePaper() {
+  realizations_->setValue(kPaper);
+}
+
 void GalleryPage::compute() {
   note_->clear();
   gallery_->compute(chosen(), realizations_->value());

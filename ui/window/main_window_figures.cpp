@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QStackedWidget>
+#include <QStatusBar>
 
 #include "ui/panels/number_text.h"
 #include "ui/window/contact_canvas.h"
@@ -28,6 +29,7 @@ QString menuText(const FigureEntry& entry) {
 void MainWindow::buildFigures() {
   figures_ = addCommand("figures", tr("All figures"), Qt::CTRL | Qt::Key_G, Symbol::Figures,
                         [this] { isShowingFigures() ? closeFigures() : openFigures(); });
+  figures_->setIconText(QChar(0x2002) + tr("Figures"));
   figures_->setCheckable(true);
   connect(gallery_, &GalleryPage::closed, this, &MainWindow::closeFigures);
   connect(gallery_, &GalleryPage::sceneWanted, this, [this](const Scene& scene) {
@@ -54,12 +56,14 @@ bool MainWindow::isShowingFigures() const {
   return pages_->currentWidget() == gallery_;
 }
 
-/// The parameters make room, and the run's keys are the page's: Space is for its buttons.
+/// Parameters and facts, which are of the contact, make room; the run's keys are the page's: Space
+/// is for its buttons.
 void MainWindow::openFigures() {
   figures_->setChecked(true);
   if (isShowingFigures()) return;
   hadDock_ = !dock_->isHidden();
   dock_->hide();
+  statusBar()->hide();
   for (QAction* action : {play_, step_, reset_}) action->setEnabled(false);
   pages_->setCurrentWidget(gallery_);
 }
@@ -68,6 +72,7 @@ void MainWindow::closeFigures() {
   figures_->setChecked(false);
   if (!isShowingFigures()) return;
   if (hadDock_) dock_->show();
+  statusBar()->show();
   for (QAction* action : {play_, step_, reset_}) action->setEnabled(true);
   pages_->setCurrentIndex(0);
   if (session_->frame()) canvas_->setFrame(session_->frame());

@@ -84,7 +84,9 @@ bool showFigure(MainWindow& window, const QString& word) {
   if (!action) return false;
   action->trigger();
   FigurePicture& picture = window.gallery().picture();
-  return QTest::qWaitFor([&] { return picture.isPainted(); }, 300000);
+  const bool isThere = QTest::qWaitFor([&] { return picture.isPainted(); }, 300000);
+  QTest::qWait(300);  // on the screen too
+  return isThere;
 }
 
 }  // namespace
