@@ -117,6 +117,10 @@ ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   header.setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   header.setSectionResizeMode(QHeaderView::Fixed);
   header.setSectionResizeMode(kClaim, QHeaderView::Stretch);
+  // Claims wrap anew, also where a scroll bar takes some of their width.
+  connect(&header, &QHeaderView::sectionResized, this, [this](int column) {
+    if (column == kClaim) resizeRowsToContents();
+  });
   const int letter = fontMetrics().averageCharWidth();
   header.resizeSection(kHolds, 17 * letter);
   header.resizeSection(kMeasured, 20 * letter);
@@ -168,11 +172,6 @@ void ClaimsTable::unfold(int chosen) {
   }
   resizeRowsToContents();
   if (chosen >= 0) scrollTo(model()->index(chosen, kClaim));
-}
-
-void ClaimsTable::resizeEvent(QResizeEvent* event) {
-  QTableWidget::resizeEvent(event);
-  resizeRowsToContents();
 }
 
 }  // namespace asperity

@@ -19,9 +19,6 @@ class ClaimsTable : public QTableWidget {
   void setClaims(const std::vector<Claim>& claims);
   void setDark(bool dark);
 
- protected:
-  void resizeEvent(QResizeEvent* event) override;
-
  private:
   void fill();
   void unfold(int row);

@@ -203,17 +203,19 @@ void GalleryPage::take(FigureName name) {
 
 void GalleryPage::showChosen() {
   const FigureStatus& status = gallery_->status(chosen());
-  if (status.made) {
-    picture_->showFigure(status.made);
-    claims_->setClaims(status.made->figure.claims);
-  } else {
+  if (!status.made)
     picture_->showText(status.work == FigureWork::None
                            ? tr("%1 is not computed yet.").arg(figureLabel(chosen()))
                            : tr("%1 appears here once it is computed.").arg(figureLabel(chosen())));
-    claims_->setClaims({});
-  }
+  if (status.made != shown_) showMade(status.made);
   status.error.isEmpty() ? messages_->hide() : messages_->showMessage(status.error);
   showWork();
+}
+
+void GalleryPage::showMade(std::shared_ptr<const MadeFigure> made) {
+  shown_ = std::move(made);
+  claims_->setClaims(shown_ ? shown_->figure.claims : std::vector<Claim>());
+  if (shown_) picture_->showFigure(shown_);
 }
 
 /// Which of the commands make sense now.

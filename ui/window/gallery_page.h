@@ -74,9 +74,11 @@ class GalleryPage : public QWidget {
   void save(const QString& file, void (*write)(const std::filesystem::path&, const MadeFigure&));
   void take(FigureName name);
   void showChosen();
+  void showMade(std::shared_ptr<const MadeFigure> made);
   void showWork();
 
   FigureGallery* gallery_;
+  std::shared_ptr<const MadeFigure> shown_;  // null: a text instead
   MessageBar* messages_ = nullptr;
   FigureList* list_ = nullptr;
   FigurePicture* picture_ = nullptr;
