@@ -79,7 +79,7 @@ std::optional<LevelPlan> planLevels(std::span<const LevelSums> levels, int known
   for (int first = 0; first <= last; ++first) {
     const Terms terms = termsOf(levels, first, last);
     LevelPlan plan{first, last, optimalLines(terms.variances, terms.costs, allowed, kFewestLines),
-                   0, 0, *resolution};
+                   0,     0,    *resolution};
     plan.operations = operationsOf(terms, plan.lines);
     if (!best || plan.operations < best->operations) best = plan;
     if (first == last) best->plainOperations = plan.operations;

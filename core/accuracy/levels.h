@@ -1,9 +1,8 @@
 // Resolutions of one line as levels, and what was sampled on them: the estimate of friction at one
 // velocity as a sum over levels, mu = E[mu_s] + sum E[mu_l - mu_(l-1)], each mean from lines of its
 // own (multilevel Monte Carlo: Giles, Operations Research 56, 607, 2008). The same realization has
-// the same phases at every resolution, so the differences vary little. With s the finest level it is
-// the plain average.
-// Plain values and pure functions; any thread.
+// the same phases at every resolution, so the differences vary little. With s the finest level it
+// is the plain average. Plain values and pure functions; any thread.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +16,9 @@ namespace asperity {
 
 /// `cubic` with 1, 2, 4, ... points per element.
 inline constexpr int kMostLevels = 6;
-inline std::int64_t oversamplingOf(int level) { return std::int64_t{1} << level; }
+inline std::int64_t oversamplingOf(int level) {
+  return std::int64_t{1} << level;
+}
 
 /// What is known of one velocity on one level.
 struct LevelSums {
@@ -29,11 +30,11 @@ struct LevelSums {
 
 /// How the levels of one velocity are used.
 struct LevelPlan {
-  int first = 0, last = 0;                // s and the finest
-  std::vector<std::int64_t> lines;        // of level first, first + 1, ... last
-  double operations = 0;                  // of the plan, counted
-  double plainOperations = 0;             // of plain averaging on the finest level
-  double resolutionError = 0;             // absolute, of the finest level
+  int first = 0, last = 0;          // s and the finest
+  std::vector<std::int64_t> lines;  // of level first, first + 1, ... last
+  double operations = 0;            // of the plan, counted
+  double plainOperations = 0;       // of plain averaging on the finest level
+  double resolutionError = 0;       // absolute, of the finest level
 };
 
 /// Numbers of lines with sum variance_l / n_l <= allowed at the least sum cost_l n_l (Giles 2008,
@@ -47,9 +48,9 @@ std::vector<std::int64_t> optimalLines(std::span<const double> variances,
 /// that level was not sampled.
 std::optional<double> resolutionErrorOf(std::span<const LevelSums> levels, int level);
 
-/// The cheapest plan whose standard error and resolution error together meet `error` (absolute, root
-/// of the sum of squares; at most half of it from the resolution). Empty: a finer level has to be
-/// sampled first. Levels 0 to known - 1 were.
+/// The cheapest plan whose standard error and resolution error together meet `error` (absolute,
+/// root of the sum of squares; at most half of it from the resolution). Empty: a finer level has to
+/// be sampled first. Levels 0 to known - 1 were.
 std::optional<LevelPlan> planLevels(std::span<const LevelSums> levels, int known, double error);
 
 /// The mean over a plan and its standard error.

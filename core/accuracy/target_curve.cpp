@@ -1,11 +1,12 @@
 #include "core/accuracy/target_curve.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 
-#include "core/friction/law.h"
-#include "core/friction/law_columns.h"
+#include "core/friction/curve_averages.h"
 #include "core/friction/realizations.h"
 #include "core/surface/line_source.h"
 
@@ -18,32 +19,28 @@ constexpr std::int64_t kMostNodes = std::int64_t{1} << 23;
 /// Realizations of different levels and purposes must be different lines.
 constexpr std::int64_t kApart = std::int64_t{1} << 32;
 
-/// Facts that stand beside mu in a row.
-struct Facts {
-  RunningMean contactFraction, rmsSlopeContact, indentation, normalForce;
-};
-
 struct VelocityState {
   double velocity = 0;
   std::vector<LevelSums> levels = std::vector<LevelSums>(kMostLevels);
-  Facts facts;
+  CurveAverages facts;  // beside mu
   LevelPlan plan;
-  int known = 0;          // levels sampled
+  int known = 0;  // levels sampled
   bool isPlanned = false;
   bool isExhausted = false;  // no finer line, or no more lines, allowed
 };
 
 class Targeting {
  public:
-  Targeting(const Scene& scene, const CurveOptions& options)
-      : scene_(scene), options_(options), columns_(scene) {
+  Targeting(const Scene& scene, const CurveOptions& options) : scene_(scene), options_(options) {
     scene_.accuracy.scheme = Scheme::Cubic;
+    sources_.push_back(std::make_unique<LineSource>(scene_, 1));
+    columns_.emplace(scene_, source(0));
+    isRandom_ = source(0).isRandom();
     for (const double velocity : sweepVelocities(scene_.sweep))
       states_.emplace_back().velocity = velocity;
-    for (int level = 0; level < kMostLevels; ++level)
-      if (level <= 1 || columns_.elements() * oversamplingOf(level) <= kMostNodes)
+    for (int level = 1; level < kMostLevels; ++level)
+      if (level <= 1 || source(0).elements() * oversamplingOf(level) <= kMostNodes)
         sources_.push_back(nullptr);
-    isRandom_ = columns_.isRandom();
   }
 
   TargetCurve run() {
@@ -77,14 +74,13 @@ class Targeting {
     for (const VelocityState* state : states) one.velocities.push_back(state->velocity);
     const RealizationTask task{scene_, source(level), {&one, 1}, first};
     results.clear();
-    return slideRealizations(task, count, options_.threads, options_.stop,
-                             [&](std::span<const SteadyResult> row) {
-                               results.emplace_back(row.begin(), row.end());
-                             });
+    return slideRealizations(
+        task, count, options_.threads, options_.stop,
+        [&](std::span<const SteadyResult> row) { results.emplace_back(row.begin(), row.end()); });
   }
 
   void count(LevelSums& sums, const SteadyResult& result, int level) {
-    const double nodes = static_cast<double>(source(level).nodes());
+    const double nodes = static_cast<double>(source(level).elements() * oversamplingOf(level));
     const double operations = static_cast<double>(result.passes) * nodes;
     sums.operations.add(operations);
     sums.value.add(result.mu);
@@ -106,7 +102,7 @@ class Targeting {
         LevelSums& sums = states[i]->levels[place];
         count(sums, row[i], level);
         sums.direct.add(row[i].mu);
-        addFacts(states[i]->facts, row[i]);
+        states[i]->facts.add(row[i]);
       }
     return true;
   }
@@ -125,16 +121,9 @@ class Targeting {
         count(states[i]->levels[place - 1], coarse[r][i], level - 1);
         count(sums, fine[r][i], level);
         sums.correction.add(fine[r][i].mu - coarse[r][i].mu);
-        addFacts(states[i]->facts, fine[r][i]);
+        states[i]->facts.add(fine[r][i]);
       }
     return true;
-  }
-
-  static void addFacts(Facts& facts, const SteadyResult& result) {
-    facts.contactFraction.add(result.contactFraction);
-    if (std::isfinite(result.rmsSlopeContact)) facts.rmsSlopeContact.add(result.rmsSlopeContact);
-    facts.indentation.add(result.indentation);
-    facts.normalForce.add(result.normalForce);
   }
 
   // ---- A random line: pilot, plan, lines until it is met -------------------------------------
@@ -142,9 +131,8 @@ class Targeting {
   bool runRandom() {
     States all = allStates();
     if (!sampleDirect(0, all, kPilotLines)) return false;
-    for (int level = 1; level <= 2 && level < levelsAllowed(); ++level)
-      if (!sampleCorrection(level, all, kPilotLines)) return false;
-    for (VelocityState* state : all) state->known = std::min(3, levelsAllowed());
+    if (!sampleCorrection(1, all, kPilotLines)) return false;
+    for (VelocityState* state : all) state->known = 2;
     report();
     for (;;) {
       if (!planAll()) return false;
@@ -174,7 +162,7 @@ class Targeting {
       }
       std::erase_if(unresolved, [&](const VelocityState* state) { return state->known != level; });
       if (unresolved.empty()) return true;
-      if (!sampleCorrection(level, unresolved, kPilotLines)) return false;
+      if (!sampleCorrection(level, unresolved, kPilotLines / 2)) return false;
       for (VelocityState* state : unresolved) ++state->known;
     }
   }
@@ -184,9 +172,24 @@ class Targeting {
     return scene_.accuracy.targetRelativeError * std::abs(sums.value.mean());
   }
 
-  static void adopt(VelocityState& state, const LevelPlan& plan) {
+  /// Where all the lines of the plan are there, their own spread decides: variances were guesses.
+  void adopt(VelocityState& state, const LevelPlan& plan) const {
     state.plan = plan;
     state.isPlanned = true;
+    bool isComplete = true;
+    for (int level = plan.first; level <= plan.last; ++level)
+      isComplete &= missing(state, level) <= 0;
+    if (isComplete) {
+      const LevelEstimate estimate = estimateOf(state.levels, plan);
+      const double error = scene_.accuracy.targetRelativeError * std::abs(estimate.mean);
+      const double tooLarge = estimate.standardError * estimate.standardError /
+                              (error * error - plan.resolutionError * plan.resolutionError);
+      if (tooLarge > 1)
+        for (int level = plan.first; level <= plan.last; ++level)
+          state.plan.lines[static_cast<std::size_t>(level - plan.first)] =
+              static_cast<std::int64_t>(
+                  std::ceil(1.05 * tooLarge * static_cast<double>(sampled(state, level).count())));
+    }
     for (std::int64_t& lines : state.plan.lines)
       if (lines > kMostLines) {
         lines = kMostLines;
@@ -213,7 +216,8 @@ class Targeting {
   }
 
   /// One batch for each level and purpose, as many lines as the velocity next to its goal needs;
-  /// at most twice what is there, because variances are known better then. False: nothing is wanted.
+  /// at most twice what is there, because variances are known better then. False: nothing is
+  /// wanted.
   bool sampleWanted() {
     bool any = false;
     for (int level = 0; level < levelsAllowed(); ++level)
@@ -231,8 +235,8 @@ class Targeting {
         if (wanting.empty()) continue;
         any = true;
         lines = std::max<std::int64_t>(lines, 4);  // not a round for every single line
-        const bool done = direct ? sampleDirect(level, wanting, lines)
-                                 : sampleCorrection(level, wanting, lines);
+        const bool done =
+            direct ? sampleDirect(level, wanting, lines) : sampleCorrection(level, wanting, lines);
         if (!done) return false;
       }
     return any;
@@ -256,7 +260,7 @@ class Targeting {
         sums.direct.add(now.mu);
         count(sums, now, level);
         state.facts = {};
-        addFacts(state.facts, now);
+        state.facts.add(now);
         // Of the finer one: a third of the last difference at second order.
         const double error = std::abs(now.mu - coarse[0][i].mu) / 3;
         state.plan = {level, level, {1}, 0, 0, error};
@@ -297,15 +301,11 @@ class Targeting {
   }
 
   CurvePoint pointOf(const VelocityState& state, const AchievedAccuracy& achieved) const {
-    CurvePoint point;
-    point.velocity = state.velocity;
+    CurvePoint point = state.facts.point(state.velocity);
     point.mu = 0.5 * (achieved.low + achieved.high);
-    if (isRandom_) point.muStandardError = achieved.standardError;
-    point.contactFraction = state.facts.contactFraction.mean();
-    point.rmsSlopeContact = state.facts.rmsSlopeContact.mean();
-    point.indentation = state.facts.indentation.mean();
+    point.muStandardError = isRandom_ ? achieved.standardError : kNotApplicable;
     point.realizations = achieved.lines;
-    columns_.addTo(point, state.facts.normalForce.mean());
+    columns_->addTo(point, state.facts.normalForce.mean());
     return point;
   }
 
@@ -353,7 +353,7 @@ class Targeting {
 
   Scene scene_;
   const CurveOptions& options_;
-  LawColumns columns_;
+  std::optional<LawColumns> columns_;
   std::vector<VelocityState> states_;
   std::vector<std::unique_ptr<LineSource>> sources_;  // of each level allowed, made when needed
   bool isRandom_ = true;
@@ -369,8 +369,7 @@ TargetCurve targetCurve(const Scene& scene, const CurveOptions& options) {
 }
 
 Curve curveOf(const Scene& scene, const CurveOptions& options) {
-  return scene.accuracy.targetRelativeError > 0 ? targetCurve(scene, options).curve
-                                                : frictionCurve(scene, options);
+  return choosesAccuracy(scene) ? targetCurve(scene, options).curve : frictionCurve(scene, options);
 }
 
 }  // namespace asperity

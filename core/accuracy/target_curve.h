@@ -17,11 +17,11 @@ namespace asperity {
 
 /// What was achieved at one velocity.
 struct AchievedAccuracy {
-  double standardError = 0;    // of mu, absolute
-  double resolutionError = 0;  // of mu, absolute, an upper estimate
-  double low = 0, high = 0;    // 95 % confidence interval of mu, both parts together
-  std::int64_t oversampling = 1;       // of the finest level
-  std::int64_t coarsest = 1;           // of the coarsest: equal for plain averaging
+  double standardError = 0;       // of mu, absolute
+  double resolutionError = 0;     // of mu, absolute, an upper estimate
+  double low = 0, high = 0;       // 95 % confidence interval of mu, both parts together
+  std::int64_t oversampling = 1;  // of the finest level
+  std::int64_t coarsest = 1;      // of the coarsest: equal for plain averaging
   std::int64_t lines = 1;
 };
 
@@ -30,7 +30,7 @@ struct TargetCurve {
   std::vector<AchievedAccuracy> achieved;  // for each point
   bool isReached = false;  // at every velocity; else more lines or memory than allowed were needed
   double worst = 0;        // largest relative error achieved
-  double operations = 0;       // nodes passed over, pilot included
+  double operations = 0;   // nodes passed over, pilot included
   double plainOperations = 0;  // predicted for plain averaging on the finest level, without pilot
 };
 

@@ -1,4 +1,5 @@
-// Mean and spread of a stream of numbers (Welford's recurrence). A plain value; one thread at a time.
+// Mean and spread of a stream of numbers (Welford's recurrence). A plain value; one thread at a
+// time.
 #pragma once
 
 #include <cmath>
