@@ -11,9 +11,6 @@
 namespace asperity {
 namespace {
 
-/// Element-steps spent on one frame, at most: counted, so that frames do not depend on a clock.
-constexpr double kStepsPerFrame = 4e5;
-
 std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
                                          const std::shared_ptr<const RigidLine>& known) {
   const bool same = last && last->surface == scene.surface && last->accuracy == scene.accuracy &&
@@ -51,8 +48,10 @@ struct Simulation::Ready {
   std::optional<Transient> transient;  // as it begins, of other motions
 };
 
-Simulation::Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number)
-    : ready_(std::make_shared<Ready>(std::move(scene), number, nullptr)) {
+Simulation::Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number,
+                       double stepsPerFrame)
+    : ready_(std::make_shared<Ready>(std::move(scene), number, nullptr)),
+      stepsPerFrame_(stepsPerFrame) {
   reset();
 }
 
@@ -141,11 +140,14 @@ void Simulation::advance(double part, double wallSeconds) {
   timeScale_ = std::max(time_ - before, 0.0) / wallSeconds;
 }
 
+double Simulation::mostSteps() const {
+  return std::max(1.0, std::floor(stepsPerFrame_ / static_cast<double>(ready_->line().nodes())));
+}
+
 void Simulation::advanceSteadily(double part) {
   const double velocity = ready_->velocity();
   if (velocity > 0) {
-    const double most =
-        std::max(1.0, std::floor(kStepsPerFrame / static_cast<double>(ready_->line().nodes())));
+    const double most = mostSteps();
     const double wanted = part * ready_->line().length;
     const double finest = std::ceil(wanted / naturalStep());
     // Where the budget binds, steps grow up to one node; only then the line slows down.
@@ -166,8 +168,7 @@ void Simulation::advanceMotion(double part) {
     return;
   }
   const double duration = transient_->motion().duration();
-  const double most =
-      std::max(1.0, std::floor(kStepsPerFrame / static_cast<double>(ready_->line().nodes())));
+  const double most = mostSteps();
   double stretch = part * duration;
   const double steps = transient_->stepsTo(time_ + stretch);
   if (steps > most) stretch *= most / steps;

@@ -17,7 +17,12 @@ namespace asperity {
 
 class Simulation {
  public:
-  Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number);
+  /// stepsPerFrame: element-steps spent on one frame, at most; counted, so that frames do not
+  /// depend on a clock.
+  Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number,
+             double stepsPerFrame = kStepsPerFrame);
+
+  static constexpr double kStepsPerFrame = 4e5;
 
   /// Which shape a new scene starts from.
   enum class Shape { Present, Steady };
@@ -47,6 +52,7 @@ class Simulation {
   void begin();
   void advanceSteadily(double part);
   void advanceMotion(double part);
+  double mostSteps() const;
   void stepOnce(double dt, double distance);
   void clearReading();
   void addSteady(Frame& frame) const;
@@ -61,6 +67,7 @@ class Simulation {
   std::vector<TransientSample> samples_;  // since they began
   MarchStep last_;
   std::uint64_t steps_ = 0;
+  double stepsPerFrame_;
   double time_ = 0, timeScale_ = 0;
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
   bool resolves_ = false;                 // steps were short enough to read friction
