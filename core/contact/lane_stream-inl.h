@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/contact/lane_stream.h"
 #include "core/contact/segment_step-inl.h"
@@ -128,7 +129,8 @@ class LaneStream {
     lanes_.arcDepth[lane] = lanes_.arcPosition[lane] = lanes_.here[lane] = 0;
     lanes_.sumDepth[lane] = lanes_.freeStiffness[lane] = lanes_.freeLoss[lane] = 0;
     lanes_.contactLength[lane] = lanes_.slopeSquared[lane] = lanes_.sumPressure[lane] = 0;
-    lanes_.busy[lane] = lanes_.touching[lane] = 1;
+    lanes_.busy[lane] = lanes_.touching[lane] = lanes_.limit[lane] = 1;
+    lanes_.from[lane] = lanes_.isPressedAtLimit[lane] = lanes_.closes[lane] = 0;
     load(lane);
   }
 
@@ -259,22 +261,29 @@ class LaneStream {
     return hn::GetLane(hn::SumOfLanes(kTag, sum));
   }
 
-  /// The last segment is measured back from its end, as in the plain pass.
+  /// Few stores, for the vectors read them at once. The last segment is measured back from its end,
+  /// as in the plain pass.
   HWY_INLINE void load(std::size_t lane) {
     const std::size_t i = places_[lane].segment;
     const double start = line_.position[i], end = line_.position[i + 1];
-    const bool isLast = i == last_;
-    lanes_.height0[lane] = line_.rise[isLast ? i + 1 : i];
-    lanes_.height1[lane] = line_.rise[isLast ? i : i + 1];
-    lanes_.slope0[lane] = isLast ? -line_.slopeOut[i] : line_.slopeIn[i];
-    lanes_.slope1[lane] = isLast ? -line_.slopeIn[i] : line_.slopeOut[i];
-    lanes_.start[lane] = isLast ? end : start;
-    lanes_.along[lane] = isLast ? start - end : end - start;
-    lanes_.endsAt[lane] = end;
-    lanes_.from[lane] = isLast ? 1 : 0;
-    lanes_.limit[lane] = isLast ? 0 : 1;
-    lanes_.isPressedAtLimit[lane] = 0;
-    lanes_.closes[lane] = i == places_[lane].last ? 1 : 0;
+    lanes_.height0[lane] = line_.rise[i];
+    lanes_.height1[lane] = line_.rise[i + 1];
+    lanes_.start[lane] = start;
+    lanes_.along[lane] = end - start;
+    if (!kLinear) {
+      lanes_.slope0[lane] = line_.slopeIn[i];
+      lanes_.slope1[lane] = line_.slopeOut[i];
+    }
+    if (i != places_[lane].last) return;
+    lanes_.closes[lane] = 1;
+    if (i != last_) return;
+    std::swap(lanes_.height0[lane], lanes_.height1[lane]);
+    lanes_.slope0[lane] = -line_.slopeOut[i];
+    lanes_.slope1[lane] = -line_.slopeIn[i];
+    lanes_.start[lane] = end;
+    lanes_.along[lane] = start - end;
+    lanes_.from[lane] = 1;
+    lanes_.limit[lane] = 0;
   }
 
   struct Waiting {
