@@ -107,6 +107,7 @@ class Averaging {
     const Scheme scheme = scene_.accuracy.scheme;
     source_.makeInto(memory.line, realization,
                      scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
+    if (stopped()) return {};  // a long line takes as long as all the rest
     prepareTravelInto(memory.travel, memory.line, scheme);
     const TravelLine& line = memory.travel;
     Row row(velocities_.size());
