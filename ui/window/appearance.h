@@ -11,7 +11,6 @@
 
 namespace asperity {
 
-QColor colourOf(const Rgba& rgba);
 bool isDark(const Theme& theme);
 QPalette paletteOf(const Theme& theme);
 PlotColours plotColoursOf(const Theme& theme);
