@@ -4,6 +4,7 @@
 #include "app/command_line.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
+#include "core/accuracy/target_curve.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/atomic_file.h"
@@ -20,7 +21,7 @@ Curve compute(const Scene& scene, const CommonOptions& common) {
   options.progress = [&bar](const CurveProgress& progress) {
     bar.show(progress.realizationsDone, progress.realizationsTotal);
   };
-  return saidOfScene(common, [&] { return frictionCurve(scene, options); });
+  return saidOfScene(common, [&] { return curveOf(scene, options); });
 }
 
 std::string summaryOf(const Curve& curve, const std::vector<std::string>& outputs) {
