@@ -133,7 +133,7 @@ class Pass {
 
  private:
   void segment(std::size_t i) {
-    const SegmentBounds& bounds = line_.bounds(i);
+    const SegmentBounds bounds = line_.bounds(i);
     if (!touching_) {
       const double far = here_ * decayOver(i);
       if (depth_ - bounds.lowest <= far) {

@@ -117,6 +117,7 @@ void setArms(const Parameter& parameter, const ArmsField& field, Scene& scene,
 }  // namespace
 
 bool isApplicable(const Parameter& parameter, const Scene& scene) {
+  if (parameter.key == "accuracy.oversampling" && choosesAccuracy(scene)) return false;
   if (parameter.applies.choiceKey.empty()) return true;
   const Parameter* choice = findParameter(parameter.applies.choiceKey);
   return containsWord(parameter.applies.words, std::get<std::string>(valueOf(*choice, scene)));

@@ -132,6 +132,8 @@ const std::array kTable{
               ASPERITY_CHOICE(accuracy, scheme, kSchemes)},
     Parameter{"accuracy.oversampling", "oversampling", "", "", "Points that resolve the line per element.", kLive, {"accuracy.scheme", "linear cubic"},
               IntegerField{ASPERITY_MEMBER(accuracy, oversampling), 1, 64, 1, 16, kLog}},
+    Parameter{"accuracy.target_relative_error", "target error", "", "", "Relative error of friction to be reached at every velocity: resolution and number of lines are then chosen by the program; 0: as scheme and realizations say.", kLive, {"accuracy.scheme", "cubic"},
+              RealField{ASPERITY_MEMBER(accuracy, targetRelativeError), 0, 0.5, 0, 0.1, kLin}},
 };
 // clang-format on
 

@@ -113,7 +113,8 @@ struct Ensemble {
 
 struct Accuracy {
   Scheme scheme = Scheme::Cubic;
-  std::int64_t oversampling = 2;  // nodes per element
+  std::int64_t oversampling = 2;   // nodes per element
+  double targetRelativeError = 0;  // of mu; above 0 it chooses both and the realizations
 
   bool operator==(const Accuracy&) const = default;
 };
@@ -137,9 +138,18 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
-/// Points that resolve the line per element; the paper's separate elements have one each.
+/// Whether resolution and number of lines follow from a target accuracy.
+inline bool choosesAccuracy(const Scene& scene) {
+  return scene.accuracy.scheme == Scheme::Cubic && scene.accuracy.targetRelativeError > 0;
+}
+
+/// Points that resolve the line per element; the paper's separate elements have one each. With a
+/// target accuracy it is what a single state of the line needs for it; a curve chooses by itself.
 inline std::int64_t pointsPerElement(const Scene& scene) {
-  return scene.accuracy.scheme == Scheme::Nodal ? 1 : scene.accuracy.oversampling;
+  const Accuracy& accuracy = scene.accuracy;
+  if (choosesAccuracy(scene))
+    return accuracy.targetRelativeError >= 0.01 ? 2 : accuracy.targetRelativeError >= 1e-3 ? 4 : 8;
+  return accuracy.scheme == Scheme::Nodal ? 1 : accuracy.oversampling;
 }
 
 }  // namespace asperity

@@ -184,6 +184,37 @@ bool isHarmless(const Assignment& assignment) {
   return ignored.accuracy.oversampling == 1;
 }
 
+bool isResolution(const Assignment& assignment) {
+  return assignment.key == "accuracy.scheme" || assignment.key == "accuracy.oversampling";
+}
+
+bool isTarget(const Assignment& assignment) {
+  if (assignment.key != "accuracy.target_relative_error") return false;
+  Scene scene;
+  apply(assignment, scene);
+  return scene.accuracy.targetRelativeError > 0;
+}
+
+/// A target chooses the resolution: one of the two, and --set wins over the file.
+void chooseAccuracy(std::vector<Assignment>& assignments) {
+  const auto has = [&](bool fromFile, bool (*is)(const Assignment&)) {
+    return std::any_of(assignments.begin(), assignments.end(), [&](const Assignment& assignment) {
+      return assignment.fromFile == fromFile && is(assignment);
+    });
+  };
+  const auto drop = [&](bool (*is)(const Assignment&)) {
+    std::erase_if(assignments, [&](const Assignment& assignment) {
+      return assignment.fromFile && is(assignment);
+    });
+  };
+  for (const bool fromFile : {true, false})
+    if (has(fromFile, isTarget) && has(fromFile, isResolution))
+      throw InputError("", "accuracy.target_relative_error",
+                       "chooses scheme and oversampling itself; give it or them");
+  if (has(false, isTarget)) drop(isResolution);
+  if (has(false, isResolution)) drop(isTarget);
+}
+
 /// Kinds come first, because they decide which other keys have a meaning.
 Scene build(const std::vector<Assignment>& assignments) {
   Scene scene;
@@ -242,6 +273,7 @@ Scene readScene(std::string_view json, const std::string& name, const std::files
   try {
     std::vector<Assignment> all = flatten(parseJson(json));
     for (const std::string& text : assignments) all.push_back(parseAssignment(text));
+    chooseAccuracy(all);
     Scene scene = build(all);
     checkWhole(scene);
     scene.folder = folder;
@@ -262,6 +294,8 @@ std::string writeScene(const Scene& scene) {
   root["schema"] = kSchema;
   for (const Parameter& row : parameters()) {
     if (!isApplicable(row, scene)) continue;
+    if (row.key == "accuracy.scheme" && choosesAccuracy(scene)) continue;
+    if (row.key == "accuracy.target_relative_error" && !choosesAccuracy(scene)) continue;
     const ParameterValue value = valueOf(row, scene);
     const bool profile = scene.surface.kind == SurfaceKind::Profile;
     if (profile && row.key == "surface.length" && scene.surface.length == 0) continue;
