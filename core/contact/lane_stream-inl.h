@@ -58,7 +58,7 @@ class LaneStream {
     PassSums sums;
     std::size_t parts = 0;  // not finished
     double inverse = 0;
-    double kept[kMostLevels][kWindow];  // decay over 1, 2, ... blocks of each level
+    double kept[kMostLevels][kWindow + 1];  // decay over 0, 1, ... blocks of each level
   };
   /// A part of a pass: segments up to `last`.
   struct Place {
@@ -91,9 +91,9 @@ class LaneStream {
     double one = std::exp(std::max(-line_.spacing * pass.inverse, -700.0));
     for (std::size_t level = 0; level < levels_; ++level) {
       double* kept = pass.kept[level];
-      kept[0] = one;
-      for (std::size_t k = 1; k < kWindow; ++k) kept[k] = kept[k - 1] * one;
-      one = kept[3];
+      kept[0] = 1;
+      for (std::size_t k = 0; k < kWindow; ++k) kept[k + 1] = kept[k] * one;
+      one = kept[4];
     }
   }
 
@@ -209,18 +209,23 @@ class LaneStream {
 
   HWY_INLINE void skipFree(std::size_t lane, Place& place) {
     const Pass& pass = passes_[place.pass];
-    const One depth = One::all(lanes_.depth[lane]);
+    const One depth = One::all(lanes_.depth[lane]), memory = One::all(lanes_.memory[lane]);
     double here = lanes_.here[lane];
     const auto isFree = [&](std::size_t level, std::size_t block) {
       const double* lowest = line_.blocks[level].lowest.data() + block;
       const One start = One::all(here);
+      const double* steepest = line_.blocks[0].steepest.data() + block;
+      const double* kept = pass.kept[level];
       return firstOther([&](std::size_t k) {
-        return depth - One::load(lowest + k) <= start * One::load(pass.kept[level] + k);
+        const OneMask below = depth - One::load(lowest + k) <= start * One::load(kept + k + 1);
+        if (!kLinear || level > 0) return below;
+        // A straight segment that rises faster than the free surface, from below it, stays there.
+        return below | (memory * One::load(steepest + k) >= start * One::load(kept + k));
       });
     };
     place.segment = skip(place.segment, place.last, isFree,
                          [&](std::size_t level, std::size_t, std::size_t count) {
-                           here *= pass.kept[level][count - 1];
+                           here *= pass.kept[level][count];
                          });
   }
 

@@ -88,6 +88,7 @@ int run(int count, char** arguments) {
   Measured measured;
   measured.instructionSets = instructionSets();
   measured.isQuick = options.isQuick;
+  measured.loadBefore = loadAverage();
   addCases(options.isQuick);
   CollectingReporter reporter(measured.samples);
   ::benchmark::RunSpecifiedBenchmarks(&reporter);
