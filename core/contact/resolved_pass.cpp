@@ -134,7 +134,7 @@ class Pass {
 
  private:
   void segment(std::size_t i) {
-    const SegmentBounds& bounds = line_.bounds(i);
+    const SegmentBounds bounds = line_.bounds(i);
     if (!touching_) {
       const double far = surface_ + (depth_ - surface_) * lostOver(i);
       if (bounds.lowest >= far) {

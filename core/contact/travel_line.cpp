@@ -102,29 +102,32 @@ std::size_t setWholeSegments(TravelLine& travel, const Line& line, const Travell
   return node;
 }
 
-SegmentBounds merged(const SegmentBounds* four) {
-  SegmentBounds all = four[0];
-  for (int i = 1; i < 4; ++i) {
-    all.lowest = std::min(all.lowest, four[i].lowest);
-    all.highest = std::max(all.highest, four[i].highest);
-    all.steepest = std::max(all.steepest, four[i].steepest);
-    all.riseIntegral += four[i].riseIntegral;
-    all.slopeSquared += four[i].slopeSquared;
-  }
-  return all;
-}
-
 /// Blocks of 4, 16, ... segments over those of one, as far as whole ones go.
 void addBlocks(TravelLine& travel) {
   std::size_t level = 0;
   while (travel.blocks[level].size() >= 4) {
     if (travel.blocks.size() == level + 1) travel.blocks.emplace_back();
-    const std::vector<SegmentBounds>& finer = travel.blocks[level];
-    std::vector<SegmentBounds>& coarser = travel.blocks[++level];
-    coarser.resize(finer.size() / 4);
-    for (std::size_t i = 0; i < coarser.size(); ++i) coarser[i] = merged(&finer[4 * i]);
+    travel.blocks[level + 1].merge(travel.blocks[level]);
+    ++level;
   }
   travel.blocks.resize(level + 1);
+}
+
+/// Finds a cut in each of equal parts of the line but the first, at its lowest node.
+void addCuts(TravelLine& travel) {
+  constexpr std::size_t kFewestSegments = 16;  // in a part
+  travel.cuts.clear();
+  const std::size_t parts = TravelLine::kMostCuts + 1, size = travel.segments() / parts;
+  if (size < kFewestSegments) return;
+  for (std::size_t k = 1; k < parts; ++k) {
+    const auto from = travel.rise.begin() + static_cast<std::ptrdiff_t>(k * size);
+    const auto lowest = std::min_element(from, from + static_cast<std::ptrdiff_t>(size));
+    const auto segment = static_cast<std::size_t>(lowest - travel.rise.begin());
+    std::size_t back = segment - 2;  // blocks[0][back - 1] is of segment `back`
+    while (back > 0 && segment - back < size && travel.blocks[0].lowest[back - 1] >= *lowest)
+      --back;
+    travel.cuts.push_back({segment, travel.position[segment] - travel.position[back + 1]});
+  }
 }
 
 void resizeFor(TravelLine& travel, std::size_t segments) {
@@ -144,15 +147,21 @@ void addBounds(TravelLine& travel) {
   travel.lastBounds = bounds(last, travel.segmentLength(last), 1 / travel.segmentLength(last));
   const double spacing = travel.spacing, perSpacing = 1 / spacing;
   travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
-  std::vector<SegmentBounds>& inner = travel.blocks[0];
+  BlockLevel& inner = travel.blocks[0];
   inner.resize(last - 1);
-  double integral = travel.firstBounds.riseIntegral + travel.lastBounds.riseIntegral;
   for (std::size_t i = 1; i < last; ++i) {
-    inner[i - 1] = bounds(i, spacing, perSpacing);
-    integral += inner[i - 1].riseIntegral;
+    const SegmentBounds one = bounds(i, spacing, perSpacing);
+    inner.lowest[i - 1] = one.lowest;
+    inner.highest[i - 1] = one.highest;
+    inner.steepest[i - 1] = one.steepest;
+    inner.riseIntegral[i - 1] = one.riseIntegral;
+    inner.slopeSquared[i - 1] = one.slopeSquared;
   }
+  double integral = travel.firstBounds.riseIntegral + travel.lastBounds.riseIntegral;
+  for (std::size_t i = 0; i + 1 < last; ++i) integral += inner.riseIntegral[i];
   travel.meanRise = integral / travel.length;
   addBlocks(travel);
+  addCuts(travel);
 }
 
 void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
@@ -200,8 +209,8 @@ void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
   travel.rise[count] = 0;
   travel.meanRise /= static_cast<double>(count);
   travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
-  travel.blocks[0].assign(count - 1, SegmentBounds{});
-  for (std::size_t i = 1; i < count; ++i) travel.blocks[0][i - 1].lowest = travel.rise[i];
+  travel.blocks[0].resizeForNodal(count - 1);
+  std::copy_n(travel.rise.begin() + 1, count - 1, travel.blocks[0].lowest.begin());
   addBlocks(travel);
 }
 

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/contact/block_level.h"
 #include "core/contact/polynomial.h"
 #include "core/scene/scene.h"
 #include "core/surface/line.h"
@@ -16,14 +17,6 @@
 namespace asperity {
 
 enum class Direction { Forward, Backward };  // sliding towards +x or -x
-
-/// What a pass needs to know of a whole segment to decide without looking inside.
-struct SegmentBounds {
-  double lowest, highest;  // m, bounds of the rise
-  double steepest;         // bound of d rise / d s: pressure is lowest there
-  double riseIntegral;     // m^2
-  double slopeSquared;     // m, integral of (d rise / ds)^2
-};
 
 struct TravelLine {
   Scheme scheme = Scheme::Cubic;
@@ -37,7 +30,14 @@ struct TravelLine {
   SegmentBounds firstBounds{}, lastBounds{};  // of the first and the last segment; not for nodal
   /// blocks[k][b] bounds and sums up the 4^k whole segments from segment 1 + b 4^k on; the first
   /// and the last segment, which may be parts, stand outside. For nodal, likewise of nodes.
-  std::vector<std::vector<SegmentBounds>> blocks;
+  std::vector<BlockLevel> blocks;
+  /// Starts of segments near low points, ascending, where a pass may be cut if they are in contact.
+  struct Cut {
+    std::size_t segment;
+    double clear;  // m: so far back of it nothing is lower, but for the segment before it
+  };
+  static constexpr std::size_t kMostCuts = 15;
+  std::vector<Cut> cuts;
   double meanRise = 0;                 // m, of the line as the scheme sees it
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself
 
@@ -46,7 +46,7 @@ struct TravelLine {
 
   std::size_t segments() const { return slopeIn.size(); }
   double segmentLength(std::size_t i) const { return position[i + 1] - position[i]; }
-  const SegmentBounds& bounds(std::size_t i) const {
+  SegmentBounds bounds(std::size_t i) const {
     if (i == 0) return firstBounds;
     return i + 1 == segments() ? lastBounds : blocks[0][i - 1];
   }

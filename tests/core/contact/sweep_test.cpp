@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/contact/lane_pass.h"
+#include "core/contact/lane_stream.h"
 #include "core/surface/shapes.h"
 #include "tests/core/contact/allocation_counter.h"
 #include "tests/core/contact/csv_table.h"
@@ -208,6 +209,97 @@ TEST_P(Sweep, StopsWhenAsked) {
   const double velocity = 1;
   EXPECT_FALSE(
       slideSweep(line, {kModulus, kTau, 0}, {}, {&velocity, 1}, results, source.get_token()));
+}
+
+/// A table of forces is no other answer than its rows.
+TEST_P(Sweep, ManyForcesAtOnce) {
+  const auto velocities = decades(1e-5, 1e3, 9), forces = decades(1e-4, 100, 7);
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
+    const TravelLine line = prepareTravel(roughLine(900), scheme);
+    std::vector<SteadyResult> table(forces.size() * velocities.size());
+    ASSERT_TRUE(slideAtForces(line, {kModulus, kTau, 0}, forces, velocities, table));
+    for (std::size_t row = 0; row < forces.size(); ++row) {
+      const auto one = sweep(line, forces[row], velocities);
+      for (std::size_t i = 0; i < velocities.size(); ++i) {
+        const SteadyResult& result = table[row * velocities.size() + i];
+        EXPECT_EQ(result.status, SteadyStatus::Balanced);
+        const double tolerance = scheme == Scheme::Nodal ? 1e-9 : 1e-12;
+        EXPECT_NEAR(result.mu, one[i].mu, tolerance * std::abs(one[i].mu));
+        EXPECT_NEAR(result.normalForce / forces[row], 1, 1e-10);
+      }
+    }
+  }
+}
+
+/// mu depends on F_N / G, and in units of the rms slope on F_N / (G h).
+TEST_P(Sweep, ModuliAndHeightsAreForces) {
+  const auto velocities = decades(1e-4, 1e2, 7);
+  const Line line = roughLine(500);
+  Line higher = line;
+  for (double& height : higher.height) height *= 8;
+  for (double& slope : higher.slopeAfter) slope *= 8;
+  const auto one = sweep(prepareTravel(line, Scheme::Cubic), 0.01, velocities);
+  const auto two = sweep(prepareTravel(higher, Scheme::Cubic), 0.08, velocities);
+  for (std::size_t i = 0; i < velocities.size(); ++i)
+    EXPECT_NEAR(two[i].mu / (8 * one[i].mu), 1, 1e-11);
+}
+
+/// Passes at one depth, cut or not, until it is told to stop at the looks-th question.
+class FixedDepths : public PassQueue {
+ public:
+  FixedDepths(double depth, double memory, int parts, int looks)
+      : task_{depth, memory, parts}, looks_(looks) {}
+
+  bool begin(std::size_t stream, PassTask& task) override {
+    task = task_;
+    return stream == 0;
+  }
+  bool next(std::size_t, const PassSums& sums, PassTask&) override {
+    found.push_back(sums);
+    return false;
+  }
+  bool isStopped() const override { return ++asked_ >= looks_; }
+
+  std::vector<PassSums> found;
+
+ private:
+  PassTask task_;
+  int looks_;
+  mutable int asked_ = 0;
+};
+
+TEST_P(Sweep, PartsOfAPassAddUp) {
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
+    for (const int realization : {0, 1, 2, 3}) {
+      const TravelLine line = prepareTravel(roughLine(2000, 2, 0.3, realization), scheme);
+      for (const double depth : {3e-7, 1e-6, 2e-6, 4e-6})
+        for (const double memory : {1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1.0}) {
+          FixedDepths whole(depth, memory, 1, 1 << 30), cut(depth, memory, 16, 1 << 30);
+          passLanes(line, whole);
+          passLanes(line, cut);
+          ASSERT_EQ(whole.found.size(), 1U);
+          ASSERT_EQ(cut.found.size(), 1U);
+          const PassSums &a = whole.found[0], &b = cut.found[0];
+          EXPECT_NEAR(b.depth, a.depth, 1e-12 * a.depth);
+          EXPECT_NEAR(b.dissipation, a.dissipation, 1e-12 * a.dissipation);
+          EXPECT_NEAR(b.stiffness, a.stiffness, 1e-10 * a.stiffness);
+          EXPECT_NEAR(b.pressure, a.pressure, 1e-9 * a.pressure);
+          if (memory < 1e-5) {
+            EXPECT_GT(b.looks, a.looks);  // it was cut
+          }
+        }
+    }
+}
+
+/// The end of work is asked for inside a pass: here before any has ended.
+TEST_P(Sweep, StopsInsideAPass) {
+  const TravelLine line = prepareTravel(roughLine(20000, 1, 0.0), Scheme::Cubic);
+  FixedDepths whole(1e-6, 1e-8, 1, 1 << 30), queue(1e-6, 1e-8, 1, 1);
+  passLanes(line, whole);
+  ASSERT_EQ(whole.found.size(), 1U);
+  EXPECT_GT(whole.found[0].looks, 300);  // it looks up every 256 steps
+  passLanes(line, queue);
+  EXPECT_TRUE(queue.found.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, Sweep,

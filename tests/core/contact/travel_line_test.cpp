@@ -40,7 +40,7 @@ TEST(TravelLine, BoundsHoldEverywhereInTheirSegment) {
     const TravelLine line = prepareTravel(roughLine(300, 2), scheme);
     for (std::size_t i = 0; i < line.segments(); ++i) {
       const Cubic rise = line.segment(i);
-      const SegmentBounds& bounds = line.bounds(i);
+      const SegmentBounds bounds = line.bounds(i);
       for (int k = 0; k <= 20; ++k) {
         const double t = k / 20.0;
         EXPECT_GE(rise(t), bounds.lowest - 1e-21);
