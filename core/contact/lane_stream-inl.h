@@ -57,7 +57,7 @@ class LaneStream {
     PassSums sums;
     std::size_t parts = 0;  // not finished
     double inverse = 0;
-    double kept[kMostLevels][kWindow];  // decay over 1, 2, ... blocks of each level
+    double lost[kMostLevels][kWindow];  // part of a depth, over 1, 2, ... blocks of each level
   };
   /// A part of a pass: segments up to `last`.
   struct Place {
@@ -87,12 +87,12 @@ class LaneStream {
   void setMemory(Pass& pass, double memory) {
     // Without memory the free surface comes back at once.
     pass.inverse = memory > 0 ? std::min(1 / memory, 1e300) : 1e300;
-    double one = std::exp(std::max(-line_.spacing * pass.inverse, -700.0));
+    double one = -std::expm1(-line_.spacing * pass.inverse);
     for (std::size_t level = 0; level < levels_; ++level) {
-      double* kept = pass.kept[level];
-      kept[0] = one;
-      for (std::size_t k = 1; k < kWindow; ++k) kept[k] = kept[k - 1] * one;
-      one = kept[3];
+      double* lost = pass.lost[level];
+      lost[0] = one;
+      for (std::size_t k = 1; k < kWindow; ++k) lost[k] = lost[k - 1] + (1 - lost[k - 1]) * one;
+      one = lost[3];
     }
   }
 
@@ -100,9 +100,9 @@ class LaneStream {
   /// further back within `clear` is not as deep, and anything from beyond has relaxed below it.
   bool touchesAt(const TravelLine::Cut& cut, const PassTask& task) const {
     const SegmentBounds before = line_.blocks[0][cut.segment - 2];
-    const double w = task.depth - line_.rise[cut.segment];
+    const double rise = line_.rise[cut.segment], w = task.depth - rise;
     return task.depth - before.highest - task.memory * before.steepest > 0 && w > 0 &&
-           cut.clear >= task.memory * std::log(task.depth / w);
+           cut.clear >= task.memory * std::log1p(rise / w);
   }
 
   void addPart(std::size_t stream, std::size_t from, std::size_t last) {
@@ -125,7 +125,7 @@ class LaneStream {
     lanes_.depth[lane] = pass.task.depth;
     lanes_.memory[lane] = pass.task.memory;
     lanes_.inverse[lane] = pass.inverse;
-    lanes_.arcDepth[lane] = lanes_.arcPosition[lane] = lanes_.here[lane] = 0;
+    lanes_.arcRise[lane] = lanes_.arcPosition[lane] = lanes_.surface[lane] = 0;
     lanes_.sumDepth[lane] = lanes_.freeStiffness[lane] = lanes_.freeLoss[lane] = 0;
     lanes_.contactLength[lane] = lanes_.slopeSquared[lane] = lanes_.sumPressure[lane] = 0;
     lanes_.busy[lane] = lanes_.touching[lane] = 1;
@@ -208,17 +208,17 @@ class LaneStream {
   HWY_INLINE void skipFree(std::size_t lane, Place& place) {
     const Pass& pass = passes_[place.pass];
     const One depth = One::all(lanes_.depth[lane]);
-    double here = lanes_.here[lane];
+    double surface = lanes_.surface[lane];
     const auto isFree = [&](std::size_t level, std::size_t block) {
       const double* lowest = line_.blocks[level].lowest.data() + block;
-      const One start = One::all(here);
+      const One start = One::all(surface), over = depth - start;
       return firstOther([&](std::size_t k) {
-        return depth - One::load(lowest + k) <= start * One::load(pass.kept[level] + k);
+        return One::load(lowest + k) >= mulAdd(over, One::load(pass.lost[level] + k), start);
       });
     };
     place.segment = skip(place.segment, place.last, isFree,
                          [&](std::size_t level, std::size_t, std::size_t count) {
-                           here *= pass.kept[level][count - 1];
+                           surface += (lanes_.depth[lane] - surface) * pass.lost[level][count - 1];
                          });
   }
 
@@ -269,7 +269,7 @@ class LaneStream {
     lanes_.slope0[lane] = isLast ? -line_.slopeOut[i] : line_.slopeIn[i];
     lanes_.slope1[lane] = isLast ? -line_.slopeIn[i] : line_.slopeOut[i];
     lanes_.start[lane] = isLast ? end : start;
-    lanes_.along[lane] = isLast ? start - end : end - start;
+    lanes_.along[lane] = isLast ? -line_.segmentLength(i) : line_.segmentLength(i);
     lanes_.endsAt[lane] = end;
     lanes_.from[lane] = isLast ? 1 : 0;
     lanes_.limit[lane] = isLast ? 0 : 1;

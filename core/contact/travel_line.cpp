@@ -169,6 +169,8 @@ void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
   const double h = line.spacing, t = lowest.fraction;
   const std::size_t count = line.nodes(), split = t > 0 ? 1 : 0;
   travel.startsInsideSegment = t > 0;
+  travel.firstLength = (1 - t) * h;
+  travel.lastLength = t > 0 ? t * h : h;
   resizeFor(travel, count + split);
   std::size_t node = lowest.node;
   if (split > 0) node = traveller.next(node);
@@ -195,6 +197,7 @@ void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
   travel.slopeIn.resize(count);
   travel.slopeOut.clear();
   travel.startsInsideSegment = false;
+  travel.firstLength = travel.lastLength = line.spacing;
   travel.meanRise = 0;
   std::size_t node = lowest.node;
   for (std::size_t i = 0; i < count; ++i) {
