@@ -259,20 +259,20 @@ class LaneStream {
     return hn::GetLane(hn::SumOfLanes(kTag, sum));
   }
 
-  /// The last segment is measured back from its end, as in the plain pass.
+  /// Segments are measured from their lower end, as in the plain pass.
   HWY_INLINE void load(std::size_t lane) {
     const std::size_t i = places_[lane].segment;
     const double start = line_.position[i], end = line_.position[i + 1];
-    const bool isLast = i == last_;
-    lanes_.height0[lane] = line_.rise[isLast ? i + 1 : i];
-    lanes_.height1[lane] = line_.rise[isLast ? i : i + 1];
-    lanes_.slope0[lane] = isLast ? -line_.slopeOut[i] : line_.slopeIn[i];
-    lanes_.slope1[lane] = isLast ? -line_.slopeIn[i] : line_.slopeOut[i];
-    lanes_.start[lane] = isLast ? end : start;
-    lanes_.along[lane] = isLast ? -line_.segmentLength(i) : line_.segmentLength(i);
+    const bool isBack = line_.isMeasuredBack(i);
+    lanes_.height0[lane] = line_.rise[isBack ? i + 1 : i];
+    lanes_.height1[lane] = line_.rise[isBack ? i : i + 1];
+    lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
+    lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];
+    lanes_.start[lane] = isBack ? end : start;
+    lanes_.along[lane] = isBack ? -line_.segmentLength(i) : line_.segmentLength(i);
     lanes_.endsAt[lane] = end;
-    lanes_.from[lane] = isLast ? 1 : 0;
-    lanes_.limit[lane] = isLast ? 0 : 1;
+    lanes_.from[lane] = isBack ? 1 : 0;
+    lanes_.limit[lane] = isBack ? 0 : 1;
     lanes_.isPressedAtLimit[lane] = 0;
     lanes_.closes[lane] = i == places_[lane].last ? 1 : 0;
   }

@@ -169,12 +169,10 @@ class Pass {
     double at(double t) const { return start + t * along; }
   };
 
-  /// The last segment is measured back from its end, the lowest point: contact there may be far
-  /// shorter than the segment, and 1 - t would have lost its digits.
   Inside insideOf(std::size_t i) const {
-    if (i + 1 < line_.segments())
-      return {line_.segment(i), line_.position[i], line_.segmentLength(i)};
-    return {line_.segmentBackwards(i), line_.length, -line_.segmentLength(i)};
+    if (line_.isMeasuredBack(i))
+      return {line_.segmentBackwards(i), line_.position[i + 1], -line_.segmentLength(i)};
+    return {line_.segment(i), line_.position[i], line_.segmentLength(i)};
   }
 
   /// Splits the segment where p changes sign; w e^(s/c) is monotone on each piece.

@@ -16,7 +16,7 @@ namespace asperity {
 namespace HWY_NAMESPACE {
 
 /// What the lanes know. Lengths in m, t runs over a segment: s = start + t along, and `along` is
-/// negative in the last segment, which is measured back from its end.
+/// negative where a segment is measured back from its end.
 struct alignas(64) Lanes {
   using Values = double[Wide::kLanes];
 

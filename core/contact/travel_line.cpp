@@ -176,10 +176,13 @@ void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
   if (split > 0) node = traveller.next(node);
   node = setWholeSegments(travel, line, traveller, node, split, count - split);
   if (split > 0) {
-    // The segment of the lowest point: its two parts, level at that point.
-    const Cubic whole = traveller.cubicAfter(node, lowest.height);
-    setSegment(travel, 0, 0, 0, whole.derivative(1) / h);
-    setSegment(travel, count, whole(0), whole.derivative(0) / h, 0);
+    // The segment of the lowest point: its two parts, level at that point. About it, because the
+    // difference of two heights would lose what rises next to it.
+    const Cubic whole = traveller.cubicAfter(node, lowest.height).about(t);
+    const Cubic level{0, 0, whole.c2, whole.c3};
+    setSegment(travel, 0, 0, 0, level.derivative(1 - t) / h);
+    setSegment(travel, count, level(-t), level.derivative(-t) / h, 0);
+    travel.rise[1] = level(1 - t);
   }
   travel.rise.back() = 0;
   for (std::size_t i = 0; i <= travel.segments(); ++i)

@@ -51,6 +51,9 @@ struct TravelLine {
     if (i == 0) return firstLength;
     return i + 1 == segments() ? lastLength : spacing;
   }
+  /// Whether its end is the lower one. Contact there may be far shorter than the segment and far
+  /// lower than its start; measured from that, both would have lost their digits.
+  bool isMeasuredBack(std::size_t i) const { return rise[i + 1] < rise[i] || i + 1 == segments(); }
   SegmentBounds bounds(std::size_t i) const {
     if (i == 0) return firstBounds;
     return i + 1 == segments() ? lastBounds : blocks[0][i - 1];
