@@ -12,8 +12,6 @@ struct HardCase {
   std::string name;
   std::string why;  // what is hard about it
   Situation situation;
-  /// Beyond what numbers can do: it has to be refused, not answered.
-  bool refused = false;
 };
 
 /// Every row, each under the schemes it is meant for.

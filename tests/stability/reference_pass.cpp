@@ -105,16 +105,19 @@ class ResolvedReference {
   ResolvedReference(const Line& line, Scheme scheme) : length_(line.length) {
     const Nodes nodes(line);
     std::size_t start = 0;
-    Wide lowest = line.height[0], inside = 0;
+    Wide drop = 0, inside = 0;  // of the lowest point below its node, and its way from there
+    const auto above = [&](std::size_t node) {
+      return (Wide(line.height[node]) - line.height[start]) - drop;
+    };
     for (std::size_t i = 0; i < line.nodes(); ++i) {
       const Polynomial p = nodes.after(i, scheme);
       std::vector<Wide> places{0};
       if (scheme == Scheme::Cubic)
         for (const Wide x : turningPoints(p, 0, nodes.spacing())) places.push_back(x);
       for (const Wide x : places)
-        if (line.height[i] + p(x) < lowest) {
-          lowest = line.height[i] + p(x);
+        if (above(i) + p(x) < 0) {
           start = i;
+          drop = p(x);
           inside = x;
         }
     }
@@ -132,9 +135,11 @@ class ResolvedReference {
       } else if (k + 1 == count && inside == 0) {
         last_ = {level(p.about(h), false), -h, 0, length_};
       } else {
-        Polynomial above = p;
-        above.a0 = Wide(line.height[node]) - lowest;
-        pieces_.push_back({above, 0, h, origin});
+        // From the lower end, next to which contact is.
+        const bool back = line.height[nodes.next(node)] < line.height[node];
+        Polynomial rise = back ? p.about(h) : p;
+        rise.a0 = above(back ? nodes.next(node) : node);
+        pieces_.push_back({rise, back ? -h : 0, back ? 0 : h, back ? origin + h : origin});
       }
     }
     pieces_.push_back(last_);
@@ -164,6 +169,9 @@ class ResolvedReference {
 
   void take(const Piece& piece) {
     const Polynomial& z = piece.rise;
+    if (!touching_ &&
+        lowestOf(piece) > leftRise_ + (depth_ - leftRise_) * lost(piece.origin + piece.to))
+      return;  // the surface is below it all along
     const Polynomial p{depth_ - z.a0 - memory_ * z.a1, -z.a1 - 2 * memory_ * z.a2,
                        -z.a2 - 3 * memory_ * z.a3, -z.a3};
     Wide from = piece.from;
@@ -174,6 +182,13 @@ class ResolvedReference {
         leave(z(from), piece.origin + from);
       from = to;
     }
+  }
+
+  static Wide lowestOf(const Piece& piece) {
+    Wide lowest = std::min(piece.rise(piece.from), piece.rise(piece.to));
+    for (const Wide x : turningPoints(piece.rise, piece.from, piece.to))
+      lowest = std::min(lowest, piece.rise(x));
+    return lowest;
   }
 
   void leave(Wide rise, Wide position) {
