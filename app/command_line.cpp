@@ -35,6 +35,7 @@ class CommandLine {
     addRender();
     addSurface();
     addFigure();
+    addAccuracy();
     app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.",
                             kDone, kRunFailed, kBadInput));
   }
@@ -66,7 +67,7 @@ class CommandLine {
 
   bool timing() const {
     return window_.timing || check_.timing || curve_.common.timing || render_.common.timing ||
-           surface_.common.timing || figure_.common.timing;
+           surface_.common.timing || figure_.common.timing || accuracy_.common.timing;
   }
 
  private:
@@ -142,6 +143,11 @@ class CommandLine {
     verb->footer("Figures:\n" + words);
     verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
   }
+  void addAccuracy() {
+    CLI::App* verb = addVerb("accuracy", "What accuracy costs: error against time of every method",
+                             accuracy_.common, [this] { return runAccuracy(accuracy_); });
+    verb->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")->required();
+  }
   static void addOutputs(CLI::App* verb, std::vector<std::string>& outputs, const char* sentence) {
     verb->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
   }
@@ -152,6 +158,7 @@ class CommandLine {
   RenderCommand render_;
   SurfaceCommand surface_;
   FigureCommand figure_;
+  AccuracyCommand accuracy_;
   std::function<int()> selected_;
 };
 

@@ -48,6 +48,11 @@ struct FigureCommand {
   std::int64_t realizations = 200;
 };
 
+struct AccuracyCommand {
+  CommonOptions common;
+  std::string output;  // folder
+};
+
 /// The scene of a command, with its assignments. Throws InputError.
 Scene sceneOf(const CommonOptions& options);
 
@@ -65,6 +70,7 @@ int runCheck(const CommonOptions& command);
 int runCurve(const CurveCommand& command);
 int runRender(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);
+int runAccuracy(const AccuracyCommand& command);
 int runFigure(const FigureCommand& command);
 /// The window; an empty scene opens the default one.
 int runWindowCommand(const CommonOptions& command);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/contact/lane_stream.h"
 #include "core/contact/segment_step-inl.h"
@@ -128,7 +129,8 @@ class LaneStream {
     lanes_.arcRise[lane] = lanes_.arcPosition[lane] = lanes_.surface[lane] = 0;
     lanes_.sumDepth[lane] = lanes_.freeStiffness[lane] = lanes_.freeLoss[lane] = 0;
     lanes_.contactLength[lane] = lanes_.slopeSquared[lane] = lanes_.sumPressure[lane] = 0;
-    lanes_.busy[lane] = lanes_.touching[lane] = 1;
+    lanes_.busy[lane] = lanes_.touching[lane] = lanes_.limit[lane] = 1;
+    lanes_.from[lane] = lanes_.isPressedAtLimit[lane] = lanes_.closes[lane] = 0;
     load(lane);
   }
 
@@ -259,22 +261,24 @@ class LaneStream {
     return hn::GetLane(hn::SumOfLanes(kTag, sum));
   }
 
-  /// Segments are measured from their lower end, as in the plain pass.
+  /// Few stores, for the vectors read them at once. Segments are measured from their lower end, as
+  /// in the plain pass.
   HWY_INLINE void load(std::size_t lane) {
     const std::size_t i = places_[lane].segment;
-    const double start = line_.position[i], end = line_.position[i + 1];
     const bool isBack = line_.isMeasuredBack(i);
-    lanes_.height0[lane] = line_.rise[isBack ? i + 1 : i];
-    lanes_.height1[lane] = line_.rise[isBack ? i : i + 1];
-    lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
-    lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];
-    lanes_.start[lane] = isBack ? end : start;
-    lanes_.along[lane] = isBack ? -line_.segmentLength(i) : line_.segmentLength(i);
-    lanes_.endsAt[lane] = end;
+    const std::size_t first = isBack ? i + 1 : i, second = isBack ? i : i + 1;
+    const double length = line_.segmentLength(i);
+    lanes_.height0[lane] = line_.rise[first];
+    lanes_.height1[lane] = line_.rise[second];
+    lanes_.start[lane] = line_.position[first];
+    lanes_.along[lane] = isBack ? -length : length;
     lanes_.from[lane] = isBack ? 1 : 0;
     lanes_.limit[lane] = isBack ? 0 : 1;
-    lanes_.isPressedAtLimit[lane] = 0;
-    lanes_.closes[lane] = i == places_[lane].last ? 1 : 0;
+    if (!kLinear) {
+      lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
+      lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];
+    }
+    if (i == places_[lane].last) lanes_.closes[lane] = 1;
   }
 
   struct Waiting {

@@ -20,9 +20,9 @@ namespace HWY_NAMESPACE {
 struct alignas(64) Lanes {
   using Values = double[Wide::kLanes];
 
-  Values depth, memory, inverse;                    // d, c, 1 / c
-  Values height0, height1, slope0, slope1;          // rise and d rise / d|s| at t = 0 and t = 1
-  Values start, along, endsAt;                      // endsAt: s where material leaves the segment
+  Values depth, memory, inverse;            // d, c, 1 / c
+  Values height0, height1, slope0, slope1;  // rise and d rise / d|s| at t = 0 and t = 1
+  Values start, along;
   Values from, limit;                               // t reached; t of the segment's end, or nearer
   Values arcRise, arcPosition;                      // where the elastomer left the line
   Values surface;                                   // height of free lanes at the segment's end
@@ -279,7 +279,7 @@ class SegmentStep {
     touching_ = touching_ | enters_;
     const WideMask finished = busy_ & !hits_ & (to_ == end_), free = finished & !touching_;
     if (any(free)) {
-      const Wide over = max((arcPosition_ - Wide::load(lanes_.endsAt)) * inverse_, Wide::all(-350));
+      const Wide over = max((arcPosition_ - placeOf(end_)) * inverse_, Wide::all(-350));
       const Wide lost = -expm1(min(over, Wide::all(0)));
       mulAdd(depth_ - arcRise_, lost, arcRise_).store(lanes_.surface);
       // A point takes over that is always in contact.
@@ -292,8 +292,10 @@ class SegmentStep {
     arcRise_.store(lanes_.arcRise);
     arcPosition_.store(lanes_.arcPosition);
     setFlags(touching_, lanes_.touching);
-    select(hits_, from_, to_).store(lanes_.from);
-    select(hits_, edge_, end_).store(lanes_.limit);
+    // Ready for the next segment where this one is finished.
+    const Wide next = onlyIn(!finished, select(hits_, from_, to_));
+    next.store(lanes_.from);
+    select(hits_, edge_, select(finished, Wide::all(1), end_)).store(lanes_.limit);
     setFlags(hits_, lanes_.isPressedAtLimit);
     setFlags(!finished, lanes_.stays);
   }

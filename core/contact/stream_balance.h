@@ -17,6 +17,7 @@ class StreamBalance {
     low_ = lowest;
     high_ = full_ = highest;
     depth_ = guess > lowest && guess < highest ? guess : highest;
+    triedFull_ = depth_ == highest;
     best_ = std::numeric_limits<double>::infinity();
     passes_ = stalled_ = 0;
     done_ = false;
@@ -67,7 +68,8 @@ class StreamBalance {
     if (!isLast && !(next >= low_ && next <= high_)) next = 0.5 * (low_ + high_);
     // In full contact the force is linear.
     const double newton = depth_ - (force - load) / stiffness;
-    if (std::abs(newton / full_ - 1) < kRoundedStep) next = full_;
+    if (!triedFull_ && std::abs(newton / full_ - 1) < kRoundedStep) next = full_;
+    triedFull_ |= next == full_;
     done_ = next == depth_;
     depth_ = next;
   }
@@ -83,7 +85,7 @@ class StreamBalance {
   double low_ = 0, high_ = 0, full_ = 0;  // m; full_: the answer in full contact
   double depth_ = 0, bestDepth_ = 0, best_ = 0;
   int passes_ = 0, stalled_ = 0;
-  bool done_ = false;
+  bool done_ = false, triedFull_ = false;
 };
 
 }  // namespace asperity

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/contact/segment_bounds.h"
+
 namespace asperity {
 namespace {
 
@@ -21,6 +23,19 @@ class Traveller {
   std::size_t next(std::size_t node) const {
     if (forward_) return node == 0 ? count_ - 1 : node - 1;
     return node + 1 == count_ ? 0 : node + 1;
+  }
+  /// Segments from this node to the end of the Line in the way of travel.
+  std::size_t nodesAhead(std::size_t node) const { return forward_ ? node : count_ - 1 - node; }
+  std::size_t moved(std::size_t node, std::size_t by) const {
+    return forward_ ? node - by : node + by;
+  }
+  /// take(k, node k, node k + 1) for a run of segments that does not leave the Line.
+  template <class Take>
+  void forRun(std::size_t node, std::size_t run, const Take& take) const {
+    if (forward_)
+      for (std::size_t k = 0; k < run; ++k) take(k, node - k, node - k - 1);
+    else
+      for (std::size_t k = 0; k < run; ++k) take(k, node + k, node + k + 1);
   }
   double slopeAfter(std::size_t node) const {
     return forward_ ? -line_.slopeLeftOf(node) : line_.slopeAfter[node];
@@ -66,38 +81,35 @@ Lowest findLowest(const Line& line, const Traveller& traveller, Scheme scheme) {
   return lowest;
 }
 
-/// Bounds by control points (a cubic lies within theirs), integrals exactly.
-SegmentBounds boundsOf(double in, double out, double slopeIn, double slopeOut, double length,
-                       double perLength) {
-  const double third = length * (1.0 / 3);
-  const double first = in + slopeIn * third, second = out - slopeOut * third;
-  const double middle = 3 * (second - first) * perLength;  // the slope's own middle control point
-  const Cubic rise = hermite(in, out, slopeIn * length, slopeOut * length);
-  return {std::min(std::min(in, out), std::min(first, second)),
-          std::max(std::max(in, out), std::max(first, second)),
-          std::max(std::max(slopeIn, slopeOut), middle),
-          length * (0.5 * (in + out) + length * (slopeIn - slopeOut) * (1.0 / 12)),
-          rise.integralOfSlopeSquared(1) * perLength};
-}
-
 void setSegment(TravelLine& travel, std::size_t i, double rise, double slopeIn, double slopeOut) {
   travel.rise[i] = rise;
   travel.slopeIn[i] = slopeIn;
   travel.slopeOut[i] = slopeOut;
 }
 
-/// Rises and slopes of `count` whole segments from `node` on, as segments `first` and on.
+/// Rises and slopes of `count` whole segments from `node` on, as segments `first` and on; returns
+/// the node behind them. Between the ends of the Line nodes follow each other without a look.
 std::size_t setWholeSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
                              std::size_t node, std::size_t first, std::size_t count) {
-  const double perSpacing = 1 / line.spacing;
-  for (std::size_t i = first; i < first + count; ++i) {
-    const std::size_t to = traveller.next(node);
-    const double straight = (line.height[to] - line.height[node]) * perSpacing;
-    const bool linear = travel.scheme == Scheme::Linear;
-    setSegment(travel, i, line.height[node] - travel.lowestHeight,
-               linear ? straight : traveller.slopeAfter(node),
-               linear ? straight : traveller.slopeBefore(to));
+  const double perSpacing = 1 / line.spacing, level = travel.lowestHeight;
+  const bool isLinear = travel.scheme == Scheme::Linear;
+  double *rise = travel.rise.data(), *in = travel.slopeIn.data(), *out = travel.slopeOut.data();
+  for (std::size_t i = first, end = first + count; i < end;) {
+    const std::size_t run = std::min(traveller.nodesAhead(node), end - i);
+    const auto take = [&](std::size_t k, std::size_t from, std::size_t to) {
+      const double straight = (line.height[to] - line.height[from]) * perSpacing;
+      rise[i + k] = line.height[from] - level;
+      in[i + k] = isLinear ? straight : traveller.slopeAfter(from);
+      out[i + k] = isLinear ? straight : traveller.slopeBefore(to);
+    };
+    traveller.forRun(node, run, take);
+    i += run;
+    if (i == end) return traveller.moved(node, run);
+    node = traveller.moved(node, run);
+    const std::size_t to = traveller.next(node);  // over the end of the Line
+    take(0, node, to);
     node = to;
+    ++i;
   }
   return node;
 }
@@ -139,28 +151,23 @@ void resizeFor(TravelLine& travel, std::size_t segments) {
 
 void addBounds(TravelLine& travel) {
   const std::size_t last = travel.segments() - 1;
-  const auto bounds = [&travel](std::size_t i, double length, double perLength) {
-    return boundsOf(travel.rise[i], travel.rise[i + 1], travel.slopeIn[i], travel.slopeOut[i],
-                    length, perLength);
+  const auto bounds = [&travel](std::size_t i) {
+    return boundSegment(&travel.rise[i], travel.slopeIn[i], travel.slopeOut[i],
+                        travel.segmentLength(i));
   };
-  travel.firstBounds = bounds(0, travel.segmentLength(0), 1 / travel.segmentLength(0));
-  travel.lastBounds = bounds(last, travel.segmentLength(last), 1 / travel.segmentLength(last));
-  const double spacing = travel.spacing, perSpacing = 1 / spacing;
+  travel.firstBounds = bounds(0);
+  travel.lastBounds = bounds(last);
   travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
-  BlockLevel& inner = travel.blocks[0];
-  inner.resize(last - 1);
-  for (std::size_t i = 1; i < last; ++i) {
-    const SegmentBounds one = bounds(i, spacing, perSpacing);
-    inner.lowest[i - 1] = one.lowest;
-    inner.highest[i - 1] = one.highest;
-    inner.steepest[i - 1] = one.steepest;
-    inner.riseIntegral[i - 1] = one.riseIntegral;
-    inner.slopeSquared[i - 1] = one.slopeSquared;
-  }
-  double integral = travel.firstBounds.riseIntegral + travel.lastBounds.riseIntegral;
-  for (std::size_t i = 0; i + 1 < last; ++i) integral += inner.riseIntegral[i];
-  travel.meanRise = integral / travel.length;
+  boundSegments(&travel.rise[1], &travel.slopeIn[1], &travel.slopeOut[1], last - 1, travel.spacing,
+                travel.blocks[0]);
   addBlocks(travel);
+  double integral = travel.firstBounds.riseIntegral + travel.lastBounds.riseIntegral;
+  // By fours as far as they go.
+  const BlockLevel& inner = travel.blocks[0];
+  const std::size_t fours = travel.blocks.size() > 1 ? travel.blocks[1].size() : 0;
+  for (std::size_t i = 0; i < fours; ++i) integral += travel.blocks[1].riseIntegral[i];
+  for (std::size_t i = 4 * fours; i < inner.size(); ++i) integral += inner.riseIntegral[i];
+  travel.meanRise = integral / travel.length;
   addCuts(travel);
 }
 

@@ -2,7 +2,7 @@
 // averaged. Realizations run on all threads; they are summed in their own order, so the result has
 // the same bits for any number of threads.
 // Failure: InputError for a scene that cannot run; std::runtime_error where a force balance is not
-// met. Cancelling ends the work within one solve.
+// met. Cancelling ends the work inside a pass, or with the making of a line.
 #pragma once
 
 #include <cstdint>

@@ -28,6 +28,7 @@ struct RealizationTask {
   const Scene& scene;  // its elastomer and scheme; load and sweep are those below
   const LineSource& source;
   std::span<const LoadCase> cases;
+  std::int64_t first = 0;  // realization to begin with
 };
 
 /// Of one realization: the velocities of the first case, of the second, ...
@@ -36,8 +37,8 @@ using TakeRealization = std::function<void(std::span<const SteadyResult> results
 /// Called on the calling thread between realizations, where all of `done` have been taken.
 using BatchDone = std::function<void(std::int64_t done)>;
 
-/// Slides realizations 0 to count - 1. threads: 0 for as many as the machine has. Returns false
-/// where `stop` was requested; the realizations taken by then are a first part of all.
+/// Slides `count` realizations from the first. threads: 0 for as many as the machine has. Returns
+/// false where `stop` was requested; the realizations taken by then are a first part of all.
 bool slideRealizations(const RealizationTask& task, std::int64_t count, int threads,
                        const std::stop_token& stop, const TakeRealization& take,
                        const BatchDone& batchDone = {});

@@ -31,7 +31,7 @@ Study::Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions
   groupSizes_.assign(static_cast<std::size_t>(groups_), 0);
   sums_.assign(groupSizes_.size() * cellOf(cases_.size(), 0), Sums{});
   std::int64_t taken = 0;
-  const RealizationTask task{scene_, source, cases_};
+  const RealizationTask task{scene_, source, cases_, 0};
   const bool isWhole = slideRealizations(
       task, realizations_, options.threads, options.stop,
       [&](std::span<const SteadyResult> results) { add(taken++, results); },

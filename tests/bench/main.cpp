@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/contact/lane_pass.h"
+#include "tests/bench/cancel.h"
 #include "tests/bench/fields.h"
 #include "tests/bench/line_store.h"
 #include "tests/bench/machine.h"
@@ -49,15 +51,23 @@ void addCases(bool quick) {
   addLiteralCases(quick);
 }
 
-/// What is not a case of Google Benchmark: memory, and the sample of the paper's study.
+/// What is not a case of Google Benchmark: memory, cancelling, and the sample of the paper's study.
 void measureRest(const Options& options, Measured& measured) {
   measured.clock = measuredClock();
   if (options.isFiltered) return;
   clearLines();
   measured.peakMemory = peakMemoryOf("cubic_x2");
   measured.peakMemoryNodal = peakMemoryOf("nodal");
+  const int tries = options.isQuick ? 3 : 20;
+  measured.cancel = slowestCancel(5000, tries);
+  measured.cancelLong = slowestCancel(200000, tries);
   measured.studyLinear = estimateStudy(Scheme::Linear, 1, options.isQuick);
   measured.studyCubic = estimateStudy(Scheme::Cubic, 2, options.isQuick);
+  if (instructionSet() == InstructionSet::Avx2 || !chooseInstructionSet(InstructionSet::Avx2))
+    return;
+  measured.studyLinearAvx2 = estimateStudy(Scheme::Linear, 1, options.isQuick);
+  measured.studyCubicAvx2 = estimateStudy(Scheme::Cubic, 2, options.isQuick);
+  chooseInstructionSet(InstructionSet::Best);
 }
 
 bool write(const std::string& folder, const std::string& page) {

@@ -102,7 +102,9 @@ std::string studySection(const Measured& measured) {
                "together"});
   std::string notes;
   for (const auto& [scheme, study] :
-       {std::pair{"linear", &measured.studyLinear}, std::pair{"cubic_x2", &measured.studyCubic}}) {
+       {std::pair{"linear", &measured.studyLinear}, std::pair{"cubic_x2", &measured.studyCubic},
+        std::pair{"linear, AVX2", &measured.studyLinearAvx2},
+        std::pair{"cubic_x2, AVX2", &measured.studyCubicAvx2}}) {
     if (!*study) continue;
     addStudy(scheme, **study, table);
     notes += fmt::format(

@@ -1,24 +1,169 @@
 #include "ui/picture/diagram_picture.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "ui/picture/diagram_annotations.h"
+#include "ui/picture/diagram_legend.h"
+#include "ui/picture/text_metrics.h"
 
 namespace asperity {
+namespace {
+
+constexpr float kHidden = 0.015F;  // share of a legend's box that may hide something
+
+/// One diagram of a sheet: first its parts find their places, then they are drawn.
+class Panel {
+ public:
+  /// `above`: pixels for the title and the names of regions, the same for all of a sheet.
+  Panel(const Diagram& diagram, const Box& cell, float above, const DiagramSizes& sizes,
+        const Theme& theme)
+      : diagram_(diagram), cell_(cell), sizes_(sizes), theme_(theme) {
+    axes_.along = diagram.x.scale;
+    axes_.up = diagram.y.scale;
+    axes_.plot.box.y = std::round(cell.y + above);
+    axes_.plot.box.height =
+        std::max(1.0F, std::floor(cell.bottom() - belowAxes(sizes) - axes_.plot.box.y));
+    along_ = rangeAlong(diagram);
+    axes_.plot.up =
+        diagramAxisUp(diagram.y, rangeUp(diagram, along_), axes_.plot.box.height, sizes);
+    arrange();
+  }
+
+  /// Nothing where the frame would be too small to read.
+  void addTo(DrawList& list) const {
+    const Box& box = axes_.plot.box;
+    if (box.width < 4 * sizes_.tick || box.height < 2 * sizes_.tick) return;
+    addSpans(list, diagram_, axes_, sizes_, theme_);
+    addDiagramGrid(list, axes_, sizes_, theme_);
+    addDiagramFrame(list, axes_, sizes_, theme_);  // marks at its edge lie over it
+    addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
+    addLabels(list, labels_, sizes_, theme_);
+    if (legendBox_.width > 0)
+      addLegend(list, legend_, legendBox_, legendBox_.right() <= box.right(), sizes_, theme_);
+    const float baseline = std::round(box.y - aboveFrame(diagram_, sizes_) - 0.55F * sizes_.panel);
+    const float size =
+        fittingSize(diagram_.title, sizes_.panel, std::max(7.0F, std::round(0.8F * sizes_.panel)),
+                    true, cell_.right() - box.x);
+    const std::string title = elided(diagram_.title, size, true, cell_.right() - box.x);
+    if (!title.empty()) addText(list, {{title, true}}, {box.x, baseline}, size, theme_.text);
+  }
+
+ private:
+  /// With the legend inside the frame where it hides next to nothing, otherwise at the right of it
+  /// where the frame can spare the room, otherwise where it hides least.
+  void arrange() {
+    place(0);
+    if (legend_.empty()) return;
+    const float inside = hidden_;
+    if (inside <= kHidden) return;
+    const float gap = std::round(10 * sizes_.unit);
+    const Legend beside =
+        legendFor(diagram_, styles_, sizes_.legend, 0.36F * cell_.width, axes_.plot.box.height);
+    const bool spare = axes_.plot.box.width - beside.width - gap > 0.55F * cell_.width;
+    if (!spare && inside <= 0.25F) return;
+    place(beside.width + gap);
+    legend_ = beside;
+    legendBox_ = {cell_.right() - beside.width, axes_.plot.box.y, beside.width, beside.height};
+  }
+
+  /// Everything, with so many pixels kept free at the right.
+  void place(float right) {
+    Box& box = axes_.plot.box;
+    box.x = std::round(cell_.x + leftOfAxes(axes_.plot.up, sizes_));
+    const auto fit = [&](float overhang) {
+      box.width = std::max(1.0F, std::floor(cell_.right() - right - overhang - box.x));
+      axes_.plot.along = diagramAxisAlong(diagram_.x, along_, box.width, sizes_);
+    };
+    fit(sizes_.tick);
+    fit(overhang());
+    styles_ = stylesOf(diagram_, sizes_, theme_, box.width);
+    legend_ = legendFor(diagram_, styles_, sizes_.legend, 0.7F * box.width, 0.7F * box.height);
+    CoverMap series(box, 4 * sizes_.unit);
+    coverSeries(series, diagram_, styles_, axes_);
+    CoverMap map = series;
+    labels_ = placeLabels(diagram_, axes_, map, sizes_);
+    placeLegend(map);
+    if (hidden_ <= kHidden || labels_.empty()) return;
+    // Labels can give way to the legend.
+    const Panel before = *this;
+    placeLegend(series);
+    series.addBox(legendBox_, kTaken);
+    labels_ = placeLabels(diagram_, axes_, series, sizes_);
+    if (labels_.size() < before.labels_.size() || hidden_ >= before.hidden_) {
+      labels_ = before.labels_;
+      legendBox_ = before.legendBox_;
+      hidden_ = before.hidden_;
+    }
+  }
+
+  void placeLegend(const CoverMap& map) {
+    const float margin = std::round(9 * sizes_.unit);
+    legendBox_ = legend_.empty() ? Box{} : freestPlace(map, legend_.width, legend_.height, margin);
+    if (map.greatestUnder(legendBox_) >= kTaken) legendBox_ = {};
+    hidden_ = legendBox_.width > 0 ? map.under(legendBox_) : 1;
+  }
+
+  /// Of the last label beyond the frame.
+  float overhang() const {
+    const Box& box = axes_.plot.box;
+    float most = 2 * sizes_.unit;
+    for (const PlotTick& tick : axes_.plot.along.ticks)
+      most = std::max(most, axes_.plot.px(tick.value) + textWidth(tick.label, sizes_.tick) / 2 -
+                                box.right() + 2 * sizes_.unit);
+    return most;
+  }
+
+  const Diagram& diagram_;
+  Box cell_;
+  DiagramSizes sizes_;
+  Theme theme_;
+  AxisRange along_;
+  DiagramAxes axes_;
+  std::vector<SeriesStyle> styles_;
+  std::vector<PlacedLabel> labels_;
+  Legend legend_;
+  Box legendBox_;     // no width: not shown
+  float hidden_ = 0;  // share of the legend's box that hides something
+};
+
+/// Above the frames: titles and names of regions, the same height for all of the sheet.
+float aboveFrames(const DiagramSheet& sheet, const DiagramSizes& sizes) {
+  float title = 0, names = 0;
+  for (const Diagram& diagram : sheet.diagrams) {
+    if (!diagram.title.empty()) title = 1.6F * sizes.panel;
+    names = std::max(names, aboveFrame(diagram, sizes));
+  }
+  return title + names + std::round(0.8F * sizes.tick);
+}
+
+}  // namespace
 
 DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
+  const SheetGrid grid = gridFor(sheet.diagrams.size());
   DiagramOptions options;
-  const int more = std::clamp(static_cast<int>(sheet.diagrams.size()), 1, 4) - 1;
-  options.width = 2400 + 1200 * more;
-  options.height = 1600;
-  options.scale = 2;
+  options.width = grid.columns == 1 ? 2400 : 1200 * grid.columns;
+  options.height = sheet.diagrams.size() <= 1 ? 1600 : 1100 * grid.rows;
+  options.scale = sheet.diagrams.size() <= 1 ? 2 : 2.5F;
   options.theme = theme;
   return options;
 }
 
-DrawList composeDiagrams(const DiagramSheet&, const DiagramOptions& options) {
+DrawList composeDiagrams(const DiagramSheet& sheet, const DiagramOptions& asked) {
+  DiagramOptions options = asked;
+  options.width = std::max(options.width, 1);
+  options.height = std::max(options.height, 1);
   DrawList list;
-  list.width = std::max(options.width, 1);
-  list.height = std::max(options.height, 1);
+  list.width = options.width;
+  list.height = options.height;
   list.background = options.theme.background;
+  const DiagramSizes sizes = sizesFor(sheet, options);
+  const float top = addHeading(list, sheet, sizes, options.theme);
+  const float bottom = addNote(list, sheet, sizes, options.theme);
+  const std::vector<Box> cells = cellsFor(sheet, options, top, bottom, sizes);
+  const float above = aboveFrames(sheet, sizes);
+  for (std::size_t i = 0; i < sheet.diagrams.size(); ++i)
+    Panel(sheet.diagrams[i], cells[i], above, sizes, options.theme).addTo(list);
   return list;
 }
 

@@ -1,5 +1,6 @@
 #include "ui/picture/log_ticks.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -60,6 +61,26 @@ std::vector<LogTick> logTicks(double from, double to, int most) {
     ticks = std::move(finer);
   }
   return ticks;
+}
+
+std::vector<double> minorLogTicks(double from, double to, const std::vector<LogTick>& ticks,
+                                  double decadePixels, double apart) {
+  std::vector<double> minor;
+  if (!(from < to) || !(std::abs(from) < kMostDecades) || !(std::abs(to) < kMostDecades))
+    return minor;
+  std::vector<int> factors{1};
+  if (decadePixels >= 12 * apart)
+    factors = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  else if (decadePixels >= 5 * apart)
+    factors = {1, 2, 5};
+  else if (decadePixels < apart)
+    return minor;
+  for (const LogTick& place : multiples(from, to, factors))
+    if (std::none_of(ticks.begin(), ticks.end(), [&](const LogTick& tick) {
+          return std::abs(tick.decade - place.decade) < kRounding;
+        }))
+      minor.push_back(place.decade);
+  return minor;
 }
 
 }  // namespace asperity

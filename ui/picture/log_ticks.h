@@ -19,4 +19,10 @@ struct LogTick {
 /// multiple. None where from >= to, either is not finite, or most < 1.
 std::vector<LogTick> logTicks(double from, double to, int most);
 
+/// Decimal logarithms of the places between the ticks: 2, 3, ..., 9 times every decade, or 2 and 5
+/// times where `decadePixels` is below twelve times `apart`, or the decades alone where there is no
+/// room for those. Ascending, none at a tick.
+std::vector<double> minorLogTicks(double from, double to, const std::vector<LogTick>& ticks,
+                                  double decadePixels, double apart);
+
 }  // namespace asperity

@@ -16,7 +16,8 @@ int tickCount(float pixels, float each) {
 }
 
 PlotAxis axisOf(double from, double to, const AxisTicks& ticks, const std::string& name) {
-  PlotAxis axis{from, to, {}, name + " (" + ticks.unit + ")", ticks.unit};
+  PlotAxis axis{
+      from, to, {}, titleWithUnit(name, ticks.unit), ticks.unit, minorTicks(ticks, from, to)};
   for (const Tick& tick : ticks.ticks) axis.ticks.push_back({tick.value, tick.label});
   return axis;
 }
@@ -26,23 +27,6 @@ std::string titleWithin(const PlotAxis& axis, float pixels, float size) {
   for (const std::string* title : {&axis.title, &axis.shortTitle})
     if (textWidth(*title, size) <= pixels) return *title;
   return {};
-}
-
-void addGrid(DrawLayer& layer, const PlotAxes& axes, const Theme& theme, float unit) {
-  const Box& box = axes.box;
-  for (const PlotTick& tick : axes.up.ticks)
-    addLine(layer, {{box.x, axes.py(tick.value)}, {box.right(), axes.py(tick.value)}}, unit,
-            theme.grid);
-  for (const PlotTick& tick : axes.along.ticks)
-    addLine(layer, {{axes.px(tick.value), box.y}, {axes.px(tick.value), box.bottom()}}, unit,
-            theme.grid);
-  addLine(layer,
-          {{box.x, box.y},
-           {box.right(), box.y},
-           {box.right(), box.bottom()},
-           {box.x, box.bottom()},
-           {box.x, box.y}},
-          unit, theme.axis);
 }
 
 }  // namespace
@@ -71,7 +55,7 @@ PlotAxis linearAxisUp(double from, double to, float pixels, float size, const st
 
 PlotAxis logarithmicAxis(double from, double to, int most, std::string title,
                          std::string shortTitle) {
-  PlotAxis axis{from, to, {}, std::move(title), std::move(shortTitle)};
+  PlotAxis axis{from, to, {}, std::move(title), std::move(shortTitle), {}};
   for (const LogTick& tick : logTicks(from, to, most))
     axis.ticks.push_back({tick.decade, tick.label});
   return axis;
@@ -91,21 +75,69 @@ float PlotAxes::py(double y) const {
   return box.bottom() - static_cast<float>((y - up.from) / (up.to - up.from)) * box.height;
 }
 
-void addPlotAxes(DrawList& list, const PlotAxes& axes, const Theme& theme, float size, float unit) {
-  const Box& box = axes.box;
-  DrawLayer layer;
-  addGrid(layer, axes, theme, unit);
-  list.layers.push_back(std::move(layer));
+std::string titleWithUnit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " (" + unit + ")";
+}
 
+void addGridLines(DrawLayer& layer, const PlotAxes& axes, const Theme& theme, float unit) {
+  const Box& box = axes.box;
+  for (const PlotTick& tick : axes.up.ticks)
+    addLine(layer, {{box.x, axes.py(tick.value)}, {box.right(), axes.py(tick.value)}}, unit,
+            theme.grid);
+  for (const PlotTick& tick : axes.along.ticks)
+    addLine(layer, {{axes.px(tick.value), box.y}, {axes.px(tick.value), box.bottom()}}, unit,
+            theme.grid);
+}
+
+void addFrame(DrawLayer& layer, const Box& box, const Rgba& colour, float width) {
+  addLine(layer,
+          {{box.x, box.y},
+           {box.right(), box.y},
+           {box.right(), box.bottom()},
+           {box.x, box.bottom()},
+           {box.x, box.y}},
+          width, colour);
+}
+
+void addTickMarks(DrawLayer& layer, const PlotAxes& axes, const Rgba& colour, float width,
+                  float length) {
+  const Box& box = axes.box;
+  const auto along = [&](double value, float reach) {
+    const float x = axes.px(value);
+    addLine(layer, {{x, box.bottom()}, {x, box.bottom() - reach}}, width, colour);
+    addLine(layer, {{x, box.y}, {x, box.y + reach}}, width, colour);
+  };
+  const auto up = [&](double value, float reach) {
+    const float y = axes.py(value);
+    addLine(layer, {{box.x, y}, {box.x + reach, y}}, width, colour);
+    addLine(layer, {{box.right(), y}, {box.right() - reach, y}}, width, colour);
+  };
+  for (const PlotTick& tick : axes.along.ticks) along(tick.value, length);
+  for (const double value : axes.along.minor) along(value, length / 2);
+  for (const PlotTick& tick : axes.up.ticks) up(tick.value, length);
+  for (const double value : axes.up.minor) up(value, length / 2);
+}
+
+void addTickLabels(DrawList& list, const PlotAxes& axes, const Rgba& colour, float size) {
+  const Box& box = axes.box;
   for (const PlotTick& tick : axes.along.ticks) {
     const float half = textWidth(tick.label, size) / 2;
     const float centre = std::min(axes.px(tick.value), static_cast<float>(list.width) - half - 2);
     addLabel(list, tick.label, {centre, box.bottom() + 1.5F * size}, size, TextAnchor::Centre,
-             theme.faintText);
+             colour);
   }
   for (const PlotTick& tick : axes.up.ticks)
     addLabel(list, tick.label, {box.x - 0.7F * size, axes.py(tick.value) + 0.36F * size}, size,
-             TextAnchor::Right, theme.faintText);
+             TextAnchor::Right, colour);
+}
+
+void addPlotAxes(DrawList& list, const PlotAxes& axes, const Theme& theme, float size, float unit) {
+  const Box& box = axes.box;
+  DrawLayer layer;
+  addGridLines(layer, axes, theme, unit);
+  addFrame(layer, box, theme.axis, unit);
+  list.layers.push_back(std::move(layer));
+  addTickLabels(list, axes, theme.faintText, size);
   addLabel(list, titleWithin(axes.along, box.width, size),
            {box.x + box.width / 2, box.bottom() + 3 * size}, size, TextAnchor::Centre, theme.text);
   addLabel(list, titleWithin(axes.up, box.height, size), {1.5F * size, box.y + box.height / 2},

@@ -21,6 +21,7 @@ struct PlotAxis {
   double from = 0, to = 1;  // SI; the decimal logarithms of it on a logarithmic axis
   std::vector<PlotTick> ticks;
   std::string title, shortTitle;  // the short one where there is no room for the other
+  std::vector<double> minor;      // between the ticks, as from and to
 };
 
 /// Ticks whose labels, written side by side in fonts of `size`, fit `pixels`.
@@ -36,6 +37,9 @@ PlotAxis linearAxisUp(double from, double to, float pixels, float size, const st
 PlotAxis logarithmicAxis(double from, double to, int most, std::string title,
                          std::string shortTitle);
 
+/// "position (mm)"; the name alone without a unit.
+std::string titleWithUnit(const std::string& name, const std::string& unit);
+
 /// The widest label of an axis.
 float widestLabel(const PlotAxis& axis, float size);
 
@@ -46,6 +50,13 @@ struct PlotAxes {
   float px(double x) const;
   float py(double y) const;
 };
+
+/// The parts of addPlotAxes. Ticks point inwards from all four sides, minor ones half as far.
+void addGridLines(DrawLayer& layer, const PlotAxes& axes, const Theme& theme, float unit);
+void addFrame(DrawLayer& layer, const Box& box, const Rgba& colour, float width);
+void addTickMarks(DrawLayer& layer, const PlotAxes& axes, const Rgba& colour, float width,
+                  float length);
+void addTickLabels(DrawList& list, const PlotAxes& axes, const Rgba& colour, float size);
 
 /// Grid, frame, labels and titles: texts of `size`, lines `unit` pixels wide. The labels take
 /// kPlotBelow times `size` below the box, the title upwards stands at x = 1.5 times `size`.

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace asperity {
 
@@ -12,5 +13,8 @@ float textWidth(std::string_view utf8, float size, bool bold = false);
 
 /// The text, or its beginning and an ellipsis, at most `width` pixels wide; may be empty.
 std::string elided(const std::string& utf8, float size, bool bold, float width);
+
+/// Broken at blanks into lines at most `width` pixels wide; a word wider than that is elided.
+std::vector<std::string> wrapped(const std::string& utf8, float size, bool bold, float width);
 
 }  // namespace asperity

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "ui/picture/log_ticks.h"
+
 namespace asperity {
 namespace {
 
@@ -27,6 +29,33 @@ Prefix prefixFor(double magnitude) {
   const int last = static_cast<int>(kPrefixes.size()) - 1;
   const int index = std::clamp(power - kSmallestPrefix / 3, 0, last);
   return {kPrefixes[static_cast<std::size_t>(index)], std::pow(10.0, kSmallestPrefix + 3 * index)};
+}
+
+/// A prefix would be wrong before a power (km² is not 1000 m²), a kilogram or what is no letter.
+bool takesPrefix(std::string_view unit) {
+  if (unit.empty() || unit.starts_with("kg")) return false;
+  const std::string_view first =
+      unit.substr(0, std::min(unit.find_first_of("/ "), unit.find("\u00B7")));
+  const bool letter = (unit[0] >= 'a' && unit[0] <= 'z') || (unit[0] >= 'A' && unit[0] <= 'Z');
+  return letter && first.find("\u00B2") == first.npos && first.find("\u00B3") == first.npos;
+}
+
+struct AxisUnit {
+  std::string text;
+  double size;
+};
+
+/// The unit that an axis up to `magnitude` counts in: with a prefix where it takes one, otherwise a
+/// power of ten where plain numbers would be long ("10⁻⁶", "10³ 1/m").
+AxisUnit axisUnit(double magnitude, std::string_view unit) {
+  if (takesPrefix(unit)) {
+    const Prefix prefix = prefixFor(magnitude);
+    return {std::string(prefix.text) + std::string(unit), prefix.size};
+  }
+  if (!(magnitude > 0) || !std::isfinite(magnitude) || (magnitude >= 1e-2 && magnitude < 1e5))
+    return {std::string(unit), 1};
+  const int power = 3 * static_cast<int>(std::floor((std::log10(magnitude) + 1e-12) / 3));
+  return {powerOfTen(power) + (unit.empty() ? "" : " ") + std::string(unit), std::pow(10.0, power)};
 }
 
 /// Locale-independent; "-0" is "0"; the minus is a true minus sign.
@@ -67,16 +96,6 @@ double nextOf(std::initializer_list<double> factors, double value) {
   return 10 * power;
 }
 
-std::string superscript(int number) {
-  constexpr std::array<std::string_view, 10> kDigits = {"\u2070", "\u00B9", "\u00B2", "\u00B3",
-                                                        "\u2074", "\u2075", "\u2076", "\u2077",
-                                                        "\u2078", "\u2079"};
-  std::string text = number < 0 ? "\u207B" : "";
-  for (const char c : std::to_string(std::abs(number)))
-    text += kDigits[static_cast<std::size_t>(c - '0')];
-  return text;
-}
-
 }  // namespace
 
 double roundUp125(double value) {
@@ -88,8 +107,8 @@ double roundUp(double value) {
 }
 
 AxisTicks linearTicks(double from, double to, int most, std::string_view unit) {
-  const Prefix prefix = prefixFor(std::max(std::abs(from), std::abs(to)));
-  AxisTicks axis{{}, std::string(prefix.text) + std::string(unit), prefix.size};
+  const AxisUnit counted = axisUnit(std::max(std::abs(from), std::abs(to)), unit);
+  AxisTicks axis{{}, counted.text, counted.size};
   if (!(from < to) || !std::isfinite(to - from) || most < 1) return axis;
   double step = roundUp125((to - from) / most);
   // 1-2-5 steps may place one tick more than asked for.
@@ -99,10 +118,24 @@ AxisTicks linearTicks(double from, double to, int most, std::string_view unit) {
   while (count() > most) step = roundUp125(step * 1.5);
   const double first = std::ceil(from / step - 1e-9);
   if (std::abs(first) > 1e12 || std::abs(to / step) > 1e12) return axis;
-  const int decimals = -static_cast<int>(std::floor(std::log10(step / prefix.size) + 1e-9));
+  const int decimals = -static_cast<int>(std::floor(std::log10(step / counted.size) + 1e-9));
   for (double k = first; k <= to / step + 1e-9; ++k)
-    axis.ticks.push_back({k * step, fixed(k * (step / prefix.size), decimals)});
+    axis.ticks.push_back({k * step, fixed(k * (step / counted.size), decimals)});
   return axis;
+}
+
+std::vector<double> minorTicks(const AxisTicks& axis, double from, double to) {
+  std::vector<double> minor;
+  if (axis.ticks.size() < 2) return minor;
+  const double step = axis.ticks[1].value - axis.ticks[0].value;
+  const double mantissa = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+  const int parts = std::abs(mantissa - 2) < 0.1 ? 4 : 5;
+  const double part = step / parts, slack = 1e-9 * step;
+  const auto below = static_cast<int>((axis.ticks.front().value - from + slack) / part);
+  const auto above = static_cast<int>((to - axis.ticks.front().value + slack) / part);
+  for (int k = -below; k <= above; ++k)
+    if (k % parts != 0) minor.push_back(axis.ticks.front().value + k * part);
+  return minor;
 }
 
 std::string shortNumber(double value, int digits, Zeros zeros) {
@@ -118,7 +151,7 @@ std::string shortNumber(double value, int digits, Zeros zeros) {
   }
   if (power >= -4 && power < 6) return tidy(fixed(value, digits - 1 - power));
   const double mantissa = value / std::pow(10.0, power);
-  return tidy(fixed(mantissa, digits - 1)) + "\u00D710" + superscript(power);
+  return tidy(fixed(mantissa, digits - 1)) + "\u00D7" + powerOfTen(power);
 }
 
 std::string quantity(double value, std::string_view unit, int digits, Zeros zeros) {

@@ -26,8 +26,13 @@ double roundUp125(double value);
 double roundUp(double value);
 
 /// At most `most` places with a step of 1, 2 or 5 times a power of ten; none if from >= to or the
-/// step is lost in rounding. `unit` is the SI unit; its prefix follows the larger end.
+/// step is lost in rounding. `unit` is the SI unit; its prefix follows the larger end. A unit that
+/// takes none ("", "%", "1/m", "m²") counts in a power of ten where plain numbers would be long.
 AxisTicks linearTicks(double from, double to, int most, std::string_view unit);
+
+/// The places between the ticks that split a step of 1, 2, 5 into 5, 4, 5; ascending, in [from,
+/// to].
+std::vector<double> minorTicks(const AxisTicks& axis, double from, double to);
 
 /// Significant digits kept as they are ("0.0120") or without trailing zeros ("0.012").
 enum class Zeros { Keep, Drop };

@@ -1,5 +1,7 @@
 #include "ui/window/appearance.h"
 
+#include "ui/picture/text_painter.h"
+
 namespace asperity {
 
 namespace {
@@ -26,10 +28,6 @@ QColor edge(const Theme& theme) {
 }
 
 }  // namespace
-
-QColor colourOf(const Rgba& rgba) {
-  return QColor::fromRgbF(rgba.r, rgba.g, rgba.b, rgba.a);
-}
 
 bool isDark(const Theme& theme) {
   return colourOf(theme.background).lightness() < 128;

@@ -243,6 +243,28 @@ TEST_P(Sweep, ManyForcesAtOnce) {
   }
 }
 
+/// Just before contact is full, where a depth for full contact is nearly right.
+TEST_P(Sweep, NearlyFullContact) {
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
+    const TravelLine line = prepareTravel(roughLine(400), scheme);
+    for (const double velocity : {1e-4, 0.01, 0.3, 10.0}) {
+      double low = line.meanRise, high = 1;  // depths
+      for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        const auto result = slideAtDepth(line, {kModulus, kTau, velocity}, middle);
+        (result.contactFraction < 1 - 1e-12 ? low : high) = middle;
+      }
+      const double full = slideAtDepth(line, {kModulus, kTau, velocity}, high).normalForce;
+      for (const double less : {0.0, 1e-8, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2}) {
+        const auto result = sweep(line, full * (1 - less), {velocity}).front();
+        EXPECT_EQ(result.status, SteadyStatus::Balanced) << less;
+        EXPECT_LE(result.residual, 1e-12) << less;
+        EXPECT_LE(result.passes, 12) << less;
+      }
+    }
+  }
+}
+
 /// mu depends on F_N / G, and in units of the rms slope on F_N / (G h).
 TEST_P(Sweep, ModuliAndHeightsAreForces) {
   const auto velocities = decades(1e-4, 1e2, 7);

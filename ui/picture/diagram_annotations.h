@@ -1,0 +1,36 @@
+// Named regions along x and texts with arrows. Private to ui/picture. Pure; any thread.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/picture/cover_map.h"
+#include "ui/picture/diagram_axes.h"
+
+namespace asperity {
+
+/// Pixels above the frame for the names of the regions; 0 where none has one.
+float aboveFrame(const Diagram& diagram, const DiagramSizes& sizes);
+
+/// Shades every other region and writes their names above the frame.
+void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
+              const DiagramSizes& sizes, const Theme& theme);
+
+struct PlacedLabel {
+  std::vector<std::string> lines;
+  Box box;                   // of the text
+  std::vector<Place> arrow;  // from the text to its target; empty: none
+  bool covers = false;       // whether something lies under the text
+};
+
+inline constexpr float kTaken = 100;  // weight of what may not be covered at all
+
+/// Near their places, moved so that none covers another and little is covered of what the map has;
+/// adds them to the map. A label that finds no place is left out.
+std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes, CoverMap& map,
+                                     const DiagramSizes& sizes);
+
+void addLabels(DrawList& list, const std::vector<PlacedLabel>& labels, const DiagramSizes& sizes,
+               const Theme& theme);
+
+}  // namespace asperity

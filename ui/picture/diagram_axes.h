@@ -1,0 +1,48 @@
+// The axes of a diagram: their ranges, their ticks and the way from values to pixels. Private to
+// ui/picture. Pure; any thread.
+#pragma once
+
+#include "core/friction/diagram.h"
+#include "ui/picture/diagram_layout.h"
+#include "ui/picture/plot_axes.h"
+
+namespace asperity {
+
+/// In an axis' own measure: decimal logarithms on a logarithmic one.
+struct AxisRange {
+  double from = 0, to = 1;
+};
+
+/// The value itself or its decimal logarithm; NaN where it has no place on the axis.
+double axisPlace(AxisScale scale, double value);
+
+/// As the axis says, otherwise as the data need; theory counts where there are no data.
+AxisRange rangeAlong(const Diagram& diagram);
+/// Of the points inside the range along x; theory lines widen it a little.
+AxisRange rangeUp(const Diagram& diagram, const AxisRange& along);
+
+/// With as many ticks as have room in `pixels`.
+PlotAxis diagramAxisAlong(const DiagramAxis& axis, const AxisRange& range, float pixels,
+                          const DiagramSizes& sizes);
+PlotAxis diagramAxisUp(const DiagramAxis& axis, const AxisRange& range, float pixels,
+                       const DiagramSizes& sizes);
+
+struct DiagramAxes {
+  PlotAxes plot;
+  AxisScale along = AxisScale::Linear, up = AxisScale::Linear;
+
+  /// In pixels, at most 1e6 from the origin; NaN where a value has no place.
+  Place place(double x, double y) const;
+};
+
+/// Pixels left of the frame for title and labels, and below it.
+float leftOfAxes(const PlotAxis& up, const DiagramSizes& sizes);
+float belowAxes(const DiagramSizes& sizes);
+
+void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
+                    const Theme& theme);
+/// Frame, ticks, labels and titles.
+void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
+                     const Theme& theme);
+
+}  // namespace asperity
