@@ -58,7 +58,7 @@ class LaneStream {
     PassSums sums;
     std::size_t parts = 0;  // not finished
     double inverse = 0;
-    double lost[kMostLevels][kWindow];  // part of a depth, over 1, 2, ... blocks of each level
+    double lost[kMostLevels][kWindow + 1];  // part of a depth, over 0, 1, ... blocks of each level
   };
   /// A part of a pass: segments up to `last`.
   struct Place {
@@ -91,9 +91,9 @@ class LaneStream {
     double one = -std::expm1(-line_.spacing * pass.inverse);
     for (std::size_t level = 0; level < levels_; ++level) {
       double* lost = pass.lost[level];
-      lost[0] = one;
-      for (std::size_t k = 1; k < kWindow; ++k) lost[k] = lost[k - 1] + (1 - lost[k - 1]) * one;
-      one = lost[3];
+      lost[0] = 0;
+      for (std::size_t k = 0; k < kWindow; ++k) lost[k + 1] = lost[k] + (1 - lost[k]) * one;
+      one = lost[4];
     }
   }
 
@@ -209,18 +209,24 @@ class LaneStream {
 
   HWY_INLINE void skipFree(std::size_t lane, Place& place) {
     const Pass& pass = passes_[place.pass];
-    const One depth = One::all(lanes_.depth[lane]);
+    const One depth = One::all(lanes_.depth[lane]), memory = One::all(lanes_.memory[lane]);
     double surface = lanes_.surface[lane];
     const auto isFree = [&](std::size_t level, std::size_t block) {
       const double* lowest = line_.blocks[level].lowest.data() + block;
+      const double* steepest = line_.blocks[0].steepest.data() + block;
+      const double* lost = pass.lost[level];
       const One start = One::all(surface), over = depth - start;
       return firstOther([&](std::size_t k) {
-        return One::load(lowest + k) >= mulAdd(over, One::load(pass.lost[level] + k), start);
+        const OneMask above = One::load(lowest + k) >= mulAdd(over, One::load(lost + k + 1), start);
+        if (!kLinear || level > 0) return above;
+        // A straight segment that rises faster than the free surface, from above it, stays there.
+        const One left = negMulAdd(over, One::load(lost + k), over);
+        return above | (memory * One::load(steepest + k) >= left);
       });
     };
     place.segment = skip(place.segment, place.last, isFree,
                          [&](std::size_t level, std::size_t, std::size_t count) {
-                           surface += (lanes_.depth[lane] - surface) * pass.lost[level][count - 1];
+                           surface += (lanes_.depth[lane] - surface) * pass.lost[level][count];
                          });
   }
 
@@ -272,8 +278,6 @@ class LaneStream {
     lanes_.height1[lane] = line_.rise[second];
     lanes_.start[lane] = line_.position[first];
     lanes_.along[lane] = isBack ? -length : length;
-    lanes_.from[lane] = isBack ? 1 : 0;
-    lanes_.limit[lane] = isBack ? 0 : 1;
     if (!kLinear) {
       lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
       lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];

@@ -164,8 +164,11 @@ class SegmentStep {
 
   /// From where the lane is to where p turns next, or to the segment's end.
   HWY_INLINE void findPiece() {
-    from_ = Wide::load(lanes_.from);
-    to_ = Wide::load(lanes_.limit);
+    // Lanes come to every segment from 0 to 1; one measured back is gone through from 1 to 0.
+    const Wide from = Wide::load(lanes_.from), limit = Wide::load(lanes_.limit);
+    const WideMask turns = (from < limit) & !onwards_;
+    from_ = select(turns, limit, from);
+    to_ = select(turns, from, limit);
     if (!kLinear) {
       // Zeros of c1 + 2 c2 t + 3 c3 t^2 without cancellation; NaN where there are none.
       const WideCubic& p = pressure_;
