@@ -1,6 +1,6 @@
 // Linked into test programs of the core: invalid operations and divisions by zero end the program
 // instead of becoming NaN in silence. NaN as a mark for "not applicable" raises nothing. Threads
-// inherit it. Lanes of vectors compute both sides of every choice and keep one; what the other one
+// inherit it. Lanes of vectors compute both sides of every choice and keep one; what the other
 // raises means nothing, and FlushDenormals lets it pass.
 #include <gtest/gtest.h>
 
