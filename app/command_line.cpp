@@ -35,6 +35,7 @@ class CommandLine {
     addRender();
     addSurface();
     addFigure();
+    addOpen();
     app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.",
                             kDone, kRunFailed, kBadInput));
   }
@@ -66,7 +67,7 @@ class CommandLine {
 
   bool timing() const {
     return window_.timing || check_.timing || curve_.common.timing || render_.common.timing ||
-           surface_.common.timing || figure_.common.timing;
+           surface_.common.timing || figure_.common.timing || open_.common.timing;
   }
 
  private:
@@ -102,7 +103,10 @@ class CommandLine {
   void addCurve() {
     CLI::App* verb = addVerb("curve", "Friction over velocity, averaged over the realizations",
                              curve_.common, [this] { return runCurve(curve_); });
-    addOutputs(verb, curve_.outputs, "FILE.csv or FILE.json; may repeat; none: CSV on stdout");
+    addOutputs(verb, curve_.outputs,
+               "FILE.csv (its first line, # asperity: ..., says how it was made) or FILE.json; may "
+               "repeat; "
+               "none: CSV on stdout");
   }
   void addRender() {
     CLI::App* verb = addVerb("render", "Pictures of the contact, without a screen", render_.common,
@@ -122,8 +126,10 @@ class CommandLine {
   void addSurface() {
     CLI::App* verb = addVerb("surface", "The rigid line, its spectrum and its statistics",
                              surface_.common, [this] { return runSurface(surface_); });
-    addOutputs(verb, surface_.outputs,
-               "FILE.csv (position, height), FILE.json or FILE.png; may repeat");
+    addOutputs(
+        verb, surface_.outputs,
+        "FILE.csv (a line # asperity: ..., then position, height), FILE.json or FILE.png; may "
+        "repeat");
   }
   void addFigure() {
     CLI::App* verb = app_.add_subcommand(
@@ -142,6 +148,16 @@ class CommandLine {
     verb->footer("Figures:\n" + words);
     verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
   }
+  void addOpen() {
+    CLI::App* verb = app_.add_subcommand("open", "The window, with the scene that made a file");
+    verb->add_option("FILE", open_.common.scene,
+                     "PNG, SVG, PDF, film, CSV or JSON that Asperity wrote; a scene may be dropped "
+                     "on the window in the same way")
+        ->required();
+    addShared(*verb, open_.common);
+    verb->footer("With --json the scene is printed as a scene file, and no window opens.");
+    verb->callback([this] { selected_ = [this] { return runOpen(open_); }; });
+  }
   static void addOutputs(CLI::App* verb, std::vector<std::string>& outputs, const char* sentence) {
     verb->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
   }
@@ -152,6 +168,7 @@ class CommandLine {
   RenderCommand render_;
   SurfaceCommand surface_;
   FigureCommand figure_;
+  OpenCommand open_;
   std::function<int()> selected_;
 };
 

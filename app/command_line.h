@@ -2,6 +2,7 @@
 // app/commands/. Main thread.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ struct FigureCommand {
   std::int64_t realizations = 200;
 };
 
+struct OpenCommand {
+  CommonOptions common;  // its scene: any file that holds one
+};
+
 /// The scene of a command, with its assignments. Throws InputError.
 Scene sceneOf(const CommonOptions& options);
 
@@ -68,6 +73,9 @@ int runSurface(const SurfaceCommand& command);
 int runFigure(const FigureCommand& command);
 /// The window; an empty scene opens the default one.
 int runWindowCommand(const CommonOptions& command);
+/// The window with this scene. Throws std::runtime_error where there is no display.
+int showWindow(const std::optional<Scene>& scene, const CommonOptions& options);
+int runOpen(const OpenCommand& command);
 
 /// Parses and runs; returns the exit status. Errors are one line on stderr.
 int runCommandLine(int argc, char** argv);

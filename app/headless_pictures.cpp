@@ -43,20 +43,22 @@ void HeadlessPictures::write(const std::string& file, const DrawList& list,
                              const PictureFacts& facts) {
   const std::string extension = extensionOf(file);
   if (extension == ".png")
-    writePng(file, list);
+    writePng(file, list, facts);
   else if (extension == ".svg")
     writeSvg(file, list, {facts.title, facts.metadata});
   else if (extension == ".pdf")
-    writePdf(file, list, {facts.title, facts.metadata});
+    writePdf(file, list, {facts.title, facts.metadata, 0.75 / facts.scale});
   else
     throw InputError(file, "", "'" + extension + "' is not one of .png, .svg, .pdf");
 }
 
-void HeadlessPictures::writePng(const std::string& file, const DrawList& list) {
+void HeadlessPictures::writePng(const std::string& file, const DrawList& list,
+                                const PictureFacts& facts) {
   QImage image = renderImage(*context_, list);
   finish();
-  writing_ = std::async(std::launch::async,
-                        [file, image = std::move(image)] { asperity::writePng(file, image); });
+  writing_ = std::async(std::launch::async, [file, facts, image = std::move(image)] {
+    asperity::writePng(file, image, {facts.title, facts.metadata, 96 * facts.scale});
+  });
 }
 
 void HeadlessPictures::finish() {

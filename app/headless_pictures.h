@@ -20,6 +20,7 @@ class OsmesaContext;
 struct PictureFacts {
   std::string title;     // of the document; empty: none
   std::string metadata;  // where it came from, any UTF-8 text; empty: none
+  double scale = 1;      // pixels to one at 96 per inch: how large it is on paper
 };
 
 class HeadlessPictures {
@@ -29,17 +30,17 @@ class HeadlessPictures {
   HeadlessPictures(const HeadlessPictures&) = delete;
   HeadlessPictures& operator=(const HeadlessPictures&) = delete;
 
-  /// As PNG, SVG or PDF, by the extension (.png, .svg, .pdf); throws InputError for any other.
-  /// SVG and PDF keep what `facts` says.
+  /// As PNG, SVG or PDF, by the extension (.png, .svg, .pdf); throws InputError for any other. The
+  /// file keeps what `facts` says. Draws at once; the file may be written later, but before
+  /// finish() returns.
   void write(const std::string& file, const DrawList& list, const PictureFacts& facts = {});
-
-  /// Draws at once; the file may be written later, but before finish() returns.
-  void writePng(const std::string& file, const DrawList& list);
 
   /// Waits for the last file.
   void finish();
 
  private:
+  void writePng(const std::string& file, const DrawList& list, const PictureFacts& facts);
+
   std::unique_ptr<QGuiApplication> application_;
   std::unique_ptr<OsmesaContext> context_;
   std::future<void> writing_;

@@ -8,6 +8,7 @@
 #include "core/friction/ensemble.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/provenance.h"
 
 namespace asperity {
 namespace {
@@ -39,8 +40,9 @@ int runCurve(const CurveCommand& command) {
   checkOutputs(command.outputs, {".csv", ".json"});
   const Curve curve = compute(scene, command.common);
   for (const std::string& output : command.outputs)
-    writeFileAtomically(output, extensionOf(output) == ".csv" ? curveCsv(curve.points)
-                                                              : curveJson(curve.points, scene));
+    writeFileAtomically(output, extensionOf(output) == ".csv"
+                                    ? provenanceComment("curve", scene) + curveCsv(curve.points)
+                                    : curveJson(curve.points, scene));
   const bool tableOnStdout = command.outputs.empty();
   if (command.common.json)
     fmt::print("{}", curveJson(curve.points, scene));

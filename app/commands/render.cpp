@@ -86,13 +86,14 @@ int runRender(const RenderCommand& command) {
   const auto count = static_cast<std::int64_t>(files.size());
   {
     HeadlessPictures pictures;
+    const PictureFacts facts{scene.title, provenanceLine(provenance("render", scene))};
     ProgressBar bar("frames", command.common.quiet);
     for (std::int64_t i = 0; i < count; ++i) {
       ContactPictureOptions options;
       options.width = size.width;
       options.height = size.height;
       const Frame frame = frames.frame(i, count, command.framesPerSecond);
-      pictures.writePng(files[static_cast<std::size_t>(i)], composeContact(frame, options));
+      pictures.write(files[static_cast<std::size_t>(i)], composeContact(frame, options), facts);
       bar.show(i + 1, count);
     }
     pictures.finish();
