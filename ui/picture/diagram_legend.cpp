@@ -124,10 +124,10 @@ void addRamp(DrawList& list, DrawLayer& layer, const DiagramRamp& ramp, Place at
   addLabel(list, ramp.from, {at.x, baseline}, size, TextAnchor::Left, theme.text);
   const float left = at.x + textWidth(ramp.from, size) + kGap * size;
   const float bar = kBar * size, top = baseline - 0.36F * size - kBarHeight * size / 2;
-  for (int i = 0; i < kBarSteps; ++i) {
-    const auto edge = [&](int k) { return left + bar * static_cast<float>(k) / kBarSteps; };
-    const Rgba colour = rampColour((i + 0.5) / kBarSteps, theme);
-    addRectangle(layer, {edge(i), top, edge(i + 1) - edge(i), kBarHeight * size}, colour);
+  for (int i = 0; i < kBarSteps; ++i) {  // each to the right end: no seams between them
+    const float done = bar * static_cast<float>(i) / kBarSteps;
+    addRectangle(layer, {left + done, top, bar - done, kBarHeight * size},
+                 rampColour((i + 0.5) / kBarSteps, theme));
   }
   addLabel(list, ramp.to, {left + bar + kGap * size, baseline}, size, TextAnchor::Left, theme.text);
 }

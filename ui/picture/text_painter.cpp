@@ -11,20 +11,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "ui/picture/font_subset.h"
 #include "ui/render/osmesa_context.h"
-
-/// Outside any namespace, as Qt asks: makes the embedded files known where this is a static
-/// library.
-static void initFontResources() {
-  Q_INIT_RESOURCE(fonts);
-}
 
 namespace asperity {
 namespace {
-
-QColor colourOf(const Rgba& c) {
-  return QColor::fromRgbF(c.r, c.g, c.b, c.a);
-}
 
 qreal leftEnd(const DrawText& text, qreal advance) {
   if (text.anchor == TextAnchor::Centre) return -advance / 2;
@@ -49,14 +40,16 @@ void paintText(QPainter& painter, const DrawText& text) {
 
 void loadFonts() {
   static const bool loaded = [] {
-    initFontResources();
-    for (const char* file :
-         {":/asperity/fonts/DejaVuSans.ttf", ":/asperity/fonts/DejaVuSans-Bold.ttf"})
-      if (QFontDatabase::addApplicationFont(QString::fromLatin1(file)) < 0)
-        throw std::runtime_error("The embedded font " + std::string(file) + " cannot be loaded.");
+    for (const bool bold : {false, true})
+      if (QFontDatabase::addApplicationFontFromData(fontFile(bold)) < 0)
+        throw std::runtime_error("The embedded font DejaVu Sans cannot be loaded.");
     return true;
   }();
   static_cast<void>(loaded);
+}
+
+QColor colourOf(const Rgba& c) {
+  return QColor::fromRgbF(c.r, c.g, c.b, c.a);
 }
 
 QFont fontOf(const DrawText& text) {

@@ -2,6 +2,7 @@
 // offscreen platform will do); fonts come from the program itself. Main thread for fonts' loading.
 #pragma once
 
+#include <QColor>
 #include <QFont>
 #include <QImage>
 
@@ -16,6 +17,8 @@ class OsmesaContext;
 /// Adds the embedded fonts (resources/fonts) to the application; once is enough. Throws
 /// std::runtime_error if Qt refuses them.
 void loadFonts();
+
+QColor colourOf(const Rgba& colour);
 
 /// The font that paints this text.
 QFont fontOf(const DrawText& text);

@@ -1,0 +1,12 @@
+// Text as XML holds it. Pure; any thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace asperity {
+
+/// With markup characters escaped, and characters that XML cannot hold replaced by U+FFFD.
+std::string xmlText(std::string_view utf8);
+
+}  // namespace asperity
