@@ -9,7 +9,7 @@
 #include "ui/picture/png_file.h"
 #include "ui/picture/svg_file.h"
 #include "ui/picture/text_painter.h"
-#include "ui/render/osmesa_context.h"
+#include "ui/render/pixel_context.h"
 
 namespace asperity {
 namespace {
@@ -30,8 +30,8 @@ std::unique_ptr<QGuiApplication> offscreenApplication() {
 
 }  // namespace
 
-HeadlessPictures::HeadlessPictures()
-    : application_(offscreenApplication()), context_(std::make_unique<OsmesaContext>()) {
+HeadlessPictures::HeadlessPictures(PixelBackend backend)
+    : application_(offscreenApplication()), context_(makePixelContext(backend)) {
   loadFonts();
 }
 

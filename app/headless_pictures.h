@@ -1,5 +1,5 @@
-// Pictures without a screen: a Qt application on the offscreen platform for texts, OSMesa for
-// shapes, and one thread that encodes and writes a picture while the next one is drawn.
+// Pictures without a screen: a Qt application on the offscreen platform for texts, OpenGL without a
+// screen for shapes, and one thread that encodes and writes a picture while the next one is drawn.
 // Ownership: one at a time, made and used on the main thread.
 // Failure: std::runtime_error (no OSMesa, a file that cannot be written), from any call.
 #pragma once
@@ -8,13 +8,11 @@
 #include <memory>
 #include <string>
 
-#include "ui/render/draw_list.h"
+#include "ui/render/pixel_context.h"
 
 class QGuiApplication;
 
 namespace asperity {
-
-class OsmesaContext;
 
 /// What a picture file says of itself besides what it shows.
 struct PictureFacts {
@@ -25,7 +23,7 @@ struct PictureFacts {
 
 class HeadlessPictures {
  public:
-  HeadlessPictures();
+  explicit HeadlessPictures(PixelBackend backend = PixelBackend::Automatic);
   ~HeadlessPictures();
   HeadlessPictures(const HeadlessPictures&) = delete;
   HeadlessPictures& operator=(const HeadlessPictures&) = delete;
@@ -42,7 +40,7 @@ class HeadlessPictures {
   void writePng(const std::string& file, const DrawList& list, const PictureFacts& facts);
 
   std::unique_ptr<QGuiApplication> application_;
-  std::unique_ptr<OsmesaContext> context_;
+  std::unique_ptr<PixelContext> context_;
   std::future<void> writing_;
 };
 

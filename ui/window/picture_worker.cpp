@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ui/picture/text_painter.h"
-#include "ui/render/osmesa_context.h"
+#include "ui/render/pixel_context.h"
 
 namespace asperity {
 
@@ -45,10 +45,10 @@ void PictureWorker::run() {
 }
 
 void PictureWorker::drawAll() {
-  OsmesaContext context;
+  const std::unique_ptr<PixelContext> context = makePixelContext();
   PictureSource source;
   while (const std::unique_ptr<PictureRequest> request = next()) {
-    QImage image = renderImage(context, source.compose(*request));
+    QImage image = renderImage(*context, source.compose(*request));
     image.setDevicePixelRatio(request->scale);
     events_.finished(std::move(image));
   }
