@@ -49,8 +49,14 @@ struct FigureCommand {
   std::int64_t realizations = 200;
 };
 
+<<<<<<< HEAD
 struct OpenCommand {
   CommonOptions common;  // its scene: any file that holds one
+=======
+struct AccuracyCommand {
+  CommonOptions common;
+  std::string output;  // folder
+>>>>>>> main
 };
 
 /// The scene of a command, with its assignments. Throws InputError.
@@ -70,6 +76,7 @@ int runCheck(const CommonOptions& command);
 int runCurve(const CurveCommand& command);
 int runRender(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);
+int runAccuracy(const AccuracyCommand& command);
 int runFigure(const FigureCommand& command);
 /// The window; an empty scene opens the default one.
 int runWindowCommand(const CommonOptions& command);

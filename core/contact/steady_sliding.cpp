@@ -7,6 +7,7 @@
 #include "core/contact/force_balance.h"
 #include "core/contact/nodal_pass.h"
 #include "core/contact/resolved_pass.h"
+#include "core/scene/element_law.h"
 
 namespace asperity {
 namespace {
@@ -15,8 +16,21 @@ double memoryOf(const SlidingConditions& conditions) {
   return conditions.velocity * conditions.relaxationTime;
 }
 
-SteadyResult resultOf(const TravelLine& line, const SlidingConditions& conditions, double depth,
-                      const StateSums& sums) {
+void addBalance(SteadyResult& result, const Balance& balance) {
+  result.status = balance.isMet() ? SteadyStatus::Balanced : SteadyStatus::NotBalanced;
+  result.passes = balance.passes;
+  result.residual = balance.residual;
+}
+
+StateSums sumsAt(const TravelLine& line, double depth, double memory, NodeShape* shape = nullptr) {
+  return line.scheme == Scheme::Nodal ? nodalStateAt(line, depth, memory, shape).sums
+                                      : stateAt(line, depth, memory, shape);
+}
+
+}  // namespace
+
+SteadyResult steadyResultOf(const TravelLine& line, const SlidingConditions& conditions,
+                            double depth, const StateSums& sums) {
   const double stiffness = 4 * conditions.shearModulus;
   const bool nodal = line.scheme == Scheme::Nodal;
   SteadyResult result;
@@ -37,19 +51,6 @@ SteadyResult resultOf(const TravelLine& line, const SlidingConditions& condition
   return result;
 }
 
-void addBalance(SteadyResult& result, const Balance& balance) {
-  result.status = balance.isMet() ? SteadyStatus::Balanced : SteadyStatus::NotBalanced;
-  result.passes = balance.passes;
-  result.residual = balance.residual;
-}
-
-StateSums sumsAt(const TravelLine& line, double depth, double memory, NodeShape* shape = nullptr) {
-  return line.scheme == Scheme::Nodal ? nodalStateAt(line, depth, memory, shape).sums
-                                      : stateAt(line, depth, memory, shape);
-}
-
-}  // namespace
-
 SteadyStatus statusOf(const SteadyResult& result) {
   const bool isMet = result.residual <= kAcceptedResidual;
   const double apart = std::abs(result.forceFromPressure / result.forceFromDepth - 1);
@@ -58,7 +59,7 @@ SteadyStatus statusOf(const SteadyResult& result) {
 
 SteadyResult resultOfNodal(const TravelLine& line, const SlidingConditions& conditions,
                            const NodalBalance& nodal) {
-  SteadyResult result = resultOf(line, conditions, nodal.balance.depth, nodal.state.sums);
+  SteadyResult result = steadyResultOf(line, conditions, nodal.balance.depth, nodal.state.sums);
   addBalance(result, nodal.balance);
   result.marginalShare = nodal.marginalShare;
   return result;
@@ -72,7 +73,7 @@ SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& condi
     return resultOfNodal(line, conditions, balanceNodal(line, memory, load));
   const Balance balance = balanceResolved(line, memory, load, guess);
   SteadyResult result =
-      resultOf(line, conditions, balance.depth, stateAt(line, balance.depth, memory));
+      steadyResultOf(line, conditions, balance.depth, stateAt(line, balance.depth, memory));
   addBalance(result, balance);
   result.status = statusOf(result);
   return result;
@@ -81,14 +82,14 @@ SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& condi
 SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& conditions,
                           double depth) {
   SteadyResult result =
-      resultOf(line, conditions, depth, sumsAt(line, depth, memoryOf(conditions)));
+      steadyResultOf(line, conditions, depth, sumsAt(line, depth, memoryOf(conditions)));
   result.passes = 1;
   return result;
 }
 
 SlidingConditions conditionsOf(const Scene& scene, double velocity) {
-  const bool viscous = scene.elastomer.rheology == Rheology::Kelvin;
-  return {scene.elastomer.shearModulus, viscous ? scene.elastomer.relaxationTime : 0, velocity};
+  const ElementLaw law = lawOf(scene.elastomer);
+  return {law.equilibriumModulus, law.relaxationTime, velocity};
 }
 
 SteadyResult slideAtLoad(const TravelLine& line, const SlidingConditions& conditions,

@@ -37,8 +37,16 @@ struct SteadyResult {
   double forceFromPressure = 0;  // N, integral of p over contact; equal in steady sliding
   double marginalShare = 1;      // nodal: load share of the element on the edge; 1: none
   int passes = 0;
-  double residual = 0;  // |F_N - wanted| / wanted
+  double residual = 0;     // |F_N - wanted| / wanted; with arms also of their closure
+  double closure = 0;      // elements with arms: change over a period, relative
+  double muInterface = 0;  // of local friction, beside mu, which is that of the deformation
+
+  double muTotal() const { return mu + muInterface; }
 };
+
+/// Sums of a pass in SI units; status, passes and residual are left to the caller.
+SteadyResult steadyResultOf(const TravelLine& line, const SlidingConditions& conditions,
+                            double depth, const StateSums& sums);
 
 /// The status that residual and forces of a resolved line's result call for.
 SteadyStatus statusOf(const SteadyResult& result);
@@ -56,7 +64,8 @@ SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& condi
 SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& conditions,
                           double depth);
 
-/// What the scene says of the elastomer, at this velocity.
+/// What the scene says of the elastomer, at this velocity; without its arms, which only
+/// core/contact/scene_sliding.h knows.
 SlidingConditions conditionsOf(const Scene& scene, double velocity);
 
 /// At the scene's load, whichever it is.

@@ -28,6 +28,17 @@ constexpr std::array<Column, 10> kColumns{{
     {"dimensionless_force", &CurvePoint::dimensionlessForce},
 }};
 constexpr const char* kRealizations = "realizations";
+// Only where a scene has local friction.
+constexpr const char *kInterface = "mu_interface", *kTotal = "mu_total";
+
+bool hasInterface(const std::vector<CurvePoint>& points) {
+  return !points.empty() && std::isfinite(points.front().muInterface);
+}
+
+std::string withoutLineEnd(std::string row) {
+  row.pop_back();
+  return row;
+}
 
 }  // namespace
 
@@ -48,8 +59,15 @@ std::string curveRow(const CurvePoint& point) {
 }
 
 std::string curveCsv(const std::vector<CurvePoint>& points) {
-  std::string text = curveHeader();
-  for (const CurvePoint& point : points) text += curveRow(point);
+  if (!hasInterface(points)) {
+    std::string text = curveHeader();
+    for (const CurvePoint& point : points) text += curveRow(point);
+    return text;
+  }
+  std::string text = fmt::format("{},{},{}\n", withoutLineEnd(curveHeader()), kInterface, kTotal);
+  for (const CurvePoint& point : points)
+    text += fmt::format("{},{},{}\n", withoutLineEnd(curveRow(point)), csvNumber(point.muInterface),
+                        csvNumber(point.mu + point.muInterface));
   return text;
 }
 
@@ -63,6 +81,10 @@ std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene)
       row[column.name] = std::isfinite(value) ? Json(value) : Json(nullptr);
     }
     row[kRealizations] = point.realizations;
+    if (hasInterface(points)) {
+      row[kInterface] = point.muInterface;
+      row[kTotal] = point.mu + point.muInterface;
+    }
     rows.push_back(std::move(row));
   }
   Json root = provenance("curve", scene);

@@ -21,6 +21,7 @@ struct CurvePoint {
   double dimensionlessVelocity = kNotApplicable;  // Eq. (13)
   double dimensionlessForce = kNotApplicable;     // Eq. (14)
   std::int64_t realizations = 0;
+  double muInterface = kNotApplicable;  // of local friction, where the scene has some; beside mu
 };
 
 }  // namespace asperity

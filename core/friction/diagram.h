@@ -79,6 +79,7 @@ struct DiagramSheet {
   std::string subtitle{};  // the parameters, one line
   std::string note{};      // below, small: what to know when reading it
   std::vector<Diagram> diagrams;
+  int columns = 0;  // diagrams in a row; 0: all of them
 };
 
 }  // namespace asperity

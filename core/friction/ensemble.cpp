@@ -3,38 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/steady_sliding.h"
-#include "core/friction/law.h"
+#include "core/friction/curve_averages.h"
 #include "core/friction/realizations.h"
+#include "core/scene/plan.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
 namespace {
-
-/// Mean and spread of a stream of numbers (Welford's recurrence).
-class RunningMean {
- public:
-  void add(double value) {
-    ++count_;
-    const double step = value - mean_;
-    mean_ += step / static_cast<double>(count_);
-    squares_ += step * (value - mean_);
-  }
-  double mean() const { return count_ > 0 ? mean_ : kNotApplicable; }
-  double standardError() const {
-    const auto n = static_cast<double>(count_);
-    return count_ > 1 ? std::sqrt(squares_ / (n * (n - 1))) : kNotApplicable;
-  }
-  std::int64_t count() const { return count_; }
-
- private:
-  std::int64_t count_ = 0;
-  double mean_ = 0, squares_ = 0;
-};
-
-struct VelocityAverage {
-  RunningMean mu, contactFraction, rmsSlopeContact, indentation, normalForce;
-};
 
 class Averaging {
  public:
@@ -44,9 +19,12 @@ class Averaging {
         source_(scene, pointsPerElement(scene)),
         velocities_(sweepVelocities(scene.sweep)),
         total_(source_.isRandom() ? scene.ensemble.realizations : 1),
+        columns_(scene, source_),
         averages_(velocities_.size()) {}
 
   Curve run() {
+    countStage(Stage::Line);
+    if (total_ > 1) countStage(Stage::Averaging);
     const LoadCase sweep{scene_.load, velocities_};
     const RealizationTask task{scene_, source_, {&sweep, 1}, 0};
     curve_.isComplete = slideRealizations(
@@ -63,13 +41,7 @@ class Averaging {
  private:
   void add(std::span<const SteadyResult> row) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      // Pressed by nothing there is no coefficient; what is averaged is counted.
-      if (std::isfinite(row[i].mu)) averages_[i].mu.add(row[i].mu);
-      averages_[i].contactFraction.add(row[i].contactFraction);
-      averages_[i].indentation.add(row[i].indentation);
-      averages_[i].normalForce.add(row[i].normalForce);
-      if (std::isfinite(row[i].rmsSlopeContact))
-        averages_[i].rmsSlopeContact.add(row[i].rmsSlopeContact);
+      averages_[i].add(row[i]);
       curve_.largestResidual = std::max(curve_.largestResidual, row[i].residual);
       passes_ += row[i].passes;
       marginal_ += row[i].marginalShare < 1 ? 1 : 0;
@@ -83,36 +55,11 @@ class Averaging {
 
   std::vector<CurvePoint> points() const {
     std::vector<CurvePoint> points;
-    for (std::size_t i = 0; i < velocities_.size(); ++i)
-      points.push_back(point(velocities_[i], averages_[i]));
+    for (std::size_t i = 0; i < velocities_.size(); ++i) {
+      points.push_back(averages_[i].point(velocities_[i]));
+      columns_.addTo(points.back(), averages_[i].normalForce.mean());
+    }
     return points;
-  }
-
-  CurvePoint point(double velocity, const VelocityAverage& average) const {
-    CurvePoint point;
-    point.velocity = velocity;
-    point.mu = average.mu.mean();
-    point.muStandardError = average.mu.standardError();
-    point.contactFraction = average.contactFraction.mean();
-    point.rmsSlopeContact = average.rmsSlopeContact.mean();
-    point.indentation = average.indentation.mean();
-    point.realizations = average.mu.count();
-    addLaw(point, scene_.load.kind == LoadKind::Force ? scene_.load.normalForce
-                                                      : average.normalForce.mean());
-    return point;
-  }
-
-  void addLaw(CurvePoint& point, double normalForce) const {
-    const LineStatistics& line = source_.statistics();
-    const SlidingConditions conditions = conditionsOf(scene_, point.velocity);
-    const LawInput in{
-        conditions.shearModulus, conditions.relaxationTime, source_.length(), line.rmsHeight,
-        line.rmsSlope,           scene_.surface.hurst,      normalForce,      point.velocity};
-    if (!(line.rmsHeight > 0)) return;
-    point.normalizedMu = point.mu / line.rmsSlope;
-    point.dimensionlessVelocity = dimensionlessVelocity(in);
-    point.dimensionlessForce = dimensionlessForce(in);
-    if (source_.isRandom()) point.muLaw = frictionLaw(in);
   }
 
   const Scene& scene_;
@@ -120,7 +67,8 @@ class Averaging {
   LineSource source_;
   std::vector<double> velocities_;
   std::int64_t total_;
-  std::vector<VelocityAverage> averages_;
+  LawColumns columns_;
+  std::vector<CurveAverages> averages_;
   Curve curve_;
   std::int64_t solves_ = 0, passes_ = 0, marginal_ = 0;
 };

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/contact/sweep.h"
+#include "core/contact/scene_sliding.h"
 
 namespace asperity {
 namespace {
@@ -34,13 +34,17 @@ std::string failureOf(const SteadyResult& result, double velocity, std::int64_t 
 class Realizations {
  public:
   Realizations(const RealizationTask& task, int threads, const std::stop_token& stop)
-      : task_(task), stop_(stop), arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+      : task_(task),
+        sliding_(task.scene),
+        stop_(stop),
+        arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
 
   std::vector<Results> compute(std::int64_t first, std::int64_t count) {
     std::vector<Results> batch(static_cast<std::size_t>(count));
     arena_.execute([&] {
       tbb::parallel_for(std::int64_t{0}, count, [&](std::int64_t i) {
-        if (!stop_.stop_requested()) batch[static_cast<std::size_t>(i)] = slide(task_.first + first + i);
+        if (!stop_.stop_requested())
+          batch[static_cast<std::size_t>(i)] = slide(task_.first + first + i);
       });
     });
     return batch;
@@ -61,9 +65,7 @@ class Realizations {
     for (const LoadCase& one : task_.cases) {
       const std::span<SteadyResult> row = left.first(one.velocities.size());
       left = left.subspan(row.size());
-      if (!slideSweep(memory.travel, conditionsOf(task_.scene, 0), one.load, one.velocities, row,
-                      stop_))
-        return {};
+      if (!sliding_.sweep(memory.travel, one.load, one.velocities, row, stop_)) return {};
       requireBalance(one, row, realization);
     }
     return results;
@@ -77,6 +79,7 @@ class Realizations {
   }
 
   const RealizationTask& task_;
+  SceneSliding sliding_;
   const std::stop_token& stop_;
   tbb::task_arena arena_;
   tbb::enumerable_thread_specific<Memory> memory_;

@@ -37,8 +37,8 @@ using TakeRealization = std::function<void(std::span<const SteadyResult> results
 /// Called on the calling thread between realizations, where all of `done` have been taken.
 using BatchDone = std::function<void(std::int64_t done)>;
 
-/// Slides `count` realizations from the first. threads: 0 for as many as the machine has. Returns false
-/// where `stop` was requested; the realizations taken by then are a first part of all.
+/// Slides `count` realizations from the first. threads: 0 for as many as the machine has. Returns
+/// false where `stop` was requested; the realizations taken by then are a first part of all.
 bool slideRealizations(const RealizationTask& task, std::int64_t count, int threads,
                        const std::stop_token& stop, const TakeRealization& take,
                        const BatchDone& batchDone = {});

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/scene/arms_text.h"
 #include "core/scene/input_error.h"
 #include "core/scene/parameters.h"
 
@@ -106,9 +107,17 @@ void setText(const Parameter& parameter, const TextField& field, Scene& scene,
   field.member(scene) = *text;
 }
 
+void setArms(const Parameter& parameter, const ArmsField& field, Scene& scene,
+             const ParameterValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text) refuse(parameter, "a number is not " + allowedText(parameter));
+  field.member(scene) = armsFrom(*text, std::string(parameter.key));
+}
+
 }  // namespace
 
 bool isApplicable(const Parameter& parameter, const Scene& scene) {
+  if (parameter.key == "accuracy.oversampling" && choosesAccuracy(scene)) return false;
   if (parameter.applies.choiceKey.empty()) return true;
   const Parameter* choice = findParameter(parameter.applies.choiceKey);
   return containsWord(parameter.applies.words, std::get<std::string>(valueOf(*choice, scene)));
@@ -124,7 +133,10 @@ ParameterValue valueOf(const Parameter& parameter, const Scene& scene) {
           [&](const ChoiceField& field) -> ParameterValue {
             return std::string(field.choices[static_cast<std::size_t>(field.read(scene))]);
           },
-          [&](const TextField& field) -> ParameterValue { return field.member(readable(scene)); }},
+          [&](const TextField& field) -> ParameterValue { return field.member(readable(scene)); },
+          [&](const ArmsField& field) -> ParameterValue {
+            return textOf(field.member(readable(scene)));
+          }},
       parameter.field);
 }
 
@@ -137,7 +149,8 @@ void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& va
       Overloaded{[&](const RealField& field) { setReal(parameter, field, scene, value); },
                  [&](const IntegerField& field) { setInteger(parameter, field, scene, value); },
                  [&](const ChoiceField& field) { setChoice(parameter, field, scene, value); },
-                 [&](const TextField& field) { setText(parameter, field, scene, value); }},
+                 [&](const TextField& field) { setText(parameter, field, scene, value); },
+                 [&](const ArmsField& field) { setArms(parameter, field, scene, value); }},
       parameter.field);
 }
 
@@ -166,7 +179,8 @@ std::string allowedText(const Parameter& parameter) {
                                  return (field.choices.size() > 1 ? "one of " : "") +
                                         joined(field.choices);
                                },
-                               [](const TextField&) { return std::string("text"); }},
+                               [](const TextField&) { return std::string("text"); },
+                               [](const ArmsField&) { return allowedArms(); }},
                     parameter.field);
 }
 

@@ -9,9 +9,11 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kSurfaceKinds{"self_affine", "sine", "wedge", "parabola",
                                                         "profile"};
-constexpr std::array<std::string_view, 2> kRheologies{"elastic", "kelvin"};
+constexpr std::array<std::string_view, 4> kRheologies{"elastic", "kelvin", "standard_solid",
+                                                      "prony"};
 constexpr std::array<std::string_view, 2> kLoadKinds{"force", "indentation"};
-constexpr std::array<std::string_view, 1> kSlidingKinds{"steady"};
+constexpr std::array<std::string_view, 5> kSlidingKinds{"steady", "start", "step", "oscillation",
+                                                        "reversal"};
 constexpr std::array<std::string_view, 3> kSchemes{"nodal", "linear", "cubic"};
 
 constexpr Scale kLog = Scale::Logarithmic;
@@ -38,6 +40,10 @@ constexpr std::int64_t kLargestInteger = (std::int64_t{1} << 53) - 1;  // exact 
 const std::array kTable{
     Parameter{"title", "title", "", "", "A name for the scene, shown above its pictures.", kLive, {},
               TextField{+[](Scene& scene) -> auto& { return scene.title; }}},
+    Parameter{"description", "description", "", "", "What to look for in the scene.", kLive, {},
+              TextField{+[](Scene& scene) -> auto& { return scene.description; }}},
+    Parameter{"chapter", "chapter", "", "", "The group of scenes that it belongs to.", kLive, {},
+              TextField{+[](Scene& scene) -> auto& { return scene.chapter; }}},
 
     Parameter{"surface.kind", "kind of line", "", "", "The shape of the rigid line.", kRebuild, {},
               ASPERITY_CHOICE(surface, kind, kSurfaceKinds)},
@@ -49,6 +55,10 @@ const std::array kTable{
               RealField{ASPERITY_MEMBER(surface, hurst), 0, 1, 0, 1, kLin}},
     Parameter{"surface.rms_height", "rms height", "h", "m", "Root mean square of the height (ISO Rq), set by the long waves.", kRebuild, {"surface.kind", "self_affine"},
               RealField{ASPERITY_MEMBER(surface, rmsHeight), 0, 1, 1e-9, 1e-4, kLog}},
+    Parameter{"surface.roll_off_wavelength", "roll-off", "lambda_r", "m", "Waves longer than this are all equally strong; 0: the roughness is self-affine up to its whole length.", kRebuild, {"surface.kind", "self_affine"},
+              RealField{ASPERITY_MEMBER(surface, rollOffWavelength), 0, 1e3, 0, 0.02, kLin}},
+    Parameter{"surface.summit_correlation", "summit correlation", "kappa", "", "Short waves stronger on the summits, which touch first (above 0), or in the valleys (below 0); 0: everywhere alike.", kRebuild, {"surface.kind", "self_affine"},
+              RealField{ASPERITY_MEMBER(surface, summitCorrelation), -10, 10, -1, 1, kLin}},
     Parameter{"surface.seed", "seed", "", "", "Picks the random phases of the line.", kRebuild, {"surface.kind", "self_affine"},
               IntegerField{ASPERITY_MEMBER(surface, seed), 0, kLargestInteger, 1, 100, kLin}},
     Parameter{"surface.amplitude", "amplitude", "A", "m", "Height of the sine's crests above its mean.", kRebuild, {"surface.kind", "sine"},
@@ -64,10 +74,24 @@ const std::array kTable{
 
     Parameter{"elastomer.rheology", "rheology", "", "", "How the elastomer answers to deformation.", kLive, {},
               ASPERITY_CHOICE(elastomer, rheology, kRheologies)},
-    Parameter{"elastomer.shear_modulus", "shear modulus", "G", "Pa", "Static shear modulus of the elastomer.", kLive, {},
+    Parameter{"elastomer.shear_modulus", "shear modulus", "G", "Pa", "Static shear modulus of the elastomer.", kLive, {"elastomer.rheology", "elastic kelvin"},
               RealField{ASPERITY_MEMBER(elastomer, shearModulus), 1e-6, 1e15, 1e3, 1e9, kLog}},
     Parameter{"elastomer.relaxation_time", "relaxation time", "tau", "s", "Viscosity over shear modulus: how long the free surface takes to come back.", kLive, {"elastomer.rheology", "kelvin"},
               RealField{ASPERITY_MEMBER(elastomer, relaxationTime), 0, 1e12, 1e-7, 10, kLog}},
+    Parameter{"elastomer.equilibrium_modulus", "equilibrium modulus", "G_inf", "Pa", "Shear modulus that is left when all arms have relaxed; steady sliding needs more than 0.", kLive, {"elastomer.rheology", "standard_solid prony"},
+              RealField{ASPERITY_MEMBER(elastomer, equilibriumModulus), 0, 1e15, 1e3, 1e9, kLog}},
+    Parameter{"elastomer.viscosity", "viscosity", "eta", "Pa s", "Of a dashpot beside the arms; 0: none.", kLive, {"elastomer.rheology", "prony"},
+              RealField{ASPERITY_MEMBER(elastomer, viscosity), 0, 1e27, 0, 1e5, kLin}},
+    Parameter{"elastomer.arms", "arms", "", "", "Springs and dashpots in series: modulus in Pa and relaxation time in s of each; a standard solid has one.", kLive, {"elastomer.rheology", "standard_solid prony"},
+              ArmsField{ASPERITY_MEMBER(elastomer, arms)}},
+    Parameter{"elastomer.temperature", "temperature", "T", "K", "Of the elastomer; it shifts all relaxation times together.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
+              RealField{ASPERITY_MEMBER(elastomer, temperature), 1, 2000, 200, 450, kLin}},
+    Parameter{"elastomer.shift.c1", "shift C1", "C_1", "", "First constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
+              RealField{ASPERITY_MEMBER(elastomer.shift, c1), 0, 1e3, 1, 30, kLin}},
+    Parameter{"elastomer.shift.c2", "shift C2", "C_2", "K", "Second constant of that shift.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
+              RealField{ASPERITY_MEMBER(elastomer.shift, c2), 1e-3, 1e4, 10, 300, kLin}},
+    Parameter{"elastomer.shift.reference_temperature", "reference", "T_r", "K", "Temperature at which the relaxation times are as given.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
+              RealField{ASPERITY_MEMBER(elastomer.shift, referenceTemperature), 1, 2000, 200, 450, kLin}},
 
     Parameter{"load.kind", "load", "", "", "What is held constant: the normal force or the indentation.", kLive, {},
               ASPERITY_CHOICE(load, kind, kLoadKinds)},
@@ -78,8 +102,21 @@ const std::array kTable{
 
     Parameter{"sliding.kind", "motion", "", "", "How the line moves.", kLive, {},
               ASPERITY_CHOICE(sliding, kind, kSlidingKinds)},
-    Parameter{"sliding.velocity", "velocity", "v", "m/s", "Sliding velocity of the line.", kLive, {"sliding.kind", "steady"},
+    Parameter{"sliding.velocity", "velocity", "v", "m/s", "Sliding velocity of the line; of an oscillation its mean.", kLive, {},
               RealField{ASPERITY_MEMBER(sliding, velocity), 0, 1e12, 1e-6, 1e4, kLog}},
+    Parameter{"sliding.velocity_after", "velocity after", "v_2", "m/s", "Velocity from half of the duration on; below 0 the line goes back.", kLive, {"sliding.kind", "step"},
+              RealField{ASPERITY_MEMBER(sliding, velocityAfter), -1e12, 1e12, -10, 10, kLin}},
+    Parameter{"sliding.amplitude", "amplitude", "", "m/s", "Of the velocity about its mean: v = velocity + amplitude sin(2 pi frequency t).", kLive, {"sliding.kind", "oscillation"},
+              RealField{ASPERITY_MEMBER(sliding, amplitude), 0, 1e12, 1e-6, 1e4, kLog}},
+    Parameter{"sliding.frequency", "frequency", "f", "Hz", "Oscillations of the velocity in a second.", kLive, {"sliding.kind", "oscillation"},
+              RealField{ASPERITY_MEMBER(sliding, frequency), 1e-12, 1e12, 1e-2, 1e5, kLog}},
+    Parameter{"sliding.duration", "duration", "", "s", "Time that the motion takes; a step or a reversal comes at half of it.", kLive, {"sliding.kind", "start step oscillation reversal"},
+              RealField{ASPERITY_MEMBER(sliding, duration), 1e-15, 1e12, 1e-5, 100, kLog}},
+
+    Parameter{"interface.friction_coefficient", "local friction", "", "", "Local coefficient of friction in contact, added to what the deformation costs and reported apart; 0: none.", kLive, {},
+              RealField{ASPERITY_MEMBER(interface, frictionCoefficient), 0, 1e3, 0, 2, kLin}},
+    Parameter{"interface.shear_stress", "local shear", "", "N/m", "Tangential load on each length in contact instead of that coefficient; 0: none.", kLive, {},
+              RealField{ASPERITY_MEMBER(interface, shearStress), 0, 1e15, 0, 1e3, kLin}},
 
     Parameter{"sweep.velocity_from", "slowest", "", "m/s", "First velocity of the friction curve.", kLive, {},
               RealField{ASPERITY_MEMBER(sweep, velocityFrom), 1e-30, 1e12, 1e-6, 1e4, kLog}},
@@ -95,6 +132,8 @@ const std::array kTable{
               ASPERITY_CHOICE(accuracy, scheme, kSchemes)},
     Parameter{"accuracy.oversampling", "oversampling", "", "", "Points that resolve the line per element.", kLive, {"accuracy.scheme", "linear cubic"},
               IntegerField{ASPERITY_MEMBER(accuracy, oversampling), 1, 64, 1, 16, kLog}},
+    Parameter{"accuracy.target_relative_error", "target error", "", "", "Relative error of friction to be reached at every velocity: resolution and number of lines are then chosen by the program; 0: as scheme and realizations say.", kLive, {"accuracy.scheme", "cubic"},
+              RealField{ASPERITY_MEMBER(accuracy, targetRelativeError), 0, 0.5, 0, 0.1, kLin}},
 };
 // clang-format on
 

@@ -44,6 +44,12 @@ struct TextField {
   std::string& (*member)(Scene&);
 };
 
+/// The arms of an elastomer; as a value: a JSON list of {"modulus", "relaxation_time"}.
+struct ArmsField {
+  std::vector<Arm>& (*member)(Scene&);
+};
+inline constexpr std::size_t kMostArms = 64;
+
 /// What a change asks of a running simulation: go on with the new value, or a new line.
 enum class Change { Live, Rebuild };
 
@@ -62,7 +68,7 @@ struct Parameter {
   std::string_view sentence;  // one sentence for a user
   Change change;
   Applicability applies;
-  std::variant<RealField, IntegerField, ChoiceField, TextField> field;
+  std::variant<RealField, IntegerField, ChoiceField, TextField, ArmsField> field;
 };
 
 using ParameterValue = std::variant<double, std::int64_t, std::string>;
@@ -79,7 +85,7 @@ std::string_view nearestKey(std::string_view key);
 /// Whether the row has a meaning in this scene (a wedge has no Hurst exponent).
 bool isApplicable(const Parameter& parameter, const Scene& scene);
 
-/// The value in the scene; choices as their word.
+/// The value in the scene; choices as their word, arms as JSON text.
 ParameterValue valueOf(const Parameter& parameter, const Scene& scene);
 
 /// The value that a new scene has.

@@ -7,13 +7,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
 enum class SurfaceKind { SelfAffine, Sine, Wedge, Parabola, Profile };
-enum class Rheology { Elastic, Kelvin };
+enum class Rheology { Elastic, Kelvin, StandardSolid, Prony };
 enum class LoadKind { Force, Indentation };
-enum class SlidingKind { Steady };
+enum class SlidingKind { Steady, Start, Step, Oscillation, Reversal };
 enum class Scheme { Nodal, Linear, Cubic };
 
 /// The rigid line: one period, repeated for ever.
@@ -29,14 +30,39 @@ struct Surface {
   double slope = 1e-3;           // of a wedge z = slope |x|
   double radius = 0.1;           // m, of a parabola z = x^2 / (2 radius)
   std::string file;              // of a profile, relative to the scene's folder
+  double rollOffWavelength = 0;  // m, waves longer than it are all equally strong; 0: none
+  double summitCorrelation = 0;  // kappa, short waves stronger on the summits (> 0); 0: everywhere
 
   bool operator==(const Surface&) const = default;
 };
 
+/// A Maxwell arm: a spring and a dashpot in series.
+struct Arm {
+  double modulus = 1e7;          // Pa, G_i
+  double relaxationTime = 1e-3;  // s, tau_i
+
+  bool operator==(const Arm&) const = default;
+};
+
+/// Williams, Landel and Ferry: log10 a_T = -c1 (T - T_r) / (c2 + T - T_r). The defaults hold for
+/// many polymers where T_r lies about 50 K above the glass transition (Williams et al. 1955).
+struct TemperatureShift {
+  double c1 = 8.86;
+  double c2 = 101.6;                     // K
+  double referenceTemperature = 298.15;  // K, T_r: where the relaxation times are as given
+
+  bool operator==(const TemperatureShift&) const = default;
+};
+
 struct Elastomer {
   Rheology rheology = Rheology::Kelvin;
-  double shearModulus = 1e7;     // Pa, G
-  double relaxationTime = 1e-3;  // s, tau = eta / G
+  double shearModulus = 1e7;        // Pa, G, of elastic and Kelvin
+  double relaxationTime = 1e-3;     // s, tau = eta / G, of Kelvin
+  double equilibriumModulus = 1e7;  // Pa, G_inf, of standard solid and Prony series
+  double viscosity = 0;             // Pa s, eta, of a dashpot beside the arms of a Prony series
+  std::vector<Arm> arms = std::vector<Arm>(1);  // of standard solid (one) and Prony series
+  double temperature = 298.15;                  // K
+  TemperatureShift shift;
 
   bool operator==(const Elastomer&) const = default;
 };
@@ -49,11 +75,25 @@ struct Load {
   bool operator==(const Load&) const = default;
 };
 
+/// v(t) for 0 <= t <= duration, from the steady state at `velocity`; `start` from static
+/// equilibrium at v = 0.
 struct Sliding {
   SlidingKind kind = SlidingKind::Steady;
-  double velocity = 1.0;  // m/s
+  double velocity = 1.0;       // m/s; of an oscillation: its mean
+  double velocityAfter = 2.0;  // m/s, of a step, from half of the duration on
+  double amplitude = 0.5;      // m/s, of an oscillation
+  double frequency = 100;      // Hz, of an oscillation
+  double duration = 0.04;      // s, of all but steady sliding
 
   bool operator==(const Sliding&) const = default;
+};
+
+/// Local friction in contact, beside what the deformation costs: one of the two, or none.
+struct Interface {
+  double frictionCoefficient = 0;  // tangential over normal line load
+  double shearStress = 0;          // N/m, tangential line load in contact
+
+  bool operator==(const Interface&) const = default;
 };
 
 /// The velocities of a friction curve: v_i = from (to / from)^(i / (points - 1)).
@@ -73,17 +113,21 @@ struct Ensemble {
 
 struct Accuracy {
   Scheme scheme = Scheme::Cubic;
-  std::int64_t oversampling = 2;  // nodes per element
+  std::int64_t oversampling = 2;   // nodes per element
+  double targetRelativeError = 0;  // of mu; above 0 it chooses both and the realizations
 
   bool operator==(const Accuracy&) const = default;
 };
 
 struct Scene {
   std::string title;
+  std::string description;  // what to look for
+  std::string chapter;      // of the collection it belongs to
   Surface surface;
   Elastomer elastomer;
   Load load;
   Sliding sliding;
+  Interface interface;
   Sweep sweep;
   Ensemble ensemble;
   Accuracy accuracy;
@@ -94,9 +138,18 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
-/// Points that resolve the line per element; the paper's separate elements have one each.
+/// Whether resolution and number of lines follow from a target accuracy.
+inline bool choosesAccuracy(const Scene& scene) {
+  return scene.accuracy.scheme == Scheme::Cubic && scene.accuracy.targetRelativeError > 0;
+}
+
+/// Points that resolve the line per element; the paper's separate elements have one each. With a
+/// target accuracy it is what a single state of the line needs for it; a curve chooses by itself.
 inline std::int64_t pointsPerElement(const Scene& scene) {
-  return scene.accuracy.scheme == Scheme::Nodal ? 1 : scene.accuracy.oversampling;
+  const Accuracy& accuracy = scene.accuracy;
+  if (choosesAccuracy(scene))
+    return accuracy.targetRelativeError >= 0.01 ? 2 : accuracy.targetRelativeError >= 1e-3 ? 4 : 8;
+  return accuracy.scheme == Scheme::Nodal ? 1 : accuracy.oversampling;
 }
 
 }  // namespace asperity

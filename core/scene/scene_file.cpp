@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/scene/atomic_file.h"
+#include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/parameters.h"
 
@@ -93,6 +94,7 @@ ParameterValue valueFrom(const std::string& key, const Json& json) {
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
   if (json.is_string()) return json.get<std::string>();
+  if (json.is_array() && std::holds_alternative<ArmsField>(row.field)) return json.dump();
   throw InputError("", key,
                    fmt::format("{} is not allowed here; allowed is {}",
                                json.is_object()  ? "an object"
@@ -116,6 +118,18 @@ bool isSection(const std::string& name) {
                      [&name](const Parameter& row) { return row.key.starts_with(name + "."); });
 }
 
+void flattenSection(const std::string& section, const Json& members,
+                    std::vector<Assignment>& assignments) {
+  if (!members.is_object()) throw InputError("", section, "needs an object of keys");
+  for (const auto& [member, inner] : members.items()) {
+    const std::string key = section + "." + member;
+    if (isSection(key))
+      flattenSection(key, inner, assignments);
+    else
+      assignments.push_back({key, valueFrom(key, inner)});
+  }
+}
+
 std::vector<Assignment> flatten(const Json& root) {
   if (!root.is_object()) throw InputError("", "", "a scene is one JSON object");
   std::vector<Assignment> assignments;
@@ -123,11 +137,7 @@ std::vector<Assignment> flatten(const Json& root) {
     if (name == "schema") {
       checkSchema(value);
     } else if (isSection(name)) {
-      if (!value.is_object()) throw InputError("", name, "needs an object of keys");
-      for (const auto& [member, inner] : value.items()) {
-        const std::string key = name + "." + member;
-        assignments.push_back({key, valueFrom(key, inner)});
-      }
+      flattenSection(name, value, assignments);
     } else if (name.find('.') != std::string::npos) {
       throw InputError("", shortened(name),
                        "a key of a section stands inside its section's object");
@@ -174,6 +184,37 @@ bool isHarmless(const Assignment& assignment) {
   return ignored.accuracy.oversampling == 1;
 }
 
+bool isResolution(const Assignment& assignment) {
+  return assignment.key == "accuracy.scheme" || assignment.key == "accuracy.oversampling";
+}
+
+bool isTarget(const Assignment& assignment) {
+  if (assignment.key != "accuracy.target_relative_error") return false;
+  Scene scene;
+  apply(assignment, scene);
+  return scene.accuracy.targetRelativeError > 0;
+}
+
+/// A target chooses the resolution: one of the two, and --set wins over the file.
+void chooseAccuracy(std::vector<Assignment>& assignments) {
+  const auto has = [&](bool fromFile, bool (*is)(const Assignment&)) {
+    return std::any_of(assignments.begin(), assignments.end(), [&](const Assignment& assignment) {
+      return assignment.fromFile == fromFile && is(assignment);
+    });
+  };
+  const auto drop = [&](bool (*is)(const Assignment&)) {
+    std::erase_if(assignments, [&](const Assignment& assignment) {
+      return assignment.fromFile && is(assignment);
+    });
+  };
+  for (const bool fromFile : {true, false})
+    if (has(fromFile, isTarget) && has(fromFile, isResolution))
+      throw InputError("", "accuracy.target_relative_error",
+                       "chooses scheme and oversampling itself; give it or them");
+  if (has(false, isTarget)) drop(isResolution);
+  if (has(false, isResolution)) drop(isTarget);
+}
+
 /// Kinds come first, because they decide which other keys have a meaning.
 Scene build(const std::vector<Assignment>& assignments) {
   Scene scene;
@@ -204,14 +245,25 @@ Scene build(const std::vector<Assignment>& assignments) {
 void checkWhole(const Scene& scene) {
   if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
     throw InputError("", "surface.file", "is missing; a profile needs a file");
+  checkEffects(scene);
   if (scene.sweep.velocityFrom > scene.sweep.velocityTo)
     throw InputError("", "sweep.velocity_from",
                      fmt::format("{} is above sweep.velocity_to, {}", scene.sweep.velocityFrom,
                                  scene.sweep.velocityTo));
 }
 
-Json jsonOf(const ParameterValue& value) {
+Json jsonOf(const Parameter& row, const ParameterValue& value) {
+  if (std::holds_alternative<ArmsField>(row.field))
+    return Json::parse(std::get<std::string>(value));
   return std::visit([](const auto& held) { return Json(held); }, value);
+}
+
+/// The place of a dotted key.
+Json& placeOf(Json& root, std::string_view key) {
+  Json* place = &root;
+  for (std::size_t dot; (dot = key.find('.')) != std::string_view::npos; key.remove_prefix(dot + 1))
+    place = &(*place)[std::string(key.substr(0, dot))];
+  return (*place)[std::string(key)];
 }
 
 }  // namespace
@@ -221,6 +273,7 @@ Scene readScene(std::string_view json, const std::string& name, const std::files
   try {
     std::vector<Assignment> all = flatten(parseJson(json));
     for (const std::string& text : assignments) all.push_back(parseAssignment(text));
+    chooseAccuracy(all);
     Scene scene = build(all);
     checkWhole(scene);
     scene.folder = folder;
@@ -241,16 +294,13 @@ std::string writeScene(const Scene& scene) {
   root["schema"] = kSchema;
   for (const Parameter& row : parameters()) {
     if (!isApplicable(row, scene)) continue;
+    if (row.key == "accuracy.scheme" && choosesAccuracy(scene)) continue;
+    if (row.key == "accuracy.target_relative_error" && !choosesAccuracy(scene)) continue;
     const ParameterValue value = valueOf(row, scene);
     const bool profile = scene.surface.kind == SurfaceKind::Profile;
     if (profile && row.key == "surface.length" && scene.surface.length == 0) continue;
     if (profile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
-    const std::string key(row.key);
-    const std::size_t dot = key.find('.');
-    if (dot == std::string::npos)
-      root[key] = jsonOf(value);
-    else
-      root[key.substr(0, dot)][key.substr(dot + 1)] = jsonOf(value);
+    placeOf(root, row.key) = jsonOf(row, value);
   }
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -7,16 +7,19 @@
 
 #include "core/scene/input_error.h"
 #include "core/scene/parameters.h"
+#include "core/scene/plan.h"
 #include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
 #include "core/surface/random_phase.h"
 #include "core/surface/shapes.h"
 #include "core/surface/spectrum.h"
+#include "core/surface/summit_correlation.h"
 
 namespace asperity {
 namespace {
 
 constexpr std::int64_t kMostNodes = std::int64_t{1} << 26;
+constexpr std::int64_t kNodesOfProduct = 4;  // per element, of a product of waves: not aliased
 
 }  // namespace
 
@@ -32,7 +35,7 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
     throw InputError("", "surface.waves",
                      fmt::format("{} is outside 1 to {}, what {} elements carry", surface_.waves,
                                  (elements_ - 1) / 2, elements_));
-  if (surface_.kind == SurfaceKind::SelfAffine) setAmplitudes();
+  if (surface_.kind == SurfaceKind::SelfAffine) setAmplitudes(scene);
   if (surface_.kind == SurfaceKind::SelfAffine || surface_.kind == SurfaceKind::Profile)
     transform_.emplace(nodes_);
   if (isRandom()) {
@@ -48,9 +51,14 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
 }
 
 /// Half of each cosine's amplitude: the coefficient of exp(i q x).
-void LineSource::setAmplitudes() {
+void LineSource::setAmplitudes(const Scene& scene) {
+  const bool rollsOff = callsFor(scene, Purpose::Surface, Stage::RollOff);
+  if (rollsOff) countStage(Stage::RollOff);
   amplitudes_ =
-      selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst, surface_.rmsHeight);
+      selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst, surface_.rmsHeight,
+                           rollsOff ? length_ / surface_.rollOffWavelength : 0);
+  if (callsFor(scene, Purpose::Surface, Stage::SummitCorrelation))
+    summits_.emplace(static_cast<std::size_t>(elements_ * kNodesOfProduct));
   for (double& amplitude : amplitudes_) amplitude /= 2;
 }
 
@@ -88,7 +96,9 @@ FourierLine LineSource::spectrum(std::int64_t number) const {
   }
   FourierLine line{length_, std::vector<std::complex<double>>(modes)};
   phaseFactors(amplitudes_, {phases.data() + 1, modes}, line.coefficients);
-  return line;
+  if (!summits_) return line;
+  countStage(Stage::SummitCorrelation);
+  return withSummitCorrelation(line, surface_.summitCorrelation, *summits_);
 }
 
 Line LineSource::makeShape() const {

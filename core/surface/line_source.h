@@ -13,7 +13,8 @@
 
 namespace asperity {
 
-/// The same for every realization, because amplitudes are not random.
+/// The same for every realization, because amplitudes are not random; with summit correlation the
+/// slope varies a little, and this is that of realization 0.
 struct LineStatistics {
   double rmsHeight = 0;  // m
   double rmsSlope = 0;
@@ -44,7 +45,7 @@ class LineSource {
   std::int64_t elements() const { return elements_; }  // per period, without oversampling
 
  private:
-  void setAmplitudes();
+  void setAmplitudes(const Scene& scene);
   void readProfileOf(const Scene& scene);
   Line makeShape() const;
   void setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line) const;
@@ -58,6 +59,7 @@ class LineSource {
   FourierLine profile_;
   LineStatistics statistics_;
   std::optional<FourierTransform> transform_;  // for lines that have a spectrum
+  std::optional<FourierTransform> summits_;    // for those with summit correlation
 };
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #include "core/surface/spectrum.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,11 +10,12 @@ std::size_t modesOf(std::size_t elements) {
   return (elements - 1) / 2;
 }
 
-std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, double rmsHeight) {
+std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, double rmsHeight,
+                                         double rollOff) {
   std::vector<double> amplitudes(modesOf(elements));
   double sum = 0;
   for (std::size_t j = amplitudes.size(); j-- > 0;) {  // small terms first
-    const double density = std::pow(static_cast<double>(j + 1), -2 * hurst - 1);
+    const double density = std::pow(std::max(static_cast<double>(j + 1), rollOff), -2 * hurst - 1);
     amplitudes[j] = std::sqrt(density);
     sum += density;
   }

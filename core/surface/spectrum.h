@@ -19,8 +19,9 @@ struct FourierLine {
 std::size_t modesOf(std::size_t elements);
 
 /// Amplitudes a_k (m) of z = sum a_k cos(q_k x + phase_k), k = 1 ... modesOf(elements), with
-/// C(q) ~ q^(-2H-1) and sum a_k^2 / 2 = rmsHeight^2 exactly.
-std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, double rmsHeight);
+/// C(q) ~ q^(-2H-1), constant below mode number `rollOff`, and sum a_k^2 / 2 = rmsHeight^2 exactly.
+std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, double rmsHeight,
+                                         double rollOff = 0);
 
 double rmsHeightOf(const FourierLine& line);  // m
 double rmsSlopeOf(const FourierLine& line);

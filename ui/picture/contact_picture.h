@@ -17,6 +17,7 @@ struct Theme {
 };
 const Theme& lightTheme();
 const Theme& darkTheme();
+const Theme& printTheme();  // black on white, for paper
 
 /// The part of the world that is shown. Metres; heights as in Frame.
 struct ContactView {

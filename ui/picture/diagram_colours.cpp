@@ -28,7 +28,7 @@ constexpr std::array<Rgba, 11> kViridis = {colour(0x440154), colour(0x482475), c
                                            colour(0x355F8D), colour(0x2A788E), colour(0x21918C),
                                            colour(0x22A884), colour(0x44BF70), colour(0x7AD151),
                                            colour(0xBDDF26), colour(0xFDE725)};
-constexpr double kDarkEnd = 0.18, kLightEnd = 0.86;  // of it, lost on dark and on white
+constexpr double kDarkEnd = 0.18, kLightEnd = 0.82;  // of it, lost on dark and on white
 
 bool isDark(const Theme& theme) {
   const Rgba& c = theme.background;

@@ -28,8 +28,10 @@ class Panel {
     arrange();
   }
 
+  /// Nothing where the frame would be too small to read.
   void addTo(DrawList& list) const {
     const Box& box = axes_.plot.box;
+    if (box.width < 4 * sizes_.tick || box.height < 2 * sizes_.tick) return;
     addSpans(list, diagram_, axes_, sizes_, theme_);
     addDiagramGrid(list, axes_, sizes_, theme_);
     addDiagramFrame(list, axes_, sizes_, theme_);  // marks at its edge lie over it

@@ -17,7 +17,7 @@ struct DiagramOptions {
 
 /// A size fit for print: 2400 x 1600 pixels at scale 2 for one diagram, wider where there are
 /// several.
-DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme = lightTheme());
+DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme = printTheme());
 
 /// Every text on the picture and none over another, from 320 x 200 pixels on; what finds no place
 /// is shortened, then left out. Never throws for what a sheet holds.

@@ -91,6 +91,8 @@ std::vector<Polyline> dashed(const Polyline& line, float on, float off) {
     left -= length - at;
     if (drawing && length > at) pieces.back().push_back(line[i + 1]);
   }
+  // The line ended where a dash would have begun.
+  if (on > 0 && pieces.size() > 1 && pieces.back().size() == 1) pieces.pop_back();
   return pieces;
 }
 

@@ -77,12 +77,12 @@ std::string stopOf(const Rgba& c) {
 void appendPath(std::string& path, const Polyline& line, bool closed) {
   std::int64_t x = rounded(line[0].x), y = rounded(line[0].y);
   path += "M" + hundredths(x) + " " + hundredths(y);
-  const char* command = "l";
   for (std::size_t i = 1; i < line.size(); ++i) {
     const std::int64_t toX = rounded(line[i].x), toY = rounded(line[i].y);
     const std::string dx = hundredths(toX - x), dy = hundredths(toY - y);
-    path += command + dx + (dy[0] == '-' ? "" : " ") + dy;
-    command = " ";
+    // A minus sign parts two numbers as well as a blank.
+    path += i == 1 ? "l" : dx[0] == '-' ? "" : " ";
+    path += dx + (dy[0] == '-' ? "" : " ") + dy;
     x = toX;
     y = toY;
   }

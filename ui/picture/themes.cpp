@@ -40,4 +40,15 @@ const Theme& darkTheme() {
   return theme;
 }
 
+const Theme& printTheme() {
+  static const Theme theme = [] {
+    Theme print = lightTheme();
+    print.text = print.axis = colour(0x000000);
+    print.faintText = colour(0x333333);
+    print.grid = colour(0x000000, 0.09F);
+    return print;
+  }();
+  return theme;
+}
+
 }  // namespace asperity

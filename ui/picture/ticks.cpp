@@ -34,7 +34,8 @@ Prefix prefixFor(double magnitude) {
 /// A prefix would be wrong before a power (km² is not 1000 m²), a kilogram or what is no letter.
 bool takesPrefix(std::string_view unit) {
   if (unit.empty() || unit.starts_with("kg")) return false;
-  const std::string_view first = unit.substr(0, unit.find_first_of("/\u00B7 "));
+  const std::string_view first =
+      unit.substr(0, std::min(unit.find_first_of("/ "), unit.find("\u00B7")));
   const bool letter = (unit[0] >= 'a' && unit[0] <= 'z') || (unit[0] >= 'A' && unit[0] <= 'Z');
   return letter && first.find("\u00B2") == first.npos && first.find("\u00B3") == first.npos;
 }

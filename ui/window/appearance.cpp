@@ -27,10 +27,6 @@ QColor edge(const Theme& theme) {
 
 }  // namespace
 
-QColor colourOf(const Rgba& rgba) {
-  return QColor::fromRgbF(rgba.r, rgba.g, rgba.b, rgba.a);
-}
-
 bool isDark(const Theme& theme) {
   return colourOf(theme.background).lightness() < 128;
 }

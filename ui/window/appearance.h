@@ -8,10 +8,10 @@
 
 #include "ui/charts/plot_view.h"
 #include "ui/picture/contact_picture.h"
+#include "ui/picture/text_painter.h"
 
 namespace asperity {
 
-QColor colourOf(const Rgba& rgba);
 bool isDark(const Theme& theme);
 QPalette paletteOf(const Theme& theme);
 PlotColours plotColoursOf(const Theme& theme);

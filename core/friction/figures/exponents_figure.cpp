@@ -31,7 +31,7 @@ DiagramPoint pointOf(double x, const Estimate& estimate) {
 Diagram emptyDiagram(const char* title, const char* name) {
   Diagram diagram;
   diagram.title = title;
-  diagram.x = {"Hurst exponent H", "", AxisScale::Linear, 0, 1};
+  diagram.x = {"Hurst exponent H", "", AxisScale::Linear, -0.05, 1.05};
   diagram.y = {name, "", AxisScale::Linear};
   return diagram;
 }
@@ -42,7 +42,7 @@ Diagram alphaDiagram(const std::vector<Coefficients>& all) {
   DiagramSeries theory{"\u03B1 = H/(1 + H), Eq. (7)"};
   theory.isTheory = true;
   for (int k = 0; k <= 50; ++k) theory.points.push_back({k / 50.0, forceExponent(k / 50.0)});
-  DiagramSeries measured{"measured, 0.001 \u2264 F_N/GhL \u2264 0.1", SeriesMark::Circle,
+  DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 0.1", SeriesMark::Circle,
                          SeriesStroke::None};
   for (const Coefficients& one : all) measured.points.push_back(pointOf(one.hurst, one.alpha));
   diagram.series = {theory, measured};
@@ -59,7 +59,7 @@ Diagram betaDiagram(const std::vector<Coefficients>& all) {
   DiagramSeries table{"table used by Eq. (11) here"};
   table.isTheory = true;
   for (int k = 0; k <= 50; ++k) table.points.push_back({k / 50.0, betaOf(k / 50.0)});
-  DiagramSeries measured{"measured, 0.001 \u2264 F_N/GhL \u2264 1", SeriesMark::Circle,
+  DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 1", SeriesMark::Circle,
                          SeriesStroke::None};
   for (const Coefficients& here : all) measured.points.push_back(pointOf(here.hurst, here.beta));
   diagram.series = {one, table, measured};

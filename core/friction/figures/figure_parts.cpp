@@ -111,7 +111,7 @@ std::string parameterLine(const Scene& scene, const FigureEntry& entry) {
   std::vector<std::string> parts;
   if (!isVaried("surface.hurst")) parts.push_back(fmt::format("H = {:g}", scene.surface.hurst));
   if (!isVaried("load.normal_force"))
-    parts.push_back("F_N = " + withUnit(scene.load.normalForce, "N"));
+    parts.push_back("F\u2099 = " + withUnit(scene.load.normalForce, "N"));
   parts.push_back("G = " + withUnit(scene.elastomer.shearModulus, "Pa"));
   if (!isVaried("surface.rms_height"))
     parts.push_back("h = " + withUnit(scene.surface.rmsHeight, "m"));

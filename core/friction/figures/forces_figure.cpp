@@ -12,11 +12,11 @@
 namespace asperity {
 namespace {
 
-/// Where a zone's name stands: on its lines at low velocity, off to the side.
-DiagramLabel zoneLabel(const Study& study, std::size_t j, const char* text) {
-  const double level = 0.02;
+/// A zone's name beside its lines at low velocity: `aside` times as fast as they are.
+DiagramLabel zoneLabel(const Study& study, std::size_t j, const char* text, double aside) {
+  const double level = 0.005;
   const double velocity = study.velocities()[0] * level / study.normalizedMu(j, 0);
-  return {text, velocity, level};
+  return {text, velocity * aside, level, velocity, level};
 }
 
 Diagram diagramOf(const Study& study) {
@@ -33,8 +33,8 @@ Diagram diagramOf(const Study& study) {
   // Curves below the data of the lowest velocities would only stretch the picture.
   diagram.y.from = study.normalizedMu(last / 2, 0);
   diagram.y.to = 3;
-  diagram.labels = {zoneLabel(study, 2, "zone 1: partial contact"),
-                    zoneLabel(study, last - 1, "zone 2: complete contact")};
+  diagram.labels = {zoneLabel(study, 2, "zone 1: partial contact", 0.02),
+                    zoneLabel(study, last, "zone 2: complete contact", 30)};
   return diagram;
 }
 
@@ -49,8 +49,8 @@ void addForcesFigure(Figure& figure, const FigureOptions& options) {
     figure.csv += tableRows(study, j, fmt::format("{},", study.normalForce(j)));
   figure.sheet.diagrams.push_back(diagramOf(study));
   figure.sheet.note =
-      "The third curve from the left is that of Fig. 2. Zone 1 shifts with F_N^{H/(1+H)}, zone 2 "
-      "with F_N.";
+      "The third curve from the left is that of Fig. 2. In zone 1 curves shift as F\u2099 to the "
+      "power H/(1 + H), in zone 2 as F\u2099.";
   figure.claims = zoneClaims(study, work);
 }
 

@@ -28,7 +28,7 @@ std::vector<Variant> variantsOf(const Scene& base) {
     variants.push_back(std::move(variant));
   };
   for (const double factor : {0.1, 10.0, 100.0})
-    add("F_N = " + withUnit(factor * base.load.normalForce, "N"), 1,
+    add("F\u2099 = " + withUnit(factor * base.load.normalForce, "N"), 1,
         [&](Scene& scene) { scene.load.normalForce *= factor; });
   for (const double factor : {0.25, 4.0})
     add("L = " + withUnit(factor * base.surface.length, "m"), 2, [&](Scene& scene) {
@@ -194,7 +194,7 @@ Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
     shifted.push_back(std::move(marks));
   }
   for (DiagramSeries& series : shifted) result.diagram.series.push_back(std::move(series));
-  result.diagram.x.title = "velocity v (lines), v a_T (circles)";
+  result.diagram.x.title = "velocity v (lines), v a\u209C (circles)";
   result.claim = {"temperature_shift", "p. 4, after Eq. (17)",
                   "Curves are shifted by changes of temperature, which influences the relaxation "
                   "time (the master curve procedure)",
@@ -257,9 +257,9 @@ void addMasterFigure(Figure& figure, const FigureOptions& options) {
   Temperatures temperatures = temperaturesOf(figure.scene, work);
   figure.sheet.diagrams = {std::move(before), std::move(after), std::move(temperatures.diagram)};
   figure.sheet.note =
-      "Shifted with the rms slope in contact at low velocity and f = [(F\u0305/4)\u00B2 + "
-      "(F\u0305^{H/(1+H)}/\u03B2)\u00B2]^{1/2}. Region IV is not part of Eq. (12) and does not "
-      "collapse.";
+      "Shifted with the rms slope in contact at low velocity; f is where region I of Eq. (11) "
+      "meets "
+      "the plateau. Region IV is not part of Eq. (12) and does not collapse.";
   figure.claims = {collapseClaim(studies), std::move(dimension), std::move(temperatures.claim)};
 }
 

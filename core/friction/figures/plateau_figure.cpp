@@ -48,7 +48,7 @@ bool isMiddle(double hurst) {
 
 Diagram diagramOf(const std::vector<Tops>& all) {
   Diagram diagram;
-  diagram.x = {"normal force F_N", "N"};
+  diagram.x = {"normal force F\u2099", "N"};
   diagram.y = {"plateau of \u03BC/\u2207z", "", AxisScale::Linear, 0, 1.6};
   DiagramSeries theory{"\u221A2, Eq. (9)"};
   theory.isTheory = true;
@@ -200,7 +200,7 @@ void addPlateauFigure(Figure& figure, const FigureOptions& options) {
   }
   figure.sheet.diagrams = {diagramOf(all)};
   figure.sheet.note =
-      "The maximum of each averaged curve mu(v), with one standard error. \u221A2 assumes "
+      "The maximum of each averaged curve \u03BC(v), with one standard error. \u221A2 assumes "
       "exponentially distributed slopes; a line of random phases has Gaussian ones.";
   figure.claims = {heightClaim(all), hurstClaim(all), fallClaim(all), strongerClaim(all)};
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/friction/regions.h"
 #include "core/friction/study.h"
 
 namespace asperity {
@@ -21,19 +22,6 @@ struct Plateau {
 
 /// The curve's maximum, from the parabola in ln v through the three highest neighbours.
 Plateau plateauOf(const Study& study, std::size_t j, int leftOut = Study::kAll);
-
-/// Where the curve leaves one region for the next (m/s); NaN where it never does.
-struct RegionBorders {
-  double endOfLinear = 0;  // I to II: so far below its line through region I
-  double toPlateau = 0;    // II to III: this part of the maximum reached
-  double offPlateau = 0;   // III to IV: below that again
-};
-
-/// How a border is recognized; the paper does not say.
-struct BorderRule {
-  double ofLine = 0.8;
-  double ofMaximum = 0.95;
-};
 
 /// Region I is that of the lowest velocity.
 RegionBorders regionBorders(const Study& study, std::size_t j, int leftOut = Study::kAll,

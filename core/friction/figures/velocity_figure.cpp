@@ -69,19 +69,9 @@ Diagram diagramOf(const Curves& curves) {
   resolved.colour = 2;
   diagram.series.push_back(resolved);
 
-  const RegionBorders borders = regionBorders(study, 0);
   const std::vector<double>& v = study.velocities();
-  double from = v.front();
-  int region = 0;
-  for (const double border :
-       {borders.endOfLinear, borders.toPlateau, borders.offPlateau, v.back()}) {
-    constexpr const char* names[] = {"I", "II", "III", "IV"};
-    if (std::isfinite(border) && border > from) {
-      diagram.spans.push_back({from, border, names[region]});
-      from = border;
-    }
-    ++region;
-  }
+  for (const CurveRegion& region : regionsWithin(regionBorders(study, 0), v.front(), v.back()))
+    diagram.spans.push_back({region.from, region.to, region.name});
   return diagram;
 }
 

@@ -48,7 +48,8 @@ TEST(Parameters, EachRowSetsItsOwnMember) {
   for (const Parameter& row : parameters()) {
     if (!std::holds_alternative<RealField>(row.field)) continue;
     Scene scene;
-    const double other = 0.75 * std::get<double>(defaultOf(row));
+    const double usual = std::get<double>(defaultOf(row));
+    const double other = usual != 0 ? 0.75 * usual : 0.5 * std::get<RealField>(row.field).sliderTo;
     setValue(row, scene, other);
     for (const Parameter& each : parameters()) {
       if (each.key == row.key) {

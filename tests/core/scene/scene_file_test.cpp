@@ -27,17 +27,102 @@ TEST(SceneFile, WhatIsLeftOutHasItsDefault) {
 TEST(SceneFile, EveryKindOfSceneReadsBackFromItsOwnText) {
   for (const char* kind : {"self_affine", "sine", "wedge", "parabola", "profile"})
     for (const char* load : {"force", "indentation"})
-      for (const char* rheology : {"elastic", "kelvin"}) {
+      for (const char* rheology : {"elastic", "kelvin", "standard_solid", "prony"}) {
         std::vector<std::string> assignments{
             std::string("surface.kind=") + kind, std::string("load.kind=") + load,
-            std::string("elastomer.rheology=") + rheology, "title=Grüße, \"line\"",
-            "elastomer.shear_modulus=1.2345678901234567e7"};
+            std::string("elastomer.rheology=") + rheology, "title=Grüße, \"line\""};
+        const bool arms = std::string(rheology) == "standard_solid" || rheology[0] == 'p';
+        assignments.push_back(arms ? "elastomer.equilibrium_modulus=1.2345678901234567e7"
+                                   : "elastomer.shear_modulus=1.2345678901234567e7");
         if (std::string(kind) == "profile") assignments.push_back("surface.file=a.csv");
         const Scene scene = readScene("{}", "s.json", {}, assignments);
         const std::string text = writeScene(scene);
         EXPECT_EQ(readScene(text, "t.json"), scene) << text;
         EXPECT_EQ(writeScene(readScene(text, "t.json")), text);
       }
+}
+
+TEST(SceneFile, EveryMotionReadsBackFromItsOwnText) {
+  for (const char* kind : {"steady", "start", "step", "oscillation", "reversal"}) {
+    const Scene scene =
+        readScene("{}", "s.json", {}, {std::string("sliding.kind=") + kind, "sliding.velocity=0"});
+    EXPECT_EQ(readScene(writeScene(scene), "t.json"), scene) << kind;
+  }
+  const Scene back =
+      readScene("{}", "s.json", {}, {"sliding.kind=step", "sliding.velocity_after=-3"});
+  EXPECT_EQ(readScene(writeScene(back), "t.json").sliding.velocityAfter, -3);
+  EXPECT_THAT(errorOf(R"({"sliding":{"duration":1}})"),
+              HasSubstr("sliding.duration: has no meaning for sliding.kind steady; it belongs to "
+                        "start step oscillation reversal"));
+  EXPECT_THAT(errorOf(R"({"sliding":{"kind":"start","velocity_after":1}})"),
+              HasSubstr("it belongs to step"));
+}
+
+TEST(SceneFile, ArmsStandInTheFileAndInAssignments) {
+  const std::string file =
+      R"({"elastomer":{"rheology":"prony","equilibrium_modulus":1e6,"viscosity":3,
+          "arms":[{"modulus":1e7,"relaxation_time":0.1},{"relaxation_time":1e-4,"modulus":2e7}]}})";
+  const Scene scene = readScene(file, "s.json");
+  EXPECT_EQ(scene.elastomer.arms, (std::vector<Arm>{{1e7, 0.1}, {2e7, 1e-4}}));
+  EXPECT_EQ(readScene(writeScene(scene), "t.json"), scene);
+  const Scene other =
+      readScene(file, "s.json", {}, {R"(elastomer.arms=[{"modulus":5,"relaxation_time":6}])"});
+  EXPECT_EQ(other.elastomer.arms, (std::vector<Arm>{{5, 6}}));
+  EXPECT_TRUE(readScene(file, "s.json", {}, {"elastomer.arms=[]"}).elastomer.arms.empty());
+}
+
+TEST(SceneFile, ErrorsOfArmsNameTheArm) {
+  const auto errorOfArms = [](const std::string& arms) {
+    return errorOf(R"({"elastomer":{"rheology":"prony","arms":)" + arms + "}}");
+  };
+  EXPECT_EQ(
+      errorOfArms(R"([{"modulus":1,"relaxation_time":1},{"modulus":-5,"relaxation_time":1}])"),
+      "s.json: elastomer.arms[1].modulus: -5 is outside 0 to 1e+15");
+  EXPECT_THAT(errorOfArms(R"([{"modulus":1}])"),
+              HasSubstr("elastomer.arms[0].relaxation_time: is missing"));
+  EXPECT_THAT(errorOfArms(R"([{"modulus":"x","relaxation_time":1}])"),
+              HasSubstr("elastomer.arms[0].modulus: is not a number"));
+  EXPECT_THAT(errorOfArms(R"([{"modulus":1,"relaxation_time":1,"tau":1}])"),
+              HasSubstr("elastomer.arms[0].tau: unknown key"));
+  EXPECT_THAT(errorOfArms("[1]"), HasSubstr("elastomer.arms[0]: needs an object"));
+  EXPECT_THAT(errorOfArms("3"), HasSubstr("elastomer.arms: a number is not a list"));
+  EXPECT_THAT(errorOfArms(R"("x")"), HasSubstr("elastomer.arms: is not a list in JSON"));
+  EXPECT_THAT(errorOfArms(R"([{"modulus":1e-9,"relaxation_time":1}])"),
+              HasSubstr("elastomer.arms[0].modulus: 1e-09 is neither 0 nor at least"));
+  std::string many;
+  for (int i = 0; i < 65; ++i) many += R"(,{"modulus":1,"relaxation_time":1})";
+  EXPECT_THAT(errorOfArms("[" + many.substr(1) + "]"), HasSubstr("elastomer.arms: has 65 arms"));
+  EXPECT_THAT(errorOf(R"({"elastomer":{"arms":[]}})"),
+              HasSubstr("elastomer.arms: has no meaning for elastomer.rheology kelvin"));
+  EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"standard_solid","arms":[]}})"),
+              HasSubstr("elastomer.arms: a standard solid has one arm, not 0"));
+  EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"prony","shear_modulus":1}})"),
+              HasSubstr("elastomer.shear_modulus: has no meaning"));
+  EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"prony","equilibrium_modulus":0,"arms":[]}})"),
+              HasSubstr("the elastomer is empty"));
+}
+
+TEST(SceneFile, SectionsMayStandInsideSections) {
+  const Scene scene = readScene(
+      R"({"elastomer":{"temperature":320,"shift":{"c1":5,"c2":120,"reference_temperature":300}}})",
+      "s.json", {}, {"elastomer.shift.c1=6"});
+  EXPECT_EQ(scene.elastomer.shift, (TemperatureShift{6, 120, 300}));
+  EXPECT_EQ(readScene(writeScene(scene), "t.json"), scene);
+  EXPECT_THAT(errorOf(R"({"elastomer":{"shift":{"c3":5}}})"),
+              HasSubstr("elastomer.shift.c3: unknown key"));
+  EXPECT_THAT(errorOf(R"({"elastomer":{"shift":5}})"),
+              HasSubstr("elastomer.shift: needs an object"));
+  EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"elastic","temperature":300}})"),
+              HasSubstr("elastomer.temperature: has no meaning"));
+  EXPECT_THAT(errorOf(R"({"elastomer":{"temperature":100}})"),
+              HasSubstr("elastomer.temperature: 100 K is not above 196.54"));
+}
+
+TEST(SceneFile, EffectsThatExcludeEachOtherAreRefused) {
+  EXPECT_THAT(errorOf(R"({"interface":{"friction_coefficient":0.1,"shear_stress":1}})"),
+              HasSubstr("interface.shear_stress: stands beside"));
+  EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"prony"},"accuracy":{"scheme":"nodal"}})"),
+              HasSubstr("accuracy.scheme: nodal is the paper's rule"));
 }
 
 TEST(SceneFile, ErrorsNameFileKeyAndWhatIsAllowed) {

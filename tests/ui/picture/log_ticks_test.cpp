@@ -65,5 +65,34 @@ TEST(LogTicks, NoneWithoutSense) {
   EXPECT_TRUE(logTicks(0, std::nan(""), 5).empty());
 }
 
+std::vector<double> minor(double from, double to, int most, double decadePixels) {
+  return minorLogTicks(from, to, logTicks(from, to, most), decadePixels, 3);
+}
+
+TEST(MinorLogTicks, AreTheMultiplesBetweenTheDecades) {
+  const std::vector<double> all = minor(-1, 1, 10, 100);
+  ASSERT_EQ(all.size(), 16U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_NEAR(std::pow(10, all[i]), 0.1 * static_cast<double>(i + 2), 1e-12);
+    EXPECT_NEAR(std::pow(10, all[i + 8]), static_cast<double>(i + 2), 1e-12);
+  }
+}
+
+TEST(MinorLogTicks, AreFewerWhereTheyWouldCrowd) {
+  EXPECT_EQ(minor(-1, 1, 10, 30).size(), 4U);    // 2 and 5
+  EXPECT_EQ(minor(-1, 1, 10, 10).size(), 0U);    // every decade has its label
+  EXPECT_EQ(minor(-10, 10, 5, 10).size(), 16U);  // the decades between the labels
+  EXPECT_EQ(minor(-10, 10, 5, 2).size(), 0U);
+}
+
+TEST(MinorLogTicks, NeverStandAtATick) {
+  for (double to = 0.2; to < 3; to += 0.17)
+    for (const LogTick& tick : logTicks(0, to, 8))
+      for (const double place : minorLogTicks(0, to, logTicks(0, to, 8), 200, 3))
+        EXPECT_GT(std::abs(place - tick.decade), 1e-6);
+  EXPECT_TRUE(minorLogTicks(1, 1, {}, 100, 3).empty());
+  EXPECT_TRUE(minorLogTicks(0, std::numeric_limits<double>::infinity(), {}, 100, 3).empty());
+}
+
 }  // namespace
 }  // namespace asperity

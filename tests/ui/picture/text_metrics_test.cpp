@@ -12,7 +12,9 @@ namespace {
 TEST(TextMetrics, AgreeWithThePaintedFont) {
   for (const char* words :
        {"rigid line slides", "v = \u2212100 mm/s", "2.3\u00D710\u207B\u2075 \u00B5m",
-        "friction coefficient \u03BC", "\u03C4 = 1 ms, 13.1 %", "\u2013 \u2026"}) {
+        "friction coefficient \u03BC", "\u03C4 = 1 ms, 13.1 %", "\u2013 \u2026",
+        "\u03B1 \u03B2 \u0394 \u2207z \u221D \u221A2 \u2264 \u221E",
+        "\u00B1 \u00BD m\u00B2 \u00B0 \u00FC"}) {
     for (const float size : {9.0F, 12.0F, 31.0F}) {
       for (const bool bold : {false, true}) {
         DrawText text;
@@ -38,6 +40,20 @@ TEST(TextMetrics, ElisionFitsAndKeepsCharactersWhole) {
     EXPECT_FALSE(QString::fromStdString(shorter).contains(QChar::ReplacementCharacter));
   }
   EXPECT_EQ(elided(title, 12, true, 5), "");
+}
+
+TEST(TextMetrics, WrappingKeepsEveryWordWhereThereIsRoom) {
+  const std::string words = "one two three four five six seven eight nine ten";
+  for (float width = 60; width < 400; width += 7) {
+    std::string together;
+    for (const std::string& line : wrapped(words, 12, false, width)) {
+      EXPECT_LE(textWidth(line, 12), width);
+      together += (together.empty() ? "" : " ") + line;
+    }
+    EXPECT_EQ(together, words);
+  }
+  EXPECT_EQ(wrapped("a\nb", 12, false, 500).size(), 2U);
+  EXPECT_TRUE(wrapped("", 12, false, 500).empty());
 }
 
 TEST(TextMetrics, DamagedTextIsMeasuredAllTheSame) {

@@ -92,5 +92,30 @@ TEST(Quantity, ChoosesThePrefix) {
   EXPECT_EQ(quantity(3e-20, "N"), "3\u00D710\u207B\u2075 fN");
 }
 
+TEST(Ticks, UnitsThatTakeNoPrefixCountInPowersOfTen) {
+  EXPECT_EQ(labels(linearTicks(0, 0.8, 5, "")), "0.0 0.2 0.4 0.6 0.8 ");
+  EXPECT_EQ(labels(linearTicks(0, 0.02, 3, "")), "0.00 0.01 0.02 ");
+  EXPECT_EQ(labels(linearTicks(0, 3e-6, 4, "")), "0 1 2 3 10\u207B\u2076");
+  EXPECT_EQ(labels(linearTicks(0, 4e6, 3, "1/m")), "0 2 4 10\u2076 1/m");
+  EXPECT_EQ(labels(linearTicks(0, 60, 4, "%")), "0 20 40 60 %");
+  EXPECT_EQ(labels(linearTicks(0, 0.04, 3, "m\u00B2")), "0.00 0.02 0.04 m\u00B2");
+  EXPECT_EQ(labels(linearTicks(0, 4000, 3, "m/s\u00B2")), "0 2 4 km/s\u00B2");
+}
+
+TEST(Ticks, MinorOnesSplitTheStepsIntoRoundParts) {
+  const auto minor = [](double from, double to, int most) {
+    return minorTicks(linearTicks(from, to, most, "m"), from, to);
+  };
+  const std::vector<double> fifths = minor(0, 4, 5);  // step 1
+  ASSERT_EQ(fifths.size(), 16U);
+  EXPECT_NEAR(fifths[0], 0.2, 1e-12);
+  EXPECT_NEAR(fifths[4], 1.2, 1e-12);
+  const std::vector<double> quarters = minor(-0.6, 4.4, 3);  // step 2, and both ends
+  ASSERT_EQ(quarters.size(), 7U);
+  EXPECT_NEAR(quarters.front(), -0.5, 1e-12);
+  EXPECT_NEAR(quarters.back(), 3.5, 1e-12);
+  EXPECT_TRUE(minor(1, 1, 5).empty());
+}
+
 }  // namespace
 }  // namespace asperity

@@ -1,0 +1,375 @@
+#include "core/accuracy/target_curve.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "core/friction/curve_averages.h"
+#include "core/friction/realizations.h"
+#include "core/surface/line_source.h"
+
+namespace asperity {
+namespace {
+
+/// Nodes of the finest line that a run may make.
+constexpr std::int64_t kMostNodes = std::int64_t{1} << 23;
+
+/// Realizations of different levels and purposes must be different lines.
+constexpr std::int64_t kApart = std::int64_t{1} << 32;
+
+struct VelocityState {
+  double velocity = 0;
+  std::vector<LevelSums> levels = std::vector<LevelSums>(kMostLevels);
+  CurveAverages facts;  // beside mu
+  LevelPlan plan;
+  int known = 0;  // levels sampled
+  bool isPlanned = false;
+  bool isExhausted = false;  // no finer line, or no more lines, allowed
+};
+
+class Targeting {
+ public:
+  Targeting(const Scene& scene, const CurveOptions& options) : scene_(scene), options_(options) {
+    scene_.accuracy.scheme = Scheme::Cubic;
+    sources_.push_back(std::make_unique<LineSource>(scene_, 1));
+    columns_.emplace(scene_, source(0));
+    isRandom_ = source(0).isRandom();
+    for (const double velocity : sweepVelocities(scene_.sweep))
+      states_.emplace_back().velocity = velocity;
+    for (int level = 1; level < kMostLevels; ++level)
+      if (level <= 1 || source(0).elements() * oversamplingOf(level) <= kMostNodes)
+        sources_.push_back(nullptr);
+  }
+
+  TargetCurve run() {
+    const bool isWhole = isRandom_ ? runRandom() : runSingle();
+    return result(isWhole);
+  }
+
+ private:
+  using States = std::vector<VelocityState*>;
+
+  bool stopped() const { return options_.stop.stop_requested(); }
+
+  const LineSource& source(int level) {
+    auto& source = sources_[static_cast<std::size_t>(level)];
+    if (!source) source = std::make_unique<LineSource>(scene_, oversamplingOf(level));
+    return *source;
+  }
+
+  States allStates() {
+    States all;
+    for (VelocityState& state : states_) all.push_back(&state);
+    return all;
+  }
+
+  // ---- Sampling ------------------------------------------------------------------------------
+
+  /// results[line][velocity]; false where stopped.
+  bool slide(int level, const States& states, std::int64_t first, std::int64_t count,
+             std::vector<std::vector<SteadyResult>>& results) {
+    LoadCase one{scene_.load, {}};
+    for (const VelocityState* state : states) one.velocities.push_back(state->velocity);
+    const RealizationTask task{scene_, source(level), {&one, 1}, first};
+    results.clear();
+    return slideRealizations(
+        task, count, options_.threads, options_.stop,
+        [&](std::span<const SteadyResult> row) { results.emplace_back(row.begin(), row.end()); });
+  }
+
+  void count(LevelSums& sums, const SteadyResult& result, int level) {
+    const double nodes = static_cast<double>(source(level).elements() * oversamplingOf(level));
+    const double operations = static_cast<double>(result.passes) * nodes;
+    sums.operations.add(operations);
+    sums.value.add(result.mu);
+    operations_ += operations;
+    passes_ += result.passes;
+    ++solves_;
+    largestResidual_ = std::max(largestResidual_, result.residual);
+  }
+
+  /// Lines for the mean of a level.
+  bool sampleDirect(int level, const States& states, std::int64_t lines) {
+    const auto place = static_cast<std::size_t>(level);
+    const std::int64_t first = 2 * level * kApart + directDone_[place];
+    directDone_[place] += lines;
+    std::vector<std::vector<SteadyResult>> results;
+    if (!slide(level, states, first, lines, results)) return false;
+    for (const auto& row : results)
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        LevelSums& sums = states[i]->levels[place];
+        count(sums, row[i], level);
+        sums.direct.add(row[i].mu);
+        states[i]->facts.add(row[i]);
+      }
+    return true;
+  }
+
+  /// Lines for the difference to the level below.
+  bool sampleCorrection(int level, const States& states, std::int64_t lines) {
+    const auto place = static_cast<std::size_t>(level);
+    const std::int64_t first = (2 * level + 1) * kApart + correctionDone_[place];
+    correctionDone_[place] += lines;
+    std::vector<std::vector<SteadyResult>> coarse, fine;
+    if (!slide(level - 1, states, first, lines, coarse)) return false;
+    if (!slide(level, states, first, lines, fine)) return false;
+    for (std::size_t r = 0; r < fine.size(); ++r)
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        LevelSums& sums = states[i]->levels[place];
+        count(states[i]->levels[place - 1], coarse[r][i], level - 1);
+        count(sums, fine[r][i], level);
+        sums.correction.add(fine[r][i].mu - coarse[r][i].mu);
+        states[i]->facts.add(fine[r][i]);
+      }
+    return true;
+  }
+
+  // ---- A random line: pilot, plan, lines until it is met -------------------------------------
+
+  bool runRandom() {
+    States all = allStates();
+    if (!sampleDirect(0, all, kPilotLines)) return false;
+    if (!sampleCorrection(1, all, kPilotLines)) return false;
+    for (VelocityState* state : all) state->known = 2;
+    report();
+    for (;;) {
+      if (!planAll()) return false;
+      if (!sampleWanted()) return !stopped();
+      report();
+    }
+  }
+
+  int levelsAllowed() const { return static_cast<int>(sources_.size()); }
+
+  /// A plan for every velocity, sampling finer levels where the resolution asks for it.
+  bool planAll() {
+    for (;;) {
+      States unresolved;
+      int level = kMostLevels;
+      for (VelocityState& state : states_) {
+        if (state.isExhausted) continue;
+        const std::optional<LevelPlan> plan = planLevels(state.levels, state.known, allowed(state));
+        if (plan) {
+          adopt(state, *plan);
+        } else if (state.known < levelsAllowed()) {
+          level = std::min(level, state.known);
+          unresolved.push_back(&state);
+        } else {
+          exhaust(state);
+        }
+      }
+      std::erase_if(unresolved, [&](const VelocityState* state) { return state->known != level; });
+      if (unresolved.empty()) return true;
+      if (!sampleCorrection(level, unresolved, kPilotLines / 2)) return false;
+      for (VelocityState* state : unresolved) ++state->known;
+    }
+  }
+
+  double allowed(const VelocityState& state) const {
+    const LevelSums& sums = state.levels[static_cast<std::size_t>(state.known - 1)];
+    return scene_.accuracy.targetRelativeError * std::abs(sums.value.mean());
+  }
+
+  /// Where all the lines of the plan are there, their own spread decides: variances were guesses.
+  void adopt(VelocityState& state, const LevelPlan& plan) const {
+    state.plan = plan;
+    state.isPlanned = true;
+    bool isComplete = true;
+    for (int level = plan.first; level <= plan.last; ++level)
+      isComplete &= missing(state, level) <= 0;
+    if (isComplete) {
+      const LevelEstimate estimate = estimateOf(state.levels, plan);
+      const double error = scene_.accuracy.targetRelativeError * std::abs(estimate.mean);
+      const double tooLarge = estimate.standardError * estimate.standardError /
+                              (error * error - plan.resolutionError * plan.resolutionError);
+      if (tooLarge > 1)
+        for (int level = plan.first; level <= plan.last; ++level)
+          state.plan.lines[static_cast<std::size_t>(level - plan.first)] =
+              static_cast<std::int64_t>(
+                  std::ceil(1.05 * tooLarge * static_cast<double>(sampled(state, level).count())));
+    }
+    for (std::int64_t& lines : state.plan.lines)
+      if (lines > kMostLines) {
+        lines = kMostLines;
+        state.isExhausted = true;
+      }
+  }
+
+  /// The finest line there may be does not do: the best that can be had, as it is.
+  void exhaust(VelocityState& state) {
+    const int last = state.known - 2;
+    state.plan = {last, last, {kPilotLines}, 0, 0, *resolutionErrorOf(state.levels, last)};
+    state.isPlanned = state.isExhausted = true;
+  }
+
+  static const RunningMean& sampled(const VelocityState& state, int level) {
+    const LevelSums& sums = state.levels[static_cast<std::size_t>(level)];
+    return level == state.plan.first ? sums.direct : sums.correction;
+  }
+
+  static std::int64_t missing(const VelocityState& state, int level) {
+    if (level < state.plan.first || level > state.plan.last) return 0;
+    const auto place = static_cast<std::size_t>(level - state.plan.first);
+    return state.plan.lines[place] - sampled(state, level).count();
+  }
+
+  /// One batch for each level and purpose, as many lines as the velocity next to its goal needs;
+  /// at most twice what is there, because variances are known better then. False: nothing is
+  /// wanted.
+  bool sampleWanted() {
+    bool any = false;
+    for (int level = 0; level < levelsAllowed(); ++level)
+      for (const bool direct : {true, false}) {
+        States wanting;
+        std::int64_t lines = kMostLines;
+        for (VelocityState& state : states_) {
+          if ((level == state.plan.first) != direct) continue;
+          const std::int64_t still = missing(state, level);
+          if (still <= 0) continue;
+          wanting.push_back(&state);
+          const std::int64_t twice = std::max(kPilotLines, sampled(state, level).count());
+          lines = std::min(lines, std::min(still, twice));
+        }
+        if (wanting.empty()) continue;
+        any = true;
+        lines = std::max<std::int64_t>(lines, 4);  // not a round for every single line
+        const bool done =
+            direct ? sampleDirect(level, wanting, lines) : sampleCorrection(level, wanting, lines);
+        if (!done) return false;
+      }
+    return any;
+  }
+
+  // ---- A single line: finer and finer ---------------------------------------------------------
+
+  bool runSingle() {
+    States open = allStates();
+    std::vector<std::vector<SteadyResult>> coarse, fine;
+    if (!slide(0, open, 0, 1, coarse)) return false;
+    for (int level = 1; level < levelsAllowed() && !open.empty(); ++level) {
+      if (!slide(level, open, 0, 1, fine)) return false;
+      States still;
+      std::vector<SteadyResult> left;
+      for (std::size_t i = 0; i < open.size(); ++i) {
+        VelocityState& state = *open[i];
+        const SteadyResult& now = fine[0][i];
+        LevelSums& sums = state.levels[static_cast<std::size_t>(level)];
+        sums.direct = RunningMean{};
+        sums.direct.add(now.mu);
+        count(sums, now, level);
+        state.facts = {};
+        state.facts.add(now);
+        // Of the finer one: a third of the last difference at second order.
+        const double error = std::abs(now.mu - coarse[0][i].mu) / 3;
+        state.plan = {level, level, {1}, 0, 0, error};
+        state.isPlanned = true;
+        if (error <= scene_.accuracy.targetRelativeError * std::abs(now.mu)) continue;
+        still.push_back(&state);
+        left.push_back(now);
+      }
+      open = std::move(still);
+      coarse = {std::move(left)};
+    }
+    for (VelocityState* state : open) state->isExhausted = true;
+    return true;
+  }
+
+  // ---- The answer -------------------------------------------------------------------------------
+
+  AchievedAccuracy achievedBy(const VelocityState& state) const {
+    const LevelPlan& plan = state.plan;
+    AchievedAccuracy achieved;
+    achieved.oversampling = oversamplingOf(plan.last);
+    achieved.coarsest = oversamplingOf(plan.first);
+    achieved.resolutionError = plan.resolutionError;
+    double mean = sampled(state, plan.first).mean(), half = plan.resolutionError;
+    achieved.lines = 1;
+    if (isRandom_) {
+      const LevelEstimate estimate = estimateOf(state.levels, plan);
+      mean = estimate.mean;
+      achieved.standardError = estimate.standardError;
+      half = std::hypot(studentQuantile(estimate.freedom) * estimate.standardError,
+                        plan.resolutionError);
+      achieved.lines = 0;
+      for (int l = plan.first; l <= plan.last; ++l) achieved.lines += sampled(state, l).count();
+    }
+    achieved.low = mean - half;
+    achieved.high = mean + half;
+    return achieved;
+  }
+
+  CurvePoint pointOf(const VelocityState& state, const AchievedAccuracy& achieved) const {
+    CurvePoint point = state.facts.point(state.velocity);
+    point.mu = 0.5 * (achieved.low + achieved.high);
+    point.muStandardError = isRandom_ ? achieved.standardError : kNotApplicable;
+    point.realizations = achieved.lines;
+    columns_->addTo(point, state.facts.normalForce.mean());
+    return point;
+  }
+
+  TargetCurve result(bool isWhole) {
+    TargetCurve result;
+    result.isReached = isWhole;
+    for (const VelocityState& state : states_) {
+      if (!state.isPlanned) continue;
+      const AchievedAccuracy& achieved = result.achieved.emplace_back(achievedBy(state));
+      const CurvePoint& point = result.curve.points.emplace_back(pointOf(state, achieved));
+      const double error =
+          std::hypot(achieved.standardError, achieved.resolutionError) / std::abs(point.mu);
+      if (std::isfinite(error)) result.worst = std::max(result.worst, error);
+      result.plainOperations += state.plan.plainOperations;
+    }
+    // The last lines are drawn for a variance that they still change a little.
+    result.isReached &= result.worst <= 1.05 * scene_.accuracy.targetRelativeError;
+    result.operations = operations_;
+    result.curve.isComplete = isWhole;
+    result.curve.largestResidual = largestResidual_;
+    result.curve.meanPasses =
+        static_cast<double>(passes_) / static_cast<double>(std::max<std::int64_t>(1, solves_));
+    return result;
+  }
+
+  /// Lines drawn so far, of those that the plans ask for.
+  void report() {
+    if (!options_.progress) return;
+    std::int64_t done = 0, total = 0;
+    std::vector<CurvePoint> points;
+    for (VelocityState& state : states_) {
+      if (!state.isPlanned) {
+        state.plan = {0, 0, {kPilotLines}, 0, 0, 0};
+      }
+      for (int l = state.plan.first; l <= state.plan.last; ++l) {
+        const std::int64_t wanted =
+            state.plan.lines[static_cast<std::size_t>(l - state.plan.first)];
+        done = std::max(done, std::min(wanted, sampled(state, l).count()));
+        total = std::max(total, wanted);
+      }
+      points.push_back(pointOf(state, achievedBy(state)));
+    }
+    options_.progress({done, std::max(done, total), points});
+  }
+
+  Scene scene_;
+  const CurveOptions& options_;
+  std::optional<LawColumns> columns_;
+  std::vector<VelocityState> states_;
+  std::vector<std::unique_ptr<LineSource>> sources_;  // of each level allowed, made when needed
+  bool isRandom_ = true;
+  std::array<std::int64_t, kMostLevels> directDone_{}, correctionDone_{};
+  double operations_ = 0, largestResidual_ = 0;
+  std::int64_t passes_ = 0, solves_ = 0;
+};
+
+}  // namespace
+
+TargetCurve targetCurve(const Scene& scene, const CurveOptions& options) {
+  return Targeting(scene, options).run();
+}
+
+Curve curveOf(const Scene& scene, const CurveOptions& options) {
+  return choosesAccuracy(scene) ? targetCurve(scene, options).curve : frictionCurve(scene, options);
+}
+
+}  // namespace asperity

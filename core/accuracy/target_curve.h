@@ -1,0 +1,46 @@
+// The friction curve of a scene to a target accuracy at least cost: at every velocity of the sweep
+// the standard error over random lines and the resolution error of the line together are to be at
+// most `accuracy.target_relative_error` of mu. Resolution and number of lines are chosen for each
+// velocity from a small pilot, by counted operations and never by a clock: the same scene gives the
+// same bytes.
+// Threading, failure: as frictionCurve.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/accuracy/levels.h"
+#include "core/friction/ensemble.h"
+
+namespace asperity {
+
+/// What was achieved at one velocity.
+struct AchievedAccuracy {
+  double standardError = 0;       // of mu, absolute
+  double resolutionError = 0;     // of mu, absolute, an upper estimate
+  double low = 0, high = 0;       // 95 % confidence interval of mu, both parts together
+  std::int64_t oversampling = 1;  // of the finest level
+  std::int64_t coarsest = 1;      // of the coarsest: equal for plain averaging
+  std::int64_t lines = 1;
+};
+
+struct TargetCurve {
+  Curve curve;
+  std::vector<AchievedAccuracy> achieved;  // for each point
+  bool isReached = false;  // at every velocity; else more lines or memory than allowed were needed
+  double worst = 0;        // largest relative error achieved
+  double operations = 0;   // nodes passed over, pilot included
+  double plainOperations = 0;  // predicted for plain averaging on the finest level, without pilot
+};
+
+/// scene.accuracy.targetRelativeError > 0; its scheme and oversampling are not used.
+TargetCurve targetCurve(const Scene& scene, const CurveOptions& options = {});
+
+/// Lines of the pilot, and how many a run may use at one velocity.
+inline constexpr std::int64_t kPilotLines = 16, kMostLines = 1000000;
+
+/// Both, whichever the scene asks for.
+Curve curveOf(const Scene& scene, const CurveOptions& options = {});
+
+}  // namespace asperity

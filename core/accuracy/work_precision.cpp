@@ -1,0 +1,354 @@
+#include "core/accuracy/work_precision.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/accuracy/literal_march.h"
+#include "core/accuracy/processor_time.h"
+#include "core/contact/scene_sliding.h"
+#include "core/friction/ensemble.h"
+#include "core/friction/regions.h"
+#include "core/friction/running_mean.h"
+#include "core/scene/element_law.h"
+#include "core/surface/line_source.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::size_t kVelocities = 8;  // of a region: as many as share a vector
+constexpr std::int64_t kMostNodes = std::int64_t{1} << 22;
+constexpr std::int64_t kReference = 32;        // and twice that
+constexpr std::int64_t kLongestMarch = 20000;  // elements; beyond, a part is timed
+constexpr std::int64_t kTimedSteps = 50;       // of a longer march
+constexpr std::int64_t kLinesOfMarch = 2;
+constexpr std::int64_t kMostLinesOfSpread = 512;
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+double quantile(std::vector<double> values, double part) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(
+      std::llround(part * static_cast<double>(values.size() - 1)))];
+}
+
+/// One resolution of all lines, ready to slide on.
+struct Prepared {
+  Scene scene;  // with the scheme of the method
+  std::vector<TravelLine> lines;
+  double lineSeconds = 0;
+};
+
+Prepared prepare(const Scene& scene, const MethodChoice& choice, std::int64_t lines) {
+  Prepared prepared{scene, {}, 0};
+  prepared.scene.accuracy.targetRelativeError = 0;
+  prepared.scene.accuracy.oversampling = choice.oversampling;
+  prepared.scene.accuracy.scheme = choice.method == Method::Nodal    ? Scheme::Nodal
+                                   : choice.method == Method::Linear ? Scheme::Linear
+                                                                     : Scheme::Cubic;
+  const LineSource source(prepared.scene, choice.oversampling);
+  Line line;
+  source.makeInto(line, 0);  // the first one plans
+  std::vector<double> seconds;
+  for (std::int64_t r = 0; r < lines; ++r) {
+    const double start = threadSeconds();
+    source.makeInto(line, r);
+    prepared.lines.push_back(prepareTravel(line, prepared.scene.accuracy.scheme));
+    seconds.push_back(threadSeconds() - start);
+  }
+  prepared.lineSeconds = median(seconds);
+  return prepared;
+}
+
+/// mu of every line and velocity: [line * velocities + i].
+std::vector<double> slideAll(const Prepared& prepared, const std::vector<double>& velocities) {
+  const SceneSliding sliding(prepared.scene);
+  std::vector<double> mu;
+  std::vector<SteadyResult> row(velocities.size());
+  for (const TravelLine& line : prepared.lines) {
+    sliding.sweep(line, prepared.scene.load, velocities, row);
+    for (const SteadyResult& result : row) {
+      if (result.status != SteadyStatus::Balanced)
+        throw std::runtime_error("the force balance is not met in the comparison of methods");
+      mu.push_back(result.mu);
+    }
+  }
+  return mu;
+}
+
+struct Errors {
+  double rms = 0, largest = 0;
+};
+
+Errors errorsOf(const std::vector<double>& mu, const std::vector<double>& reference) {
+  Errors errors;
+  double squares = 0;
+  for (std::size_t k = 0; k < mu.size(); ++k) {
+    const double error = std::abs(mu[k] / reference[k] - 1);
+    squares += error * error;
+    errors.largest = std::max(errors.largest, error);
+  }
+  errors.rms = std::sqrt(squares / static_cast<double>(mu.size()));
+  return errors;
+}
+
+class Comparison {
+ public:
+  Comparison(const Scene& scene, const WorkPrecisionOptions& options)
+      : scene_(scene), options_(options), source_(scene, 1) {
+    const std::int64_t random = source_.isRandom() ? scene.ensemble.realizations : 1;
+    lines_ = std::min(options.lines, random);
+    if (source_.elements() * 2 * kReference > kMostNodes) lines_ = 1;
+    for (const MethodChoice& choice : allMethods())
+      if (isPossible(choice)) choices_.push_back(choice);
+  }
+
+  WorkPrecision run() {
+    WorkPrecision result{scene_, presentChoice(), lines_, {}};
+    const std::vector<CurveRegion> regions = regionsOfSweep();
+    for (const CurveRegion& region : regions)
+      result.regions.push_back({region.name, velocitiesOf(region), 0, {}, {}, {}});
+    total_ = static_cast<double>(regions.size()) * (static_cast<double>(choices_.size()) + 3);
+    for (const MethodChoice& choice : choices_)
+      if (choice.method != Method::Literal) prepared_.push_back(prepare(scene_, choice, lines_));
+    for (RegionPrecision& region : result.regions) compare(region);
+    return result;
+  }
+
+ private:
+  bool isPossible(const MethodChoice& choice) const {
+    if (source_.elements() * choice.oversampling > kMostNodes) return false;
+    if (lawOf(scene_.elastomer).kind() == ElementKind::Arms) return choice.method == Method::Cubic;
+    if (choice.method == Method::Literal)
+      return scene_.load.kind == LoadKind::Force &&
+             lawOf(scene_.elastomer).kind() == ElementKind::Kelvin;
+    return true;
+  }
+
+  MethodChoice presentChoice() const {
+    switch (scene_.accuracy.scheme) {
+      case Scheme::Nodal:
+        return {Method::Nodal, 1};
+      case Scheme::Linear:
+        return {Method::Linear, pointsPerElement(scene_)};
+      case Scheme::Cubic:
+        break;
+    }
+    return {Method::Cubic, pointsPerElement(scene_)};
+  }
+
+  void step(double cost = 1) {
+    if (options_.stop.stop_requested()) throw StudyStopped{};
+    done_ += cost;
+    if (options_.progress) options_.progress(std::min(1.0, done_ / total_));
+  }
+
+  /// From a curve over few lines; the whole sweep where it has no regions.
+  std::vector<CurveRegion> regionsOfSweep() const {
+    Scene scene = scene_;
+    scene.accuracy = {};
+    scene.ensemble.realizations = std::min<std::int64_t>(20, scene.ensemble.realizations);
+    scene.sweep.points = std::max<std::int64_t>(scene.sweep.points, 33);
+    CurveOptions options;
+    options.stop = options_.stop;
+    const Curve curve = frictionCurve(scene, options);
+    if (!curve.isComplete) throw StudyStopped{};
+    std::vector<double> velocities, mu;
+    for (const CurvePoint& point : curve.points)
+      if (point.mu > 0) {
+        velocities.push_back(point.velocity);
+        mu.push_back(point.mu);
+      }
+    if (velocities.size() < 3) return {{"all", scene.sweep.velocityFrom, scene.sweep.velocityTo}};
+    return regionsWithin(regionBorders(velocities, mu), velocities.front(), velocities.back());
+  }
+
+  /// Evenly spaced in the logarithm over the middle of the region, two decades at most.
+  static std::vector<double> velocitiesOf(const CurveRegion& region) {
+    const double middle = std::sqrt(region.from * region.to);
+    const double half = std::min(10.0, std::pow(region.to / region.from, 0.4));
+    return logSpaced(middle / half, middle * half, kVelocities);
+  }
+
+  void compare(RegionPrecision& region) {
+    const std::vector<double> reference = referenceOf(region);
+    step(2);
+    std::vector<std::vector<double>> seconds(prepared_.size());
+    // By turns, so that a busy moment falls on all.
+    for (int repeat = 0; repeat < options_.repeats; ++repeat)
+      for (std::size_t k = 0; k < prepared_.size(); ++k) {
+        const double start = threadSeconds();
+        const std::vector<double> mu = slideAll(prepared_[k], region.velocities);
+        seconds[k].push_back((threadSeconds() - start) / static_cast<double>(mu.size()));
+        if (options_.stop.stop_requested()) throw StudyStopped{};
+      }
+    std::size_t next = 0;
+    for (const MethodChoice& choice : choices_) {
+      if (choice.method == Method::Literal) {
+        region.points.push_back(march(region, reference));
+      } else {
+        region.points.push_back(point(choice, prepared_[next], seconds[next], region, reference));
+        ++next;
+      }
+      step();
+    }
+    markFront(region.points);
+    addSpread(region);
+    step();
+  }
+
+  std::vector<double> referenceOf(RegionPrecision& region) const {
+    std::int64_t finest = kReference;
+    while (finest > 2 && source_.elements() * 2 * finest > 2 * kMostNodes) finest /= 2;
+    const std::vector<double> low =
+        slideAll(prepare(scene_, {Method::Cubic, finest}, lines_), region.velocities);
+    std::vector<double> high =
+        slideAll(prepare(scene_, {Method::Cubic, 2 * finest}, lines_), region.velocities);
+    double squares = 0;
+    for (std::size_t k = 0; k < high.size(); ++k) {
+      const double correction = (high[k] - low[k]) / 15;  // fourth order
+      squares += correction * correction / (high[k] * high[k]);
+      high[k] += correction;
+    }
+    region.referenceError = std::sqrt(squares / static_cast<double>(high.size()));
+    return high;
+  }
+
+  WorkPrecisionPoint point(const MethodChoice& choice, const Prepared& prepared,
+                           const std::vector<double>& seconds, const RegionPrecision& region,
+                           const std::vector<double>& reference) const {
+    const Errors errors = errorsOf(slideAll(prepared, region.velocities), reference);
+    WorkPrecisionPoint point{choice, errors.rms, errors.largest, choice.method == Method::Nodal};
+    point.seconds = median(seconds);
+    point.fastest = quantile(seconds, 0.25);
+    point.slowest = quantile(seconds, 0.75);
+    point.lineSeconds = prepared.lineSeconds;
+    return point;
+  }
+
+  /// The literal march on some of the lines and two of the velocities.
+  WorkPrecisionPoint march(const RegionPrecision& region,
+                           const std::vector<double>& reference) const {
+    WorkPrecisionPoint point{{Method::Literal, 1}, 0, 0, true};
+    LiteralOptions options;
+    point.isExtrapolated = source_.elements() > kLongestMarch;
+    if (point.isExtrapolated) options.steps = kTimedSteps;
+    std::vector<double> seconds, lineSeconds, found, expected;
+    Line line;
+    for (std::int64_t r = 0; r < std::min(lines_, kLinesOfMarch); ++r) {
+      const double start = threadSeconds();
+      source_.makeInto(line, r);
+      lineSeconds.push_back(threadSeconds() - start);
+      for (const std::size_t i : {std::size_t{1}, kVelocities - 2}) {
+        const double begin = threadSeconds();
+        const LiteralResult result = literalMarch(line, conditionsOf(scene_, region.velocities[i]),
+                                                  scene_.load.normalForce, options);
+        const double share = static_cast<double>(source_.elements()) /
+                             static_cast<double>(std::max<std::int64_t>(1, result.steps));
+        seconds.push_back((threadSeconds() - begin) * share);
+        found.push_back(result.mu);
+        expected.push_back(reference[static_cast<std::size_t>(r) * kVelocities + i]);
+      }
+    }
+    const Errors errors = errorsOf(found, expected);
+    point.error = point.isExtrapolated ? kNotApplicable : errors.rms;
+    point.largest = point.isExtrapolated ? kNotApplicable : errors.largest;
+    point.seconds = median(seconds);
+    point.fastest = quantile(seconds, 0.25);
+    point.slowest = quantile(seconds, 0.75);
+    point.lineSeconds = median(lineSeconds);
+    return point;
+  }
+
+  static void markFront(std::vector<WorkPrecisionPoint>& points) {
+    for (WorkPrecisionPoint& point : points)
+      point.isOnFront =
+          !point.isDifference &&
+          std::none_of(points.begin(), points.end(), [&](const WorkPrecisionPoint& other) {
+            return !other.isDifference && other.seconds < point.seconds &&
+                   other.error < point.error;
+          });
+  }
+
+  /// Standard error of the mean over n lines, from the spread of means over groups of n.
+  void addSpread(RegionPrecision& region) const {
+    if (!source_.isRandom()) return;
+    Scene scene = scene_;
+    scene.accuracy.targetRelativeError = 0;
+    scene.accuracy.oversampling = pointsPerElement(scene_);
+    const LineSource source(scene, pointsPerElement(scene));
+    const SceneSliding sliding(scene);
+    const std::vector<double> velocity{
+        std::sqrt(region.velocities.front() * region.velocities.back())};
+    const std::int64_t count =
+        std::min({kMostLinesOfSpread, std::max<std::int64_t>(scene.ensemble.realizations, 64),
+                  std::max<std::int64_t>(16, kMostNodes * 4 / source.elements())});
+    std::vector<double> mu;
+    Line line;
+    TravelLine travel;
+    std::vector<SteadyResult> row(1);
+    RunningMean all;
+    for (std::int64_t r = 0; r < count; ++r) {
+      if (options_.stop.stop_requested()) throw StudyStopped{};
+      source.makeInto(line, r);
+      prepareTravelInto(travel, line, scene.accuracy.scheme);
+      sliding.sweep(travel, scene.load, velocity, row);
+      mu.push_back(row[0].mu);
+      all.add(row[0].mu);
+    }
+    constexpr std::size_t kFewestGroups = 8;
+    for (std::size_t group = 1; mu.size() / group >= kFewestGroups; group *= 2) {
+      RunningMean means;
+      for (std::size_t first = 0; first + group <= mu.size(); first += group) {
+        RunningMean mean;
+        for (std::size_t k = first; k < first + group; ++k) mean.add(mu[k]);
+        means.add(mean.mean());
+      }
+      region.lineCounts.push_back(static_cast<std::int64_t>(group));
+      region.standardErrors.push_back(std::sqrt(means.variance()) / all.mean());
+    }
+  }
+
+  Scene scene_;
+  const WorkPrecisionOptions& options_;
+  LineSource source_;
+  std::int64_t lines_ = 1;
+  std::vector<MethodChoice> choices_;
+  std::vector<Prepared> prepared_;  // of all choices but the literal one, in their order
+  double done_ = 0, total_ = 1;
+};
+
+}  // namespace
+
+std::string nameOf(const MethodChoice& choice) {
+  switch (choice.method) {
+    case Method::Literal:
+      return "literal march";
+    case Method::Nodal:
+      return "nodal";
+    case Method::Linear:
+      return fmt::format("linear x{}", choice.oversampling);
+    case Method::Cubic:
+      break;
+  }
+  return fmt::format("cubic x{}", choice.oversampling);
+}
+
+std::vector<MethodChoice> allMethods() {
+  std::vector<MethodChoice> choices{{Method::Literal, 1}, {Method::Nodal, 1}};
+  for (const Method method : {Method::Linear, Method::Cubic})
+    for (const std::int64_t oversampling : {1, 2, 4, 8, 16})
+      choices.push_back({method, oversampling});
+  return choices;
+}
+
+WorkPrecision workPrecision(const Scene& scene, const WorkPrecisionOptions& options) {
+  return Comparison(scene, options).run();
+}
+
+}  // namespace asperity

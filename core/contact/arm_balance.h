@@ -1,0 +1,47 @@
+// Steady sliding of elements with arms: what the arms have yielded at the lowest point is the same
+// after a period, and the force is the wanted one. Repeated passes close only at the rate
+// exp(-L / v tau); here depth and arms move together by Newton's method with the derivatives that
+// a pass gathers beside, kept up by Broyden's update while that is good enough: an arm of any time
+// takes a few passes. At the start slow arms have yielded the mean depth F_N / 4 G L and fast ones
+// follow the line, which is exact for both.
+// Ownership: keeps its workspace; refers to the line. Threading: one thread at a time.
+#pragma once
+
+#include <vector>
+
+#include "core/contact/arm_pass.h"
+#include "core/contact/force_balance.h"
+
+namespace asperity {
+
+struct ArmBalance {
+  Balance force;              // depth, all passes, residual of F_N (0 at a given depth)
+  double closure = 0;         // largest change of what an arm has yielded over a period, per depth,
+                              // as if it had as many periods as it takes
+  std::vector<double> yield;  // m, at the lowest point
+  bool isMet() const { return force.isMet() && closure <= kAcceptedResidual; }
+};
+
+class ArmSolver {
+ public:
+  /// law: with an equilibrium modulus and at least one arm; velocity > 0 (m/s).
+  ArmSolver(const TravelLine& line, const ElementLaw& law, const RetardationModes& modes,
+            double velocity);
+
+  /// load = F_N / 4G (m^2, > 0), G the equilibrium modulus. guess: an answer nearby, or null.
+  ArmBalance atLoad(double load, const ArmBalance* guess = nullptr);
+  /// At an indentation (m, > 0).
+  ArmBalance atDepth(double depth, const ArmBalance* guess = nullptr);
+
+  /// Everything about an answer.
+  StateSums state(const ArmBalance& balance, ArmShape* shape = nullptr);
+
+ private:
+  class Search;
+
+  const TravelLine& line_;
+  ArmMemory memory_;
+  ArmPass pass_;
+};
+
+}  // namespace asperity

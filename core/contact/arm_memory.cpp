@@ -1,0 +1,48 @@
+#include "core/contact/arm_memory.h"
+
+#include <cmath>
+
+#include "core/contact/decay_moments.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kSlowFrom = 10;  // periods of memory
+
+}  // namespace
+
+ArmMemory::ArmMemory(const ElementLaw& law, const RetardationModes& modes, double velocity,
+                     double spacing, double period, std::size_t levels)
+    : dashpot(velocity * law.viscosity / law.equilibriumModulus), conversion(modes) {
+  for (const Arm& arm : law.arms) {
+    const double g = arm.modulus / law.equilibriumModulus;
+    const double inverseLength = 1 / (velocity * arm.relaxationTime), z = spacing * inverseLength;
+    modulus.push_back(g);
+    inverse.push_back(inverseLength);
+    lossRate.push_back(g * inverseLength);
+    glassy += g;
+    const DrivenDecay decayed = drivenDecay(z);
+    const auto moments = decayMoments(z);
+    const auto drivenBy = drivenMoments(z);
+    kept.push_back(decayed.kept);
+    if (period * inverseLength * kSlowFrom < 1) {
+      ++slow;
+      yieldKept.push_back(z * moments[0]);
+      for (std::size_t k = 0; k < 3; ++k) yieldDriven[k].push_back(z * drivenBy[0][k]);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      driven[k].push_back(decayed.driven[k]);
+      moment[k].push_back(g * moments[k]);
+      for (std::size_t l = 0; l < 3; ++l) own[k][l] += g * drivenBy[k][l];
+    }
+  }
+  for (const double perSecond : modes.rate) rate.push_back(perSecond / velocity);
+  double blockLength = spacing;
+  for (std::size_t level = 0; level < levels; ++level, blockLength *= 4) {
+    std::vector<double> over;
+    for (const double perMetre : rate) over.push_back(std::exp(-perMetre * blockLength));
+    decay.push_back(std::move(over));
+  }
+}
+
+}  // namespace asperity

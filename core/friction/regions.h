@@ -1,0 +1,45 @@
+// Regions I to IV of a friction curve (Li et al. 2013, Fig. 2), found on any curve by the same
+// rule. Pure; any thread.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// Where the curve leaves one region for the next (m/s); NaN where it never does.
+struct RegionBorders {
+  double endOfLinear = 0;  // I to II: so far below its line through region I
+  double toPlateau = 0;    // II to III: this part of the maximum reached
+  double offPlateau = 0;   // III to IV: below that again
+};
+
+/// How a border is recognized; the paper does not say.
+struct BorderRule {
+  double ofLine = 0.8;
+  double ofMaximum = 0.95;
+};
+
+struct CurveMaximum {
+  double velocity = 0;  // m/s
+  double value = 0;
+};
+
+/// From the parabola in ln v through the highest value and its neighbours.
+CurveMaximum maximumOf(std::span<const double> velocities, std::span<const double> values);
+
+/// velocities ascending and evenly spaced in their logarithm, values > 0. Region I is that of the
+/// lowest velocity.
+RegionBorders regionBorders(std::span<const double> velocities, std::span<const double> values,
+                            const BorderRule& rule = {});
+
+struct CurveRegion {
+  std::string name;         // "I"
+  double from = 0, to = 0;  // m/s
+};
+
+/// Those that lie within the velocities, in order.
+std::vector<CurveRegion> regionsWithin(const RegionBorders& borders, double from, double to);
+
+}  // namespace asperity

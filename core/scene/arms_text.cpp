@@ -1,0 +1,88 @@
+#include "core/scene/arms_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "core/scene/input_error.h"
+#include "core/scene/parameters.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One number of an arm: the table of parameters within the list.
+struct Member {
+  const char* name;
+  double Arm::*value;
+  double most;  // at least 0
+  const char* unit;
+};
+
+constexpr std::array<Member, 2> kMembers{
+    {{"modulus", &Arm::modulus, 1e15, "Pa"}, {"relaxation_time", &Arm::relaxationTime, 1e12, "s"}}};
+
+Json parsed(std::string_view json, const std::string& key) {
+  Json list = Json::parse(json, nullptr, false);
+  if (list.is_discarded())
+    throw InputError("", key, "is not a list in JSON; allowed is " + allowedArms());
+  if (!list.is_array()) throw InputError("", key, "needs " + allowedArms());
+  if (list.size() > kMostArms)
+    throw InputError("", key,
+                     fmt::format("has {} arms; allowed is {}", list.size(), allowedArms()));
+  return list;
+}
+
+Arm armFrom(const Json& json, const std::string& key) {
+  if (!json.is_object())
+    throw InputError("", key, "needs an object of modulus and relaxation_time");
+  for (const auto& [name, value] : json.items())
+    if (std::none_of(kMembers.begin(), kMembers.end(),
+                     [&name = name](const Member& member) { return name == member.name; }))
+      throw InputError("", key + "." + name.substr(0, 60),
+                       "unknown key; an arm has modulus and relaxation_time");
+  Arm arm;
+  for (const Member& member : kMembers) {
+    const std::string path = key + "." + member.name;
+    if (!json.contains(member.name)) throw InputError("", path, "is missing");
+    const Json& value = json[member.name];
+    if (!value.is_number())
+      throw InputError("", path, fmt::format("is not a number; allowed is 0 to {:g}", member.most));
+    const double number = value.get<double>();
+    if (!(number >= 0 && number <= member.most))
+      throw InputError("", path, fmt::format("{} is outside 0 to {:g}", number, member.most));
+    arm.*member.value = number;
+  }
+  return arm;
+}
+
+}  // namespace
+
+std::vector<Arm> armsFrom(std::string_view json, const std::string& key) {
+  const Json list = parsed(json, key);
+  std::vector<Arm> arms;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    arms.push_back(armFrom(list[i], fmt::format("{}[{}]", key, i)));
+  return arms;
+}
+
+std::string textOf(const std::vector<Arm>& arms) {
+  Json list = Json::array();
+  for (const Arm& arm : arms) {
+    Json one;
+    for (const Member& member : kMembers) one[member.name] = arm.*member.value;
+    list.push_back(std::move(one));
+  }
+  return list.dump();
+}
+
+std::string allowedArms() {
+  return fmt::format(
+      "a list of 0 to {} {{modulus, relaxation_time}}, {:g} to {:g} {} and {:g} to {:g} {}",
+      kMostArms, 0.0, kMembers[0].most, kMembers[0].unit, 0.0, kMembers[1].most, kMembers[1].unit);
+}
+
+}  // namespace asperity

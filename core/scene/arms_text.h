@@ -1,0 +1,22 @@
+// The arms of an elastomer as JSON text: [{"modulus":1e7,"relaxation_time":0.001}, ...].
+// Pure functions.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// Throws InputError that names the member, such as KEY[1].modulus.
+std::vector<Arm> armsFrom(std::string_view json, const std::string& key);
+
+/// Numbers in the shortest form that reads back to the same value.
+std::string textOf(const std::vector<Arm>& arms);
+
+/// What a list may hold, in words.
+std::string allowedArms();
+
+}  // namespace asperity

@@ -1,0 +1,38 @@
+#include "core/scene/effects.h"
+
+#include <fmt/format.h>
+
+#include "core/scene/element_law.h"
+#include "core/scene/input_error.h"
+#include "core/scene/parameters.h"
+
+namespace asperity {
+
+void checkEffects(const Scene& scene) {
+  const ElementLaw law = lawOf(scene.elastomer);
+  if (law.kind() == ElementKind::Arms && scene.accuracy.scheme == Scheme::Nodal)
+    throw InputError("", "accuracy.scheme",
+                     "nodal is the paper's rule for Kelvin elements; arms need linear or cubic");
+  if (scene.interface.frictionCoefficient > 0 && scene.interface.shearStress > 0)
+    throw InputError(
+        "", "interface.shear_stress",
+        "stands beside interface.friction_coefficient; only one of them may be above 0");
+}
+
+void needSteadySliding(const Scene& scene, const std::string& what) {
+  if (scene.sliding.kind != SlidingKind::Steady) {
+    const ParameterValue kind = valueOf(*findParameter("sliding.kind"), scene);
+    throw InputError(
+        "", "sliding.kind",
+        fmt::format("{} needs steady sliding, not {}", what, std::get<std::string>(kind)));
+  }
+  needEquilibrium(scene);
+}
+
+void needEquilibrium(const Scene& scene) {
+  if (lawOf(scene.elastomer).equilibriumModulus == 0)
+    throw InputError("", "elastomer.equilibrium_modulus",
+                     "is 0: in steady sliding the elastomer sinks for ever; it needs more than 0");
+}
+
+}  // namespace asperity

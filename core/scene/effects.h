@@ -1,0 +1,20 @@
+// Whether the effects that a scene names go together. Pure; any thread.
+#pragma once
+
+#include <string>
+
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// Throws InputError naming the key where two effects exclude each other or one cannot be.
+void checkEffects(const Scene& scene);
+
+/// Throws InputError where the elastomer has no equilibrium: under a load it sinks for ever.
+void needEquilibrium(const Scene& scene);
+
+/// Throws InputError (sliding.kind) in one sentence where the motion is not steady or the
+/// elastomer would sink for ever; `what` needs steady sliding, e.g. "asperity curve".
+void needSteadySliding(const Scene& scene, const std::string& what);
+
+}  // namespace asperity

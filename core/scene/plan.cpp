@@ -1,0 +1,231 @@
+#include "core/scene/plan.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+
+#include "core/scene/effects.h"
+#include "core/scene/temperature_shift.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::array<std::string_view, kStages> kNames{"line",
+                                                       "roll-off",
+                                                       "summit correlation",
+                                                       "temperature shift",
+                                                       "free surface",
+                                                       "arms",
+                                                       "start from rest",
+                                                       "steady pass",
+                                                       "closure of the period",
+                                                       "force balance",
+                                                       "time march",
+                                                       "interface friction",
+                                                       "velocity sweep",
+                                                       "averaging",
+                                                       "stored shape"};
+
+bool hasElastomer(Purpose purpose) {
+  return purpose != Purpose::Surface;
+}
+
+/// A curve is steady at every velocity, whatever the motion of the scene.
+bool isSteady(const Scene& scene, Purpose purpose) {
+  return purpose == Purpose::Curve || scene.sliding.kind == SlidingKind::Steady;
+}
+
+bool isRandom(const Scene& scene) {
+  return scene.surface.kind == SurfaceKind::SelfAffine;
+}
+
+/// Steady sliding needs the answer as it begins, other motions but from rest start from it.
+bool hasSteadyState(const Scene& scene, Purpose purpose) {
+  return isSteady(scene, purpose) ||
+         (scene.sliding.kind != SlidingKind::Start && scene.sliding.velocity > 0);
+}
+
+std::string whyLine(const Scene& scene, bool) {
+  switch (scene.surface.kind) {
+    case SurfaceKind::SelfAffine:
+      return "waves of a self-affine spectrum with random phases are summed";
+    case SurfaceKind::Profile:
+      return "the profile is read and taken as one period of a band-limited line";
+    default:
+      return "the line is given by a formula";
+  }
+}
+
+std::string whyRollOff(const Scene& scene, bool runs) {
+  if (runs)
+    return fmt::format("waves longer than {} m are all equally strong",
+                       scene.surface.rollOffWavelength);
+  if (!isRandom(scene)) return "the line has no spectrum of its own";
+  return scene.surface.rollOffWavelength > 0 ? "no wave of the line is longer than the roll-off"
+                                             : "the spectrum is self-affine up to the whole length";
+}
+
+std::string whySummits(const Scene& scene, bool runs) {
+  if (runs)
+    return fmt::format("short waves are stronger {}, kappa = {}",
+                       scene.surface.summitCorrelation > 0 ? "on the summits" : "in the valleys",
+                       scene.surface.summitCorrelation);
+  return isRandom(scene) ? "phases alone are random: summits are as rough as valleys"
+                         : "the line is not random";
+}
+
+std::string whyShift(const Scene& scene, bool runs) {
+  const Elastomer& elastomer = scene.elastomer;
+  if (runs)
+    return fmt::format("at {} K all relaxation times are {:.4g} times as long",
+                       elastomer.temperature, shiftFactor(elastomer.shift, elastomer.temperature));
+  return lawOf(elastomer).kind() == ElementKind::Elastic
+             ? "nothing relaxes"
+             : "the elastomer is at its reference temperature";
+}
+
+std::string whyFreeSurface(const Scene& scene, bool runs) {
+  if (!runs) return "the elastomer is elastic and has no memory";
+  return lawOf(scene.elastomer).kind() == ElementKind::Kelvin
+             ? "a free surface comes back with one relaxation time"
+             : "a free surface comes back with several relaxation times";
+}
+
+std::string whyArms(const Scene& scene, bool runs) {
+  const std::size_t arms = lawOf(scene.elastomer).arms.size();
+  if (runs) return fmt::format("{} internal variable{} an element", arms, arms == 1 ? "" : "s");
+  return scene.elastomer.rheology == Rheology::StandardSolid ||
+                 scene.elastomer.rheology == Rheology::Prony
+             ? "no arm has strength and time"
+             : "the elastomer has none";
+}
+
+std::string whyStart(const Scene&, bool runs) {
+  return runs ? "the line is pressed in at v = 0 and everything has relaxed"
+              : "the motion does not begin from rest";
+}
+
+std::string whySteadyPass(const Scene& scene, bool runs) {
+  if (!runs) return "the motion begins at v = 0, where nothing slides";
+  return scene.sliding.kind == SlidingKind::Steady
+             ? "steady sliding is stationary in the line's frame"
+             : "the steady state at the first velocity is where the motion begins";
+}
+
+std::string whyClosure(const Scene& scene, bool runs) {
+  if (runs) return "arms must be after a period as they were before";
+  return lawOf(scene.elastomer).arms.empty()
+             ? "the lowest point is always in contact: the period closes in one pass"
+             : "there is no steady state to close";
+}
+
+std::string whyBalance(const Scene& scene, bool runs) {
+  return runs ? fmt::format("the indentation that carries {} N is sought", scene.load.normalForce)
+              : "the indentation is given";
+}
+
+std::string whyMarch(const Scene& scene, bool runs) {
+  if (!runs) return "steady sliding is stationary in the line's frame";
+  return scene.sliding.kind == SlidingKind::Steady ? "the window lets the line pass by"
+                                                   : "the velocity changes with time";
+}
+
+std::string whyInterface(const Scene& scene, bool runs) {
+  if (!runs) return "local friction has no strength";
+  return scene.interface.frictionCoefficient > 0
+             ? fmt::format("a local coefficient of {} is reported apart",
+                           scene.interface.frictionCoefficient)
+             : fmt::format("{} N/m in contact are reported apart", scene.interface.shearStress);
+}
+
+std::string whySweep(const Scene& scene, bool runs) {
+  return runs ? fmt::format("{} velocities, side by side where the kernel can", scene.sweep.points)
+              : "only one velocity is asked for";
+}
+
+std::string whyAveraging(const Scene& scene, bool runs) {
+  if (runs) return fmt::format("{} random lines", scene.ensemble.realizations);
+  return isRandom(scene) ? "one line is enough" : "the line is not random";
+}
+
+std::string whyShape(const Scene&, bool runs) {
+  return runs ? "it is drawn, or marched on from" : "nothing is drawn";
+}
+
+using Why = std::string (*)(const Scene&, bool runs);
+constexpr std::array<Why, kStages> kReasons{whyLine,        whyRollOff,   whySummits, whyShift,
+                                            whyFreeSurface, whyArms,      whyStart,   whySteadyPass,
+                                            whyClosure,     whyBalance,   whyMarch,   whyInterface,
+                                            whySweep,       whyAveraging, whyShape};
+
+std::array<std::atomic<std::uint64_t>, kStages> counts{};
+
+}  // namespace
+
+bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
+  if (stage == Stage::Line) return true;
+  if (stage == Stage::RollOff)
+    return isRandom(scene) && scene.surface.rollOffWavelength > 0 &&
+           scene.surface.rollOffWavelength < scene.surface.length;
+  if (stage == Stage::SummitCorrelation)
+    return isRandom(scene) && scene.surface.summitCorrelation != 0;
+  if (!hasElastomer(purpose)) return false;
+  const bool steady = isSteady(scene, purpose);
+  switch (stage) {
+    case Stage::TemperatureShift:
+      return lawOf(scene.elastomer).kind() != ElementKind::Elastic &&
+             scene.elastomer.temperature != scene.elastomer.shift.referenceTemperature;
+    case Stage::FreeSurface:
+      return lawOf(scene.elastomer).kind() != ElementKind::Elastic;
+    case Stage::Arms:
+      return lawOf(scene.elastomer).kind() == ElementKind::Arms;
+    case Stage::StartFromRest:
+      return !steady && (scene.sliding.kind == SlidingKind::Start || scene.sliding.velocity == 0);
+    case Stage::SteadyPass:
+      return hasSteadyState(scene, purpose);
+    case Stage::Closure:
+      return hasSteadyState(scene, purpose) && lawOf(scene.elastomer).kind() == ElementKind::Arms;
+    case Stage::ForceBalance:
+      return scene.load.kind == LoadKind::Force;
+    case Stage::TimeMarch:
+      return !steady || purpose == Purpose::Window;
+    case Stage::Interface:
+      return scene.interface.frictionCoefficient > 0 || scene.interface.shearStress > 0;
+    case Stage::Sweep:
+      return purpose == Purpose::Curve && scene.sweep.points > 1;
+    case Stage::Averaging:
+      return purpose == Purpose::Curve && isRandom(scene) && scene.ensemble.realizations > 1;
+    default:
+      return purpose != Purpose::Curve;
+  }
+}
+
+std::vector<PlanStage> planOf(const Scene& scene, Purpose purpose) {
+  checkEffects(scene);
+  std::vector<PlanStage> stages;
+  for (std::size_t i = 0; i < kStages; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    const bool runs = callsFor(scene, purpose, stage);
+    const bool about = i <= static_cast<std::size_t>(Stage::SummitCorrelation);
+    stages.push_back({stage, std::string(kNames[i]), runs,
+                      runs || about || hasElastomer(purpose) ? kReasons[i](scene, runs)
+                                                             : "only the line is asked for"});
+  }
+  return stages;
+}
+
+std::string_view nameOf(Stage stage) {
+  return kNames[static_cast<std::size_t>(stage)];
+}
+
+StageCounts stageCounts() {
+  StageCounts now{};
+  for (std::size_t i = 0; i < kStages; ++i) now[i] = counts[i].load(std::memory_order_relaxed);
+  return now;
+}
+
+void countStage(Stage stage) {
+  counts[static_cast<std::size_t>(stage)].fetch_add(1, std::memory_order_relaxed);
+}
+
+}  // namespace asperity

@@ -1,0 +1,242 @@
+// Elements with arms against their closed forms (standard solid, Prony series), and against the
+// integral over the spectrum in full contact.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/contact/scene_sliding.h"
+#include "core/scene/temperature_shift.h"
+#include "core/surface/shapes.h"
+#include "tests/core/contact/elastomers.h"
+#include "tests/core/contact/lines.h"
+
+namespace asperity {
+namespace {
+
+double relative(double value, double exact) {
+  return std::abs(value / exact - 1);
+}
+
+SteadyState slide(const Elastomer& elastomer, const TravelLine& line, double velocity,
+                  const Load& load) {
+  Scene scene;
+  scene.elastomer = elastomer;
+  scene.load = load;
+  scene.accuracy.scheme = line.scheme;
+  return SceneSliding(scene).at(line, velocity);
+}
+
+Load force(double newton) {
+  return {LoadKind::Force, newton, 0};
+}
+Load indentation(double metre) {
+  return {LoadKind::Indentation, 0, metre};
+}
+
+/// Wedge z = t |x| on a standard solid; b, where contact ends, from p(-b) = 0.
+TEST(Arms, ZenerWedgeIsExactWhateverTheGrid) {
+  const double t = 1e-3, d = 2e-6, a = d / t, g = 1e6, g1 = 4e6, tau = 1e-3;
+  for (const double ratio : {0.01, 0.1, 0.5, 1.0, 5.0})
+    for (const std::size_t nodes : {64UL, 1000UL}) {
+      const double c = ratio * a, rise = 2 - std::exp(-a / c);
+      double low = 0, high = a;
+      for (int i = 0; i < 200; ++i) {
+        const double b = 0.5 * (low + high);
+        (g * (a - b) + g1 * c * (-1 + rise * std::exp(-b / c)) > 0 ? low : high) = b;
+      }
+      const double b = 0.5 * (low + high);
+      const double lead = g * a * a / 2 + g1 * c * (a - c * (1 - std::exp(-a / c)));
+      const double trail =
+          g * (a * b - b * b / 2) + g1 * c * (-b + rise * c * (1 - std::exp(-b / c)));
+      const TravelLine line = prepareTravel(wedgeLine(3 * a + 300 * c, nodes, t), Scheme::Linear);
+      const SteadyResult result =
+          slide(standardSolid(g, {g1, tau}), line, c / tau, indentation(d)).result;
+      EXPECT_LT(relative(result.normalForce, 4 * t * (lead + trail)), 1e-10) << ratio;
+      EXPECT_LT(relative(result.tangentialForce, 4 * t * t * (lead - trail)), 1e-9) << ratio;
+      EXPECT_LT(relative(result.forceFromPressure, result.normalForce), 1e-10);
+    }
+}
+
+/// F_x = 8 L integral C(q) q G''(q v) dq; of the modes: 2 L sum a_k^2 q_k G''.
+TEST(Arms, FullContactOfEveryRheologyIsTheIntegralOverTheSpectrum) {
+  Scene scene;
+  scene.surface.elements = 500;
+  const LineSource source(scene, 8);
+  const FourierLine modes = source.spectrum(0);
+  const TravelLine line = prepareTravel(source.make(0), Scheme::Cubic);
+  for (const auto& [name, elastomer] : allElastomers())
+    for (const double velocity : {1e-3, 0.03, 1.0}) {
+      const ElementLaw law = lawOf(elastomer);
+      const double normal = 4 * law.equilibriumModulus * line.length * 1e-3;
+      const SteadyResult result = slide(elastomer, line, velocity, force(normal)).result;
+      double exact = 0;
+      for (std::size_t k = 0; k < modes.coefficients.size(); ++k) {
+        const double q = 2 * std::numbers::pi * static_cast<double>(k + 1) / line.length;
+        exact += 8 * line.length * std::norm(modes.coefficients[k]) * q *
+                 complexModulus(law, q * velocity).loss;
+      }
+      EXPECT_EQ(result.status, SteadyStatus::Balanced) << name;
+      EXPECT_NEAR(result.contactFraction, 1, 1e-12);
+      if (exact > 0) {
+        EXPECT_LT(relative(result.tangentialForce, exact), 1e-3) << name << " " << velocity;
+      } else {
+        EXPECT_LT(result.mu, 1e-14) << name;
+      }
+      EXPECT_LT(relative(result.indentation - line.meanRise, 1e-3), 1e-9) << name;
+    }
+}
+
+/// One sine in full contact: F_x / L has its maximum A^2 q G_1 at q v tau = 1.
+TEST(Arms, ZenerSinePeaksWhereOneRadianTakesTheRelaxationTime) {
+  const double amplitude = 5e-7, length = 0.01, q = 2 * std::numbers::pi * 4 / length, tau = 1e-3;
+  const TravelLine line = prepareTravel(sineLine(length, 2000, amplitude, 4), Scheme::Cubic);
+  const Elastomer solid = standardSolid(1e6, {3e6, tau});
+  const auto friction = [&](double turn) {
+    return slide(solid, line, turn / (q * tau), indentation(1e-5)).result.tangentialForce / length;
+  };
+  EXPECT_LT(relative(friction(1), amplitude * amplitude * q * 3e6), 1e-6);
+  EXPECT_GT(friction(1), friction(0.99));
+  EXPECT_GT(friction(1), friction(1.01));
+}
+
+/// Arms so fast that they are a dashpot, and so slow that they are a spring.
+TEST(Arms, TendToKelvinAndToElastic) {
+  const TravelLine line = prepareTravel(roughLine(300, 2), Scheme::Cubic);
+  const double v = 0.5;
+  const SteadyResult kelvin = slideAtForce(line, {1e7, 1e-3, v}, 0.02);
+  const SteadyResult fast =
+      slide(prony(1e7, {{1e7 * 1e-3 / 1e-9, 1e-9}}), line, v, force(0.02)).result;
+  EXPECT_LT(relative(fast.mu, kelvin.mu), 1e-3);
+  EXPECT_LT(relative(fast.indentation, kelvin.indentation), 1e-3);
+  const SteadyResult soft = slide(prony(1e7, {{1e-3, 1}}), line, v, force(0.02)).result;
+  const SteadyResult elastic = slideAtForce(line, {1e7, 0, v}, 0.02);
+  EXPECT_LT(relative(soft.indentation, elastic.indentation), 1e-9);
+}
+
+/// Many arms that together are one, and arms without strength.
+TEST(Arms, OfNoStrengthChangeNothing) {
+  const TravelLine line = prepareTravel(roughLine(300, 2), Scheme::Cubic);
+  const SteadyResult one = slide(prony(1e6, {{5e6, 1e-3}}), line, 0.3, force(0.02)).result;
+  const SteadyResult split =
+      slide(prony(1e6, {{2e6, 1e-3}, {0, 7}, {3e6, 1e-3}, {1e6, 0}}), line, 0.3, force(0.02))
+          .result;
+  EXPECT_EQ(one.mu, split.mu);
+  EXPECT_EQ(one.indentation, split.indentation);
+  const SteadyResult none = slide(prony(1e7, {{0, 1e-3}}), line, 0.3, force(0.02)).result;
+  EXPECT_EQ(none.indentation, slideAtForce(line, {1e7, 0, 0.3}, 0.02).indentation);
+  const SteadyResult dashpot =
+      slide(prony(1e7, {{0, 1e-3}}, 1e7 * 1e-3), line, 0.3, force(0.02)).result;
+  EXPECT_LT(relative(dashpot.mu, slideAtForce(line, {1e7, 1e-3, 0.3}, 0.02).mu), 1e-12);
+}
+
+/// mu(v, T) = mu(v a_T, T_r).
+TEST(Arms, TemperatureIsVelocity) {
+  const TravelLine line = prepareTravel(roughLine(300, 2), Scheme::Cubic);
+  for (const auto& [name, reference] : allElastomers()) {
+    if (reference.rheology == Rheology::Elastic) continue;
+    Elastomer shifted = reference;
+    shifted.temperature = 310;
+    const double a = shiftFactor(shifted.shift, 310), v = 0.2;
+    const SteadyResult one = slide(shifted, line, v, force(0.02)).result;
+    const SteadyResult other = slide(reference, line, v * a, force(0.02)).result;
+    EXPECT_LT(relative(one.mu, other.mu), 1e-12) << name;
+  }
+}
+
+/// What is repeated by hand needs L / (v tau) times as long to close.
+TEST(Arms, AnArmOfAHundredSecondsTakesAFewPasses) {
+  const TravelLine line = prepareTravel(roughLine(1000, 2), Scheme::Cubic);
+  for (const double newton : {0.0034, 0.1, 10.0}) {
+    const SteadyState state = slide(treadCompound(), line, 1, force(newton));
+    EXPECT_EQ(state.result.status, SteadyStatus::Balanced);
+    EXPECT_LE(state.result.passes, 16) << newton;
+    EXPECT_LT(state.result.closure, 1e-10);
+    EXPECT_LT(relative(state.result.forceFromPressure, state.result.normalForce), 1e-9);
+    EXPECT_LT(relative(state.result.powerIn, state.result.powerDissipated), 1e-9);
+  }
+}
+
+/// u <= z - d and p >= 0, and never both strict, at every node; friction is what is dissipated.
+TEST(Arms, PressureAndGapExcludeEachOther) {
+  const Line rough = roughLine(400, 2);
+  const TravelLine line = prepareTravel(rough, Scheme::Cubic);
+  for (const auto& [name, elastomer] : allElastomers())
+    for (const double velocity : {1e-3, 0.1, 10.0}) {
+      Scene scene;
+      scene.elastomer = elastomer;
+      scene.load = force(0.02);
+      const SceneSliding sliding(scene);
+      const SteadyState state = sliding.at(line, velocity);
+      const SteadyShape shape = sliding.shape(line, velocity, state);
+      const double d = state.result.indentation;
+      EXPECT_EQ(state.result.status, SteadyStatus::Balanced);
+      const double lost = state.result.powerDissipated;
+      EXPECT_NEAR(state.result.powerIn, lost, 1e-8 * lost + 1e-15 * 0.02 * velocity) << name;
+      for (std::size_t i = 0; i < line.segments(); ++i) {
+        const double gap = shape.nodes.depth[i] - (d - line.rise[i]);
+        EXPECT_GE(gap, -1e-12 * d);
+        EXPECT_GE(shape.nodes.pressure[i], 0);
+        if (gap > 1e-9 * d) {
+          EXPECT_EQ(shape.nodes.pressure[i], 0);
+        }
+      }
+    }
+}
+
+/// F_x(-v; z(x)) = -F_x(v; z(-x)).
+TEST(Arms, MirrorSymmetry) {
+  const Line rough = roughLine(300, 2);
+  Line mirrored = rough;
+  const std::size_t n = rough.nodes();
+  for (std::size_t i = 0; i < n; ++i) {
+    mirrored.height[i] = rough.height[(n - i) % n];
+    mirrored.slopeAfter[i] = -rough.slopeAfter[(n - i) % n];
+  }
+  for (const auto& [name, elastomer] : allElastomers()) {
+    const TravelLine back = prepareTravel(rough, Scheme::Cubic, Direction::Backward);
+    const TravelLine forth = prepareTravel(mirrored, Scheme::Cubic, Direction::Forward);
+    const double one = slide(elastomer, back, 0.1, force(0.02)).result.mu;
+    const double other = slide(elastomer, forth, 0.1, force(0.02)).result.mu;
+    EXPECT_NEAR(one, other, 1e-12 + 1e-9 * other) << name;
+  }
+}
+
+/// Rougher summits: the rms slope in contact falls with growing depth; rougher valleys: it rises.
+TEST(Arms, SummitCorrelationReversesTheTrendOfTheSlopeInContact) {
+  for (const double kappa : {-0.9, 0.9}) {
+    double light = 0, heavy = 0;
+    for (int realization = 0; realization < 8; ++realization) {
+      Scene scene;
+      scene.surface.elements = 1000;
+      scene.surface.summitCorrelation = kappa;
+      const TravelLine line = prepareTravel(LineSource(scene, 2).make(realization), Scheme::Cubic);
+      light += slideAtForce(line, {kModulus, kTau, 0.01}, 0.005).rmsSlopeContact;
+      heavy += slideAtForce(line, {kModulus, kTau, 0.01}, 1).rmsSlopeContact;
+    }
+    if (kappa > 0) {
+      EXPECT_GT(light / heavy, 1.05);
+    } else {
+      EXPECT_LT(light / heavy, 0.95);
+    }
+  }
+}
+
+/// Second order for straight, fourth for cubic segments, as with one relaxation time.
+TEST(Arms, ConvergeAtTheOrderOfTheScheme) {
+  const auto friction = [](std::int64_t oversampling, Scheme scheme) {
+    return slide(prony(1e6, {{3e6, 1e-2}, {2e7, 1e-4}}),
+                 prepareTravel(roughLine(128, oversampling), scheme), 0.3, force(0.1))
+        .result.mu;
+  };
+  const double exact = friction(64, Scheme::Cubic);
+  const auto order = [&](Scheme scheme) {
+    return std::log2(relative(friction(2, scheme), exact) / relative(friction(16, scheme), exact)) /
+           3;
+  };
+  EXPECT_GT(order(Scheme::Linear), 1.7);
+  EXPECT_GT(order(Scheme::Cubic), 3.4);
+}
+
+}  // namespace
+}  // namespace asperity

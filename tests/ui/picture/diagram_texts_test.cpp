@@ -1,0 +1,97 @@
+// Texts of composed diagrams: all on the picture, none over another, over many sizes and sheets.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sample_sheets.h"
+#include "tidy_texts.h"
+#include "ui/picture/diagram_picture.h"
+
+namespace asperity {
+namespace {
+
+struct Size {
+  int width, height;
+  float scale;
+};
+constexpr Size kSizes[] = {{320, 200, 1},   {320, 568, 1},    {640, 400, 1},   {640, 400, 2},
+                           {640, 400, 3},   {800, 600, 1.5F}, {1200, 800, 1},  {1200, 800, 2},
+                           {1200, 800, 3},  {1920, 1080, 1},  {2400, 1600, 2}, {3840, 2160, 1},
+                           {3840, 2160, 2}, {3840, 2160, 3},  {3000, 500, 1},  {500, 1500, 1}};
+
+void expectTidySheets(const std::vector<NamedSheet>& sheets) {
+  for (const NamedSheet& named : sheets)
+    for (const Size& size : kSizes) {
+      const DrawList list =
+          composeDiagrams(named.sheet, {size.width, size.height, size.scale, lightTheme()});
+      EXPECT_EQ(list.width, size.width);
+      EXPECT_EQ(list.height, size.height);
+      expectTidy(list, named.name + " " + std::to_string(size.width) + "x" +
+                           std::to_string(size.height) + " scale " + std::to_string(size.scale));
+    }
+}
+
+std::string allTexts(const DrawList& list) {
+  std::string words;
+  for (const DrawText& text : list.texts) words += text.utf8 + "|";
+  return words;
+}
+
+bool says(const DrawList& list, const std::string& words) {
+  return ("|" + allTexts(list)).find("|" + words + "|") != std::string::npos;
+}
+
+TEST(DiagramTexts, OfTheFiguresNeverCollideNorLeaveThePicture) {
+  expectTidySheets(figureSheets());
+}
+
+TEST(DiagramTexts, OfAwkwardSheetsNeverCollideNorLeaveThePicture) {
+  expectTidySheets(awkwardSheets());
+}
+
+/// Nothing that was asked for is missing at the usual sizes.
+TEST(DiagramTexts, AreAllThereAtUsualSizes) {
+  for (const Size& size : {Size{1200, 800, 1}, {2400, 1600, 2}, {1600, 1000, 1}}) {
+    for (const NamedSheet& named : figureSheets()) {
+      const DrawList list =
+          composeDiagrams(named.sheet, {size.width, size.height, size.scale, darkTheme()});
+      std::vector<std::string> wanted{named.sheet.title};
+      for (const Diagram& diagram : named.sheet.diagrams) {
+        if (!diagram.ramp)
+          for (const DiagramSeries& series : diagram.series) wanted.push_back(series.name);
+        else
+          wanted.insert(wanted.end(), {diagram.ramp->title, diagram.ramp->from, diagram.ramp->to});
+        for (const DiagramSpan& span : diagram.spans) wanted.push_back(span.label);
+        for (const DiagramLabel& label : diagram.labels) wanted.push_back(label.text);
+      }
+      std::erase(wanted, "");
+      for (const std::string& words : wanted)
+        EXPECT_TRUE(says(list, words)) << named.name << ": " << words;
+    }
+  }
+}
+
+TEST(DiagramTexts, AxesCarryTheirUnits) {
+  EXPECT_TRUE(says(composeDiagrams(figureSheets()[0].sheet, {}), "sliding velocity (m/s)"));
+  EXPECT_TRUE(says(composeDiagrams(figureSheets()[1].sheet, {}), "coefficient of friction μ"));
+  EXPECT_TRUE(says(composeDiagrams(sheetOf({{0.001, 1}, {0.004, 2}}), {}), "x (mm)"));
+  const DrawList small = composeDiagrams(sheetOf({{1, 1e-6}, {2, 3e-6}}), {});
+  EXPECT_TRUE(says(small, "y (10⁻⁶)")) << allTexts(small);
+}
+
+TEST(DiagramTexts, SeriesOnARampAreNotInTheLegend) {
+  const std::string words = allTexts(composeDiagrams(figureSheets()[2].sheet, {}));
+  EXPECT_EQ(words.find("force 1"), std::string::npos);
+}
+
+TEST(DiagramTexts, EntriesWithoutRoomAreCounted) {
+  const std::vector<NamedSheet> sheets = awkwardSheets();
+  const auto crowd = std::find_if(sheets.begin(), sheets.end(),
+                                  [](const auto& named) { return named.name == "thirty curves"; });
+  ASSERT_NE(crowd, sheets.end());
+  const std::string words = allTexts(composeDiagrams(crowd->sheet, {800, 500, 1, lightTheme()}));
+  EXPECT_NE(words.find(" more|"), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace asperity
