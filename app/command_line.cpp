@@ -35,11 +35,8 @@ class CommandLine {
     addRender();
     addSurface();
     addFigure();
-<<<<<<< HEAD
     addOpen();
-=======
     addAccuracy();
->>>>>>> main
     app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.",
                             kDone, kRunFailed, kBadInput));
   }
@@ -71,11 +68,8 @@ class CommandLine {
 
   bool timing() const {
     return window_.timing || check_.timing || curve_.common.timing || render_.common.timing ||
-<<<<<<< HEAD
-           surface_.common.timing || figure_.common.timing || open_.common.timing;
-=======
-           surface_.common.timing || figure_.common.timing || accuracy_.common.timing;
->>>>>>> main
+           surface_.common.timing || figure_.common.timing || open_.common.timing ||
+           accuracy_.common.timing;
   }
 
  private:
@@ -156,7 +150,6 @@ class CommandLine {
     verb->footer("Figures:\n" + words);
     verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
   }
-<<<<<<< HEAD
   void addOpen() {
     CLI::App* verb = app_.add_subcommand("open", "The window, with the scene that made a file");
     verb->add_option("FILE", open_.common.scene,
@@ -166,12 +159,11 @@ class CommandLine {
     addShared(*verb, open_.common);
     verb->footer("With --json the scene is printed as a scene file, and no window opens.");
     verb->callback([this] { selected_ = [this] { return runOpen(open_); }; });
-=======
+  }
   void addAccuracy() {
     CLI::App* verb = addVerb("accuracy", "What accuracy costs: error against time of every method",
                              accuracy_.common, [this] { return runAccuracy(accuracy_); });
     verb->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")->required();
->>>>>>> main
   }
   static void addOutputs(CLI::App* verb, std::vector<std::string>& outputs, const char* sentence) {
     verb->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
@@ -183,11 +175,8 @@ class CommandLine {
   RenderCommand render_;
   SurfaceCommand surface_;
   FigureCommand figure_;
-<<<<<<< HEAD
   OpenCommand open_;
-=======
   AccuracyCommand accuracy_;
->>>>>>> main
   std::function<int()> selected_;
 };
 

@@ -49,14 +49,13 @@ struct FigureCommand {
   std::int64_t realizations = 200;
 };
 
-<<<<<<< HEAD
 struct OpenCommand {
   CommonOptions common;  // its scene: any file that holds one
-=======
+};
+
 struct AccuracyCommand {
   CommonOptions common;
   std::string output;  // folder
->>>>>>> main
 };
 
 /// The scene of a command, with its assignments. Throws InputError.
