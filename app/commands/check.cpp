@@ -5,6 +5,7 @@
 #include "app/output.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/law.h"
+#include "core/scene/element_law.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
@@ -27,7 +28,8 @@ std::string summaryOf(const Scene& scene, const LineSource& source, const LawInp
   if (in.rmsHeight > 0 && scene.load.kind == LoadKind::Force)
     text += fmt::format("  dimensionless force F_N / G h L = {:.6g} (Eq. 14)\n",
                         dimensionlessForce(in));
-  if (in.rmsHeight > 0)
+  // Eq. (13) knows one relaxation time.
+  if (in.rmsHeight > 0 && lawOf(scene.elastomer).kind() != ElementKind::Arms)
     text += fmt::format("  dimensionless velocity tau v slope / (sqrt(2) h) = {:.6g} (Eq. 13)\n",
                         dimensionlessVelocity(in));
   return text;

@@ -7,6 +7,7 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/atomic_file.h"
+#include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 
@@ -37,6 +38,7 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
 
 int runCurve(const CurveCommand& command) {
   const Scene scene = sceneOf(command.common);
+  saidOfScene(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, {".csv", ".json"});
   const Curve curve = compute(scene, command.common);
   for (const std::string& output : command.outputs)

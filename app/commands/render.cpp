@@ -4,11 +4,14 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <optional>
 
 #include "app/command_line.h"
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
+#include "core/run/simulation.h"
 #include "core/run/steady_frames.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
@@ -43,6 +46,11 @@ Size sizeFrom(const std::string& text) {
   return size;
 }
 
+std::int64_t frameCount(const RenderCommand& command) {
+  if (extensionOf(command.output) == ".png") return 1;
+  return command.frames > 0 ? command.frames : kFramesOfFolder;
+}
+
 /// The file of each frame, and the folder made where one is named.
 std::vector<std::string> filesFor(const RenderCommand& command) {
   if (extensionOf(command.output) == ".png") {
@@ -55,7 +63,7 @@ std::vector<std::string> filesFor(const RenderCommand& command) {
   if (folder.has_extension() && !fs::is_directory(folder))
     throw InputError(command.output, "", "is neither a folder nor a .png file");
   makeFolder(command.output);
-  const std::int64_t frames = command.frames > 0 ? command.frames : kFramesOfFolder;
+  const std::int64_t frames = frameCount(command);
   std::vector<std::string> files;
   for (std::int64_t i = 1; i <= frames; ++i)
     files.push_back((folder / fmt::format("frame_{:04}.png", i)).string());
@@ -63,12 +71,46 @@ std::vector<std::string> filesFor(const RenderCommand& command) {
   return files;
 }
 
-void printJson(const Scene& scene, const SteadyResult& result,
-               const std::vector<std::string>& files) {
+/// The frames asked for, one after the other: of steady sliding they divide a period, of other
+/// motions the duration.
+class Frames {
+ public:
+  Frames(const Scene& scene, std::int64_t count, double framesPerSecond)
+      : count_(count), framesPerSecond_(framesPerSecond) {
+    const auto shared = std::make_shared<const Scene>(scene);
+    if (scene.sliding.kind == SlidingKind::Steady)
+      steady_.emplace(shared);
+    else
+      motion_.emplace(shared, 0, std::numeric_limits<double>::infinity());
+  }
+
+  Frame next() {
+    const std::int64_t index = made_++;
+    if (steady_) return steady_->frame(index, count_, framesPerSecond_);
+    // A single picture shows the end.
+    const auto steps = static_cast<double>(std::max<std::int64_t>(count_ - 1, 1));
+    if (index > 0 || count_ == 1) motion_->advance(1 / steps, 1 / framesPerSecond_);
+    return motion_->frame();
+  }
+
+ private:
+  std::int64_t count_, made_ = 0;
+  double framesPerSecond_;
+  std::optional<SteadyFrames> steady_;
+  std::optional<Simulation> motion_;
+};
+
+double frictionOf(const Frame& frame) {
+  return frame.transient ? frame.muMarch : frame.muSteady;
+}
+
+void printJson(const Scene& scene, const Frame& frame, const std::vector<std::string>& files) {
   nlohmann::ordered_json answer = provenance("render", scene);
-  answer["mu"] = result.mu;
-  answer["indentation"] = result.indentation;
-  answer["contact_fraction"] = result.contactFraction;
+  const double mu = frictionOf(frame);
+  answer["mu"] = std::isfinite(mu) ? nlohmann::ordered_json(mu) : nlohmann::ordered_json();
+  if (frame.muInterface > 0) answer["mu_interface"] = frame.muInterface;
+  answer["indentation"] = frame.indentation;
+  answer["contact_fraction"] = frame.contactFraction;
   answer["files"] = files;
   fmt::print("{}\n", answer.dump(2));
 }
@@ -80,10 +122,11 @@ int runRender(const RenderCommand& command) {
   const Size size = sizeFrom(command.size);
   if (!std::isfinite(command.framesPerSecond))
     throw InputError("", "--fps", "is not a finite number");
-  const SteadyFrames frames = saidOfScene(
-      command.common, [&] { return SteadyFrames(std::make_shared<const Scene>(scene)); });
+  const std::int64_t count = frameCount(command);
+  Frames frames =
+      saidOfScene(command.common, [&] { return Frames(scene, count, command.framesPerSecond); });
   const std::vector<std::string> files = filesFor(command);  // makes the folder: after all checks
-  const auto count = static_cast<std::int64_t>(files.size());
+  Frame frame;
   {
     HeadlessPictures pictures;
     const PictureFacts facts{scene.title, provenanceLine(provenance("render", scene))};
@@ -92,7 +135,7 @@ int runRender(const RenderCommand& command) {
       ContactPictureOptions options;
       options.width = size.width;
       options.height = size.height;
-      const Frame frame = frames.frame(i, count, command.framesPerSecond);
+      frame = frames.next();
       pictures.write(files[static_cast<std::size_t>(i)], composeContact(frame, options), facts);
       bar.show(i + 1, count);
     }
@@ -101,8 +144,8 @@ int runRender(const RenderCommand& command) {
   const std::string what =
       count == 1 ? files.front() : fmt::format("{} frames in {}", count, command.output);
   printSummary(command.common.json, command.common.quiet,
-               fmt::format("mu = {:.6g}\nwrote {}\n", frames.result().mu, what));
-  if (command.common.json) printJson(scene, frames.result(), files);
+               fmt::format("mu = {:.6g}\nwrote {}\n", frictionOf(frame), what));
+  if (command.common.json) printJson(scene, frame, files);
   return kDone;
 }
 

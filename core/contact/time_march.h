@@ -1,12 +1,16 @@
-// The march in time: Kelvin elements at equal distances under a line that moves as it likes, the
-// rate of the indentation included, the force balance solved exactly in every step.
+// The march in time: elements of any linear rheology at equal distances under a line that moves as
+// it likes, also through rest, the rate of the indentation included, the force balance solved
+// exactly in every step.
 //
-// In a step dt each element is loaded by a constant p, so with E = exp(-dt / tau) its depth goes
-// from y0 to y1 = y0 E + (1 - E) p / 4G: free elements relax to y0 E, touching ones to d - rise,
-// and p >= 0 by construction. F_N(d) is piecewise linear and is solved exactly. With dt = dx / v
-// friction converges at second order in dx; v dt beyond about 2 v tau cannot resolve it.
+// An element is held by its creeping amplitudes (core/contact/retardation.h), which know nothing of
+// each other: y = J p/4 + sum a_j, a_j' = -rate_j a_j + fluidity_j p/4. Elements with a dashpot of
+// their own (Kelvin: one amplitude, J = 0) are loaded by a constant p in a step; their p jumps
+// where the line meets them. Elements without one are loaded by a p that is linear in time. Either
+// way y_new = max(y_free, d_new - rise), p >= 0 by construction, and F_N(d_new) is piecewise linear
+// and is solved exactly. With dt = dx / v friction converges at second order in dx; v dt beyond
+// about twice the way slid in a relaxation time cannot resolve it.
 //
-// Ownership: holds its line and its state. Threading: one thread at a time.
+// Ownership: holds its line, its law and its state. Threading: one thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +18,16 @@
 #include <span>
 #include <vector>
 
+#include "core/contact/retardation.h"
+#include "core/scene/element_law.h"
 #include "core/scene/scene.h"
 #include "core/surface/line.h"
 
 namespace asperity {
 
-struct MarchConditions {
-  double shearModulus = 0;    // Pa
-  double relaxationTime = 0;  // s
-  LoadKind load = LoadKind::Force;
+/// What is held constant in a step.
+struct MarchLoad {
+  LoadKind kind = LoadKind::Force;
   double normalForce = 0;  // N, for LoadKind::Force
   double depth = 0;        // m, for LoadKind::Indentation
 };
@@ -30,9 +35,9 @@ struct MarchConditions {
 /// What happened in one step, over one period.
 struct MarchStep {
   double indentation = 0;    // m, at its end, from the lowest point of the line
-  double normalForce = 0;    // N
+  double normalForce = 0;    // N; constant in the step, or at its end without a dashpot
   double work = 0;           // J, done on the elements: integral of p du
-  double dissipated = 0;     // J, in the dashpots
+  double dissipated = 0;     // J, in the dashpots; without one of its own: work less stored
   double stored = 0;         // J, gained by the springs
   double slidingWork = 0;    // J, work less what the normal force did by sinking; in steady sliding
                              // all of it is dissipated, at any resolution
@@ -41,40 +46,78 @@ struct MarchStep {
                              // enter, because p acts on them before the line has reached them
   double gapWork = 0;        // J, that difference: pressure times the gap it closed in the step
   double contactLength = 0;  // m
+  std::size_t contacts = 0;  // stretches in contact
 };
 
 class TimeMarch {
  public:
   /// One element at each node of the line; lowest: height of its lowest point (m).
-  TimeMarch(std::shared_ptr<const Line> line, double lowest);
+  TimeMarch(std::shared_ptr<const Line> line, double lowest, ElementLaw law);
 
-  /// Depths y = -u >= 0 (m) of all elements, and the indentation they belong to.
+  /// Depths y = -u >= 0 (m) of all elements, and the indentation they belong to. What they
+  /// remember is as if they had crept there under a constant pressure.
   void setState(std::span<const double> depth, double indentation);
+
+  /// The same with the pressures p (N/m) and, of elements with arms, the amplitudes a_j (m),
+  /// [node][mode].
+  void setState(std::span<const double> depth, std::span<const double> pressure,
+                std::span<const double> amplitudes, double indentation);
+
+  /// Goes on from another's state: its amplitudes where there are as many.
+  void goOnFrom(const TimeMarch& other);
+
+  /// Pressed by the load at rest, everything relaxed: F_N = 4 G dx sum y.
+  void settleAtRest(const MarchLoad& load);
 
   /// The line's place (m slid so far), and pressures (N/m) to show before the first step.
   void setDistance(double distance);
   void setPressure(std::span<const double> pressure);
 
   /// Moves the line by `distance` (m, either sign) in the time dt (s, > 0).
-  MarchStep step(const MarchConditions& conditions, double dt, double distance);
+  MarchStep step(const MarchLoad& load, double dt, double distance);
 
   double distance() const { return distance_; }                      // m, slid so far
   double indentation() const { return indentation_; }                // m
   const std::vector<double>& depth() const { return depth_; }        // m, y at x_i = i spacing
   const std::vector<double>& pressure() const { return pressure_; }  // N/m
   const std::vector<double>& rise() const { return rise_; }  // m, of the line above each element
+  /// m, a_j, [mode][element]
+  const std::vector<double>& amplitudes() const { return amplitude_; }
   const Line& line() const { return *line_; }
+  const ElementLaw& law() const { return law_; }
+  const RetardationModes& modes() const { return modes_; }
 
  private:
+  /// What a step of dt does to an amplitude.
+  struct Creep {
+    double kept;       // of the amplitude
+    double before;     // m / Pa, of p/4 at the step's begin
+    double after;      // m / Pa, of p/4 at its end, or throughout
+    double stiffness;  // Pa, of its spring; 0 for one that only flows
+    double lost;       // part of the energy between amplitude and rest that is dissipated
+  };
+
+  void prepareSteps(double dt);
   void placeLine();
   double balance(double load);
+  void creepFreely();
+  template <bool HasDashpot>
+  MarchStep finishStep(double before);
+  void countContacts(MarchStep& step) const;
 
   std::shared_ptr<const Line> line_;
   double lowest_;
+  ElementLaw law_;
+  RetardationModes modes_;
   double distance_ = 0, indentation_ = 0;
   std::vector<double> depth_, pressure_, rise_;
+  std::vector<double> amplitude_;  // m, [mode][element]
   std::vector<double> lastRise_;   // m, before the step
+  std::vector<double> free_;       // m, depths at the end of the step if nothing touches
   std::vector<double> threshold_;  // m, indentation at which each element is touched in this step
+  std::vector<Creep> creep_;
+  double preparedFor_ = -1;  // s, dt of creep_
+  double compliance_ = 0;    // m / Pa, y over p/4 pressed on at the end of the step
 };
 
 }  // namespace asperity

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/friction/curve_point.h"
+#include "core/run/transient_sample.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -23,6 +24,7 @@ struct Frame {
   double time = 0;                     // s simulated
   double distance = 0;                 // m slid
   double timeScale = 0;                // simulated seconds per second on screen
+  double velocity = 0;                 // m/s, now; below 0 the line goes back
 
   double length = 0;                  // m, period
   double spacing = 0;                 // m between points
@@ -30,7 +32,7 @@ struct Frame {
   std::vector<double> surfaceHeight;  // m, u
   std::vector<double> pressure;       // N/m, line load p >= 0; 0 where not in contact
 
-  // Facts of the steady state of this line and scene.
+  // Facts of the steady state of this line and scene; of motions that are not steady, of now.
   double indentation = 0;      // m, d above the line's lowest point
   double normalForce = 0;      // N
   double tangentialForce = 0;  // N, magnitude along the motion
@@ -42,6 +44,10 @@ struct Frame {
   double muMarch = kNotApplicable;
   /// Of the steady state of this very line and scene, from the steady pass; NaN where none exists.
   double muSteady = kNotApplicable;
+  double muInterface = 0;  // of local friction, beside either
+
+  /// What happened since the motion began; null in steady sliding.
+  std::shared_ptr<const std::vector<TransientSample>> transient;
 };
 
 }  // namespace asperity

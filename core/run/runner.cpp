@@ -24,6 +24,8 @@ struct Posted {
 /// The part of a scene that its friction curve depends on.
 Scene curveKey(Scene scene) {
   scene.title.clear();
+  scene.description.clear();
+  scene.chapter.clear();
   scene.sliding = {};
   return scene;
 }

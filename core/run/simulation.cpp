@@ -4,98 +4,93 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/surface/line_source.h"
+#include "core/contact/scene_sliding.h"
+#include "core/run/rigid_line.h"
+#include "core/scene/plan.h"
 
 namespace asperity {
 namespace {
 
-/// Element-steps spent on one frame, at most: counted, so that frames do not depend on a clock.
-constexpr double kStepsPerFrame = 4e5;
+std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
+                                         const std::shared_ptr<const RigidLine>& known) {
+  const bool same = last && last->surface == scene.surface && last->accuracy == scene.accuracy &&
+                    last->folder == scene.folder;
+  return same ? known : std::make_shared<RigidLine>(scene);
+}
 
 }  // namespace
-
-/// The rigid line, made once for as long as scenes agree on it.
-struct Simulation::Rigid {
-  explicit Rigid(const Scene& scene)
-      : line(std::make_shared<Line>(LineSource(scene, pointsPerElement(scene)).make(0))),
-        travel(prepareTravel(*line, scene.accuracy.scheme)) {}
-
-  std::shared_ptr<const Line> line;
-  TravelLine travel;
-};
 
 struct Simulation::Ready {
   Ready(std::shared_ptr<const Scene> wanted, std::uint64_t itsNumber, const Ready* last)
       : scene(std::move(wanted)),
         number(itsNumber),
-        rigid(last && last->scene->surface == scene->surface &&
-                      last->scene->accuracy == scene->accuracy &&
-                      last->scene->folder == scene->folder
-                  ? last->rigid
-                  : std::make_shared<Rigid>(*scene)),
-        conditions(conditionsOf(*scene, scene->sliding.velocity)),
-        steady(slideAtLoad(rigid->travel, conditions, scene->load)) {
-    if (steady.status != SteadyStatus::Balanced || !std::isfinite(steady.mu))
+        rigid(rigidOf(*scene, last ? last->scene.get() : nullptr, last ? last->rigid : nullptr)),
+        isSteady(scene->sliding.kind == SlidingKind::Steady) {
+    if (!isSteady) {
+      transient.emplace(*scene, rigid);  // refuses what cannot run
+      return;
+    }
+    sliding.emplace(*scene);
+    steady = sliding->at(rigid->travel, scene->sliding.velocity);
+    if (steady.result.status != SteadyStatus::Balanced || !std::isfinite(steady.result.mu))
       throw std::runtime_error("no indentation carries the normal force to working accuracy");
   }
 
   const Line& line() const { return *rigid->line; }
-  MarchConditions marchConditions() const {
-    return {conditions.shearModulus, conditions.relaxationTime, scene->load.kind,
-            scene->load.normalForce, scene->load.depth};
-  }
+  double velocity() const { return scene->sliding.velocity; }
 
   std::shared_ptr<const Scene> scene;
   std::uint64_t number;
-  std::shared_ptr<const Rigid> rigid;
-  SlidingConditions conditions;
-  SteadyResult steady;
+  std::shared_ptr<const RigidLine> rigid;
+  bool isSteady;
+  std::optional<SceneSliding> sliding;  // with `steady`, in steady sliding
+  SteadyState steady;
+  std::optional<Transient> transient;  // as it begins, of other motions
 };
 
-Simulation::Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number)
-    : ready_(std::make_shared<Ready>(std::move(scene), number, nullptr)) {
+Simulation::Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number,
+                       double stepsPerFrame)
+    : ready_(std::make_shared<Ready>(std::move(scene), number, nullptr)),
+      stepsPerFrame_(stepsPerFrame) {
   reset();
 }
 
 void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number, Shape shape) {
   const auto next = std::make_shared<Ready>(std::move(scene), number, ready_.get());
-  const bool sameElements = next->line().nodes() == ready_->line().nodes() &&
-                            next->line().length == ready_->line().length;
+  const bool goesOn = next->isSteady && ready_->isSteady &&
+                      next->line().nodes() == ready_->line().nodes() &&
+                      next->line().length == ready_->line().length;
   ready_ = next;
-  if (!sameElements) return reset();
+  if (!goesOn) return reset();
   if (shape == Shape::Steady) return settle(march_->distance());
-  TimeMarch march(ready_->rigid->line, ready_->rigid->travel.lowestHeight);
-  march.setState(march_->depth(), march_->indentation());
-  march.setDistance(march_->distance());
-  march.setPressure(march_->pressure());
+  TimeMarch march(ready_->rigid->line, ready_->rigid->travel.lowestHeight, ready_->sliding->law());
+  march.goOnFrom(*march_);
   march_ = std::move(march);
   clearReading();
 }
 
 void Simulation::reset() {
-  settle(0);
   steps_ = 0;
   time_ = 0;
+  if (ready_->isSteady)
+    settle(0);
+  else
+    begin();
 }
 
-/// The steady state, with the line moved to the node nearest to this distance.
 void Simulation::settle(double distance) {
-  const TravelLine& travel = ready_->rigid->travel;
-  const Line& line = ready_->line();
-  const NodeShape shape = shapeAt(travel, ready_->conditions, ready_->steady.indentation);
-  std::vector<double> depth = inLineOrder(travel, shape.depth);
-  std::vector<double> pressure = inLineOrder(travel, shape.pressure);
-  for (double& p : pressure) p *= 4 * ready_->conditions.shearModulus;
-  const auto moved =
-      static_cast<std::ptrdiff_t>(std::llround(std::fmod(distance, line.length) / line.spacing));
-  const std::ptrdiff_t shift = moved % static_cast<std::ptrdiff_t>(line.nodes());
-  std::rotate(depth.begin(), depth.end() - shift, depth.end());
-  std::rotate(pressure.begin(), pressure.end() - shift, pressure.end());
-  march_.emplace(ready_->rigid->line, travel.lowestHeight);
-  march_->setState(depth, ready_->steady.indentation);
-  march_->setPressure(pressure);
-  march_->setDistance(line.spacing * static_cast<double>(shift) +
-                      line.length * std::floor(distance / line.length));
+  transient_.reset();
+  samples_.clear();
+  march_ =
+      steadyMarch(*ready_->rigid, *ready_->sliding, ready_->velocity(), ready_->steady, distance);
+  timeScale_ = 0;
+  clearReading();
+}
+
+void Simulation::begin() {
+  march_.reset();
+  transient_ = ready_->transient;
+  samples_.clear();
   timeScale_ = 0;
   clearReading();
 }
@@ -107,28 +102,52 @@ void Simulation::clearReading() {
 
 /// The line moves by one node at most, and by less where that resolves the relaxation.
 double Simulation::naturalStep() const {
-  const double memory = ready_->conditions.velocity * ready_->conditions.relaxationTime;
+  const RetardationModes& modes = march_->modes();
   const double spacing = ready_->line().spacing;
-  return memory > 0 ? std::clamp(memory / 2, spacing / 8, spacing) : spacing;
+  if (modes.modes() == 0) return spacing;
+  const double memory = ready_->velocity() / modes.rate.back();
+  // Without a dashpot of its own an element answers at once to all that is faster than a step.
+  if (modes.glassyCompliance > 0) return spacing;
+  return std::clamp(memory / 2, spacing / 8, spacing);
+}
+
+/// s, where nothing slides: a part of the middle one of the relaxation times.
+double Simulation::restingStep() const {
+  const RetardationModes& modes = march_->modes();
+  const double relaxation = modes.modes() == 0 ? 0 : 1 / modes.rate[modes.modes() / 2];
+  return std::max(relaxation, 1e-6) / 30;
 }
 
 void Simulation::stepOnce(double dt, double distance) {
-  last_ = march_->step(ready_->marchConditions(), dt, distance);
+  last_ = march_->step(marchLoadOf(ready_->scene->load), dt, distance);
   lineWork_ += last_.lineWork;
   normalWork_ += last_.normalForce * distance;
-  resolves_ = distance > 0 &&
-              distance <= 2 * ready_->conditions.velocity * ready_->conditions.relaxationTime;
+  const RetardationModes& modes = march_->modes();
+  const double fastest = modes.modes() == 0 ? 0 : ready_->velocity() / modes.rate.back();
+  const bool instant = modes.glassyCompliance > 0 && modes.modes() > 0;
+  resolves_ = distance > 0 && (instant || distance <= 2 * fastest);
   time_ += dt;
   ++steps_;
 }
 
 void Simulation::advance(double part, double wallSeconds) {
   clearReading();
-  const double velocity = ready_->conditions.velocity;
   const double before = time_;
+  if (transient_)
+    advanceMotion(part);
+  else
+    advanceSteadily(part);
+  timeScale_ = std::max(time_ - before, 0.0) / wallSeconds;
+}
+
+double Simulation::mostSteps() const {
+  return std::max(1.0, std::floor(stepsPerFrame_ / static_cast<double>(ready_->line().nodes())));
+}
+
+void Simulation::advanceSteadily(double part) {
+  const double velocity = ready_->velocity();
   if (velocity > 0) {
-    const double most =
-        std::max(1.0, std::floor(kStepsPerFrame / static_cast<double>(ready_->line().nodes())));
+    const double most = mostSteps();
     const double wanted = part * ready_->line().length;
     const double finest = std::ceil(wanted / naturalStep());
     // Where the budget binds, steps grow up to one node; only then the line slows down.
@@ -136,19 +155,40 @@ void Simulation::advance(double part, double wallSeconds) {
     const double distance = std::min(wanted / steps, ready_->line().spacing);
     for (double i = 0; i < steps; ++i) stepOnce(distance / velocity, distance);
   } else {
-    const double rest = std::max(ready_->conditions.relaxationTime, 1e-6) / 30;
-    stepOnce(rest, 0);
+    stepOnce(restingStep(), 0);
   }
-  timeScale_ = (time_ - before) / wallSeconds;
+}
+
+/// Once over, the motion begins anew.
+void Simulation::advanceMotion(double part) {
+  if (transient_->isOver()) {
+    begin();
+    steps_ = 0;
+    time_ = 0;
+    return;
+  }
+  const double duration = transient_->motion().duration();
+  const double most = mostSteps();
+  double stretch = part * duration;
+  const double steps = transient_->stepsTo(time_ + stretch);
+  if (steps > most) stretch *= most / steps;
+  samples_.push_back(transient_->marchTo(std::min(time_ + stretch, duration)));
+  time_ = transient_->time();
+  steps_ = transient_->steps();
 }
 
 void Simulation::singleStep() {
   clearReading();
-  const double velocity = ready_->conditions.velocity;
-  if (velocity > 0)
+  const double velocity = ready_->velocity();
+  if (transient_) {
+    samples_.push_back(transient_->singleStep());
+    time_ = transient_->time();
+    steps_ = transient_->steps();
+  } else if (velocity > 0) {
     stepOnce(naturalStep() / velocity, naturalStep());
-  else
-    stepOnce(std::max(ready_->conditions.relaxationTime, 1e-6) / 30, 0);
+  } else {
+    stepOnce(restingStep(), 0);
+  }
 }
 
 Frame Simulation::frame() const {
@@ -157,24 +197,57 @@ Frame Simulation::frame() const {
   frame.sceneNumber = ready_->number;
   frame.step = steps_;
   frame.time = time_;
-  frame.distance = march_->distance();
+  frame.distance = march().distance();
   frame.timeScale = timeScale_;
   frame.length = ready_->line().length;
   frame.spacing = ready_->line().spacing;
-  frame.pressure = march_->pressure();
-  for (const double depth : march_->depth()) frame.surfaceHeight.push_back(-depth);
-  for (const double rise : march_->rise()) frame.lineHeight.push_back(rise - march_->indentation());
-  // All facts are those of the steady state, as everywhere else; the march adds its own reading.
-  const SteadyResult& steady = ready_->steady;
+  frame.pressure = march().pressure();
+  for (const double depth : march().depth()) frame.surfaceHeight.push_back(-depth);
+  for (const double rise : march().rise()) frame.lineHeight.push_back(rise - march().indentation());
+  frame.rmsHeight = ready_->line().rmsHeight;
+  frame.rmsSlope = ready_->line().rmsSlope;
+  if (transient_)
+    addMotion(frame);
+  else
+    addSteady(frame);
+  return frame;
+}
+
+/// All facts are those of the steady state, as everywhere else; the march adds its own reading.
+void Simulation::addSteady(Frame& frame) const {
+  const SteadyResult& steady = ready_->steady.result;
+  frame.velocity = ready_->velocity();
   frame.indentation = steady.indentation;
   frame.normalForce = steady.normalForce;
   frame.tangentialForce = steady.tangentialForce;
   frame.contactFraction = steady.contactFraction;
   frame.muSteady = steady.mu;
-  frame.rmsHeight = ready_->line().rmsHeight;
-  frame.rmsSlope = ready_->line().rmsSlope;
+  frame.muInterface = steady.muInterface;
   if (resolves_ && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
-  return frame;
+}
+
+void Simulation::addMotion(Frame& frame) const {
+  frame.velocity = transient_->motion().velocityAt(time_);
+  frame.indentation = transient_->march().indentation();
+  frame.transient = std::make_shared<const std::vector<TransientSample>>(samples_);
+  if (samples_.empty()) {  // the force is carried from the beginning
+    double force = 0;
+    std::size_t touching = 0;
+    for (const double pressure : frame.pressure) {
+      force += pressure * frame.spacing;
+      touching += pressure > 0 ? 1 : 0;
+    }
+    frame.normalForce = force;
+    frame.contactFraction =
+        static_cast<double>(touching) / static_cast<double>(frame.pressure.size());
+    return;
+  }
+  const TransientSample& now = samples_.back();
+  frame.normalForce = now.normalForce;
+  frame.tangentialForce = std::abs(now.tangentialForce);
+  frame.contactFraction = now.contactFraction;
+  frame.muMarch = now.mu;
+  frame.muInterface = now.muInterface;
 }
 
 }  // namespace asperity

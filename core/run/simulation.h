@@ -1,5 +1,6 @@
-// A scene marched in time for the window: line, elements, their state and the steady answer beside
-// it. No threads and no clock of its own, so the same calls give the same frames.
+// A scene marched in time for the window: line, elements, their state and, in steady sliding, the
+// steady answer beside it; a motion that is not steady runs for its duration and begins anew. No
+// threads and no clock of its own, so the same calls give the same frames.
 // Failure: constructor and update throw InputError or std::runtime_error; after a failed update
 // the simulation goes on with the scene it had.
 #pragma once
@@ -8,15 +9,20 @@
 #include <memory>
 #include <optional>
 
-#include "core/contact/steady_sliding.h"
 #include "core/contact/time_march.h"
 #include "core/run/frame.h"
+#include "core/run/transient.h"
 
 namespace asperity {
 
 class Simulation {
  public:
-  Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number);
+  /// stepsPerFrame: element-steps spent on one frame, at most; counted, so that frames do not
+  /// depend on a clock.
+  Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number,
+             double stepsPerFrame = kStepsPerFrame);
+
+  static constexpr double kStepsPerFrame = 4e5;
 
   /// Which shape a new scene starts from.
   enum class Shape { Present, Steady };
@@ -30,8 +36,9 @@ class Simulation {
   /// Back to the steady state, time 0.
   void reset();
 
-  /// The time until the next frame: the line moves by `part` of its period (less where elements
-  /// are so many that it would take too long). wallSeconds: what the frame lasts on screen.
+  /// The time until the next frame: the line moves by `part` of its period, or a motion by `part`
+  /// of its duration (less where elements are so many that it would take too long). wallSeconds:
+  /// what the frame lasts on screen.
   void advance(double part, double wallSeconds);
 
   /// One time step.
@@ -40,17 +47,27 @@ class Simulation {
   Frame frame() const;
 
  private:
-  struct Rigid;  // the line, ready for contact
-  struct Ready;  // a scene made ready: line, conditions, steady result
-  void stepOnce(double dt, double distance);
+  struct Ready;  // a scene made ready: line, elements, steady result
   void settle(double distance);
+  void begin();
+  void advanceSteadily(double part);
+  void advanceMotion(double part);
+  double mostSteps() const;
+  void stepOnce(double dt, double distance);
   void clearReading();
+  void addSteady(Frame& frame) const;
+  void addMotion(Frame& frame) const;
   double naturalStep() const;
+  double restingStep() const;
+  const TimeMarch& march() const { return transient_ ? transient_->march() : *march_; }
 
   std::shared_ptr<const Ready> ready_;
-  std::optional<TimeMarch> march_;
+  std::optional<TimeMarch> march_;        // of steady sliding
+  std::optional<Transient> transient_;    // of other motions
+  std::vector<TransientSample> samples_;  // since they began
   MarchStep last_;
   std::uint64_t steps_ = 0;
+  double stepsPerFrame_;
   double time_ = 0, timeScale_ = 0;
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
   bool resolves_ = false;                 // steps were short enough to read friction

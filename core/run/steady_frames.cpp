@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/contact/scene_sliding.h"
+#include "core/scene/effects.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -12,11 +14,11 @@ namespace {
 /// Points at which a picture is drawn, at least: a frame's shift is rounded to one of them.
 constexpr std::int64_t kPicturePoints = 8192;
 
-SteadyResult solve(const TravelLine& line, const Scene& scene) {
-  SteadyResult result = slideAtLoad(line, conditionsOf(scene, scene.sliding.velocity), scene.load);
-  if (result.status != SteadyStatus::Balanced)
+SteadyState solve(const SceneSliding& sliding, const TravelLine& line, double velocity) {
+  SteadyState state = sliding.at(line, velocity);
+  if (state.result.status != SteadyStatus::Balanced)
     throw std::runtime_error("the force balance is not met");
-  return result;
+  return state;
 }
 
 std::vector<double> rotated(std::vector<double> values, std::int64_t shift) {
@@ -28,8 +30,11 @@ std::vector<double> rotated(std::vector<double> values, std::int64_t shift) {
 
 SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
   const Accuracy& accuracy = scene_->accuracy;
+  needSteadySliding(*scene_, "a picture of one shape");
+  const SceneSliding sliding(*scene_);
+  const double velocity = scene_->sliding.velocity;
   const LineSource own(*scene_, pointsPerElement(*scene_));
-  result_ = solve(prepareTravel(own.make(0), accuracy.scheme), *scene_);
+  result_ = solve(sliding, prepareTravel(own.make(0), accuracy.scheme), velocity).result;
 
   // The paper's elements are shown as they are; a resolved line is drawn finely enough to glide.
   const std::int64_t finer =
@@ -39,9 +44,8 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene) : scene_(std::mov
   const LineSource source(*scene_, finer);
   const Line line = source.make(0);
   const TravelLine travel = prepareTravel(line, accuracy.scheme);
-  const SteadyResult shown = solve(travel, *scene_);
-  const SlidingConditions conditions = conditionsOf(*scene_, scene_->sliding.velocity);
-  const NodeShape shape = shapeAt(travel, conditions, shown.indentation);
+  const SteadyState shown = solve(sliding, travel, velocity);
+  const NodeShape shape = sliding.shape(travel, velocity, shown).nodes;
 
   still_.scene = scene_;
   still_.length = line.length;
@@ -49,9 +53,8 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene) : scene_(std::mov
   still_.surfaceHeight = inLineOrder(travel, shape.depth);
   still_.pressure = inLineOrder(travel, shape.pressure);
   for (double& height : still_.surfaceHeight) height = -height;
-  for (double& pressure : still_.pressure) pressure *= 4 * conditions.shearModulus;
   for (const double height : line.height)
-    still_.lineHeight.push_back(height - travel.lowestHeight - shown.indentation);
+    still_.lineHeight.push_back(height - travel.lowestHeight - shown.result.indentation);
   still_.indentation = result_.indentation;
   still_.normalForce = result_.normalForce;
   still_.tangentialForce = result_.tangentialForce;
@@ -59,6 +62,8 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene) : scene_(std::mov
   still_.rmsHeight = line.rmsHeight;
   still_.rmsSlope = line.rmsSlope;
   still_.muSteady = result_.mu;
+  still_.muInterface = result_.muInterface;
+  still_.velocity = velocity;
 }
 
 Frame SteadyFrames::frame(std::int64_t index, std::int64_t count, double framesPerSecond) const {

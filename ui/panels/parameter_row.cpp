@@ -51,6 +51,12 @@ QString rangeText(const Parameter& parameter) {
   return QString::fromStdString(allowedText(parameter));
 }
 
+/// Arms are typed as the list that a scene file holds.
+bool isText(const Parameter& parameter) {
+  return std::holds_alternative<TextField>(parameter.field) ||
+         std::holds_alternative<ArmsField>(parameter.field);
+}
+
 double asNumber(const ParameterValue& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
   return std::get<double>(value);
@@ -71,7 +77,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, Q
   addLabel(*line, heading);
   if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
     addChoice(*line, *choice);
-  else if (std::holds_alternative<TextField>(parameter.field))
+  else if (isText(parameter))
     addText(*line);
   else
     addNumber(*line);
@@ -226,7 +232,7 @@ void ParameterRow::describe(QWidget& control, const char* kind) {
 
 QString ParameterRow::description() const {
   QString text = "<p>" + tr(parameter_.sentence.data()).toHtmlEscaped() + "</p>";
-  if (!std::holds_alternative<TextField>(parameter_.field))
+  if (!isText(parameter_))
     text += QStringLiteral("<p><small>%1: %2</small></p>")
                 .arg(fromUtf8(parameter_.key), rangeText(parameter_).toHtmlEscaped());
   return text;

@@ -24,17 +24,21 @@ std::string percent(double fraction) {
 
 std::vector<Reading> readingsOf(const Frame& frame) {
   std::vector<Reading> readings;
-  readings.push_back(
-      {{{"friction coefficient \u03BC"}}, shortNumber(frame.muSteady, 3, Zeros::Keep), 0});
+  // A motion that is not steady has only its march.
+  const bool isSteady = !frame.transient;
+  const double mu = isSteady ? frame.muSteady : frame.muMarch;
+  readings.push_back({{{"friction coefficient \u03BC"}}, shortNumber(mu, 3, Zeros::Keep), 0});
   readings.push_back(
       {{{"normal force F"}, {"N", false, true}}, quantity(frame.normalForce, "N"), 1});
   readings.push_back({{{"indentation d"}}, quantity(frame.indentation, "m"), 3});
   readings.push_back({{{"in contact"}}, percent(frame.contactFraction), 2});
   if (frame.scene)
-    readings.push_back({{{"velocity v"}}, quantity(frame.scene->sliding.velocity, "m/s"), 4});
+    readings.push_back({{{"velocity v"}},
+                        quantity(isSteady ? frame.scene->sliding.velocity : frame.velocity, "m/s"),
+                        4});
   if (frame.timeScale > 0)
     readings.push_back({{{"1 s on screen"}}, "= " + quantity(frame.timeScale, "s"), 6});
-  if (std::isfinite(frame.muMarch))
+  if (isSteady && std::isfinite(frame.muMarch))
     readings.push_back(
         {{{"\u03BC in this march in time"}}, shortNumber(frame.muMarch, 3, Zeros::Keep), 5});
   return readings;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/scene/element_law.h"
 #include "ui/picture/clear_place.h"
 #include "ui/picture/colours.h"
 #include "ui/picture/contact_parts.h"
@@ -14,9 +15,14 @@
 namespace asperity {
 namespace {
 
+/// m/s, now.
+double velocityOf(const Frame& frame) {
+  return frame.transient ? frame.velocity : frame.scene->sliding.velocity;
+}
+
 std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
   if (!frame.scene) return std::nullopt;
-  const double v = frame.scene->sliding.velocity;
+  const double v = velocityOf(frame);
   if (v == 0) return Tag{{{"rigid line at rest"}}, ArrowWay::None, {}};
   return Tag{{{brief ? "slides" : "rigid line slides"}},
              v > 0 ? ArrowWay::Right : ArrowWay::Left,
@@ -24,7 +30,7 @@ std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
 }
 
 Tag frictionTag(const Frame& frame) {
-  const bool backwards = frame.scene && frame.scene->sliding.velocity < 0;
+  const bool backwards = frame.scene && velocityOf(frame) < 0;
   return {{{"friction F"}, {"x", false, true}, {" = " + quantity(frame.tangentialForce, "N")}},
           backwards ? ArrowWay::Right : ArrowWay::Left,
           {}};
@@ -40,18 +46,21 @@ std::vector<Tag> forceTags(const Frame& frame) {
   std::vector<Tag> tags;
   if (frame.normalForce > 0) tags.push_back(pressingTag(frame));
   // No steady friction (none at all, or a state that has none): no arrow for what rounding leaves.
-  if (frame.muSteady > 0 && frame.tangentialForce > 0) tags.push_back(frictionTag(frame));
+  const double mu = frame.transient ? frame.muMarch : frame.muSteady;
+  if (mu > 0 && frame.tangentialForce > 0) tags.push_back(frictionTag(frame));
   return tags;
 }
 
-/// "viscoelastic, G = 10 MPa, τ = 1 ms"; empty without a scene.
+/// "viscoelastic, G = 10 MPa, τ = 1 ms" or ", 13 arms"; empty without a scene.
 std::string elastomerWords(const Frame& frame) {
   if (!frame.scene) return {};
-  const Elastomer& e = frame.scene->elastomer;
-  const bool viscous = e.rheology == Rheology::Kelvin;
-  std::string words = viscous ? "viscoelastic, G = " : "elastic, G = ";
-  words += quantity(e.shearModulus, "Pa");
-  if (viscous) words += ", \u03C4 = " + quantity(e.relaxationTime, "s");
+  const ElementLaw law = lawOf(frame.scene->elastomer);
+  const ElementKind kind = law.kind();
+  std::string words = kind == ElementKind::Elastic ? "elastic, G = " : "viscoelastic, G = ";
+  words += quantity(law.equilibriumModulus, "Pa");
+  if (kind == ElementKind::Kelvin) words += ", \u03C4 = " + quantity(law.relaxationTime, "s");
+  if (kind == ElementKind::Arms)
+    words += ", " + std::to_string(law.arms.size()) + (law.arms.size() == 1 ? " arm" : " arms");
   return words;
 }
 

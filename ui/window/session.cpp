@@ -31,7 +31,7 @@ QString troubleOf(const Frame& frame) {
                           [](double v) { return std::isfinite(v); }) &&
       areFinite(frame.lineHeight) && areFinite(frame.surfaceHeight) && areFinite(frame.pressure);
   if (!finite) return Session::tr("The numbers of this scene leave what a computer can hold.");
-  if (!std::isfinite(frame.muSteady))
+  if (!std::isfinite(frame.muSteady) && !frame.transient)
     return Session::tr("No steady sliding was found at this load and velocity.");
   return {};
 }

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <cmath>
 
+#include "core/scene/element_law.h"
 #include "ui/charts/decade_range.h"
 
 namespace asperity {
@@ -17,14 +18,14 @@ double orMissing(double value) {
 }  // namespace
 
 double dimensionlessForce(const Frame& frame) {
-  return orMissing(frame.normalForce /
-                   (frame.scene->elastomer.shearModulus * frame.rmsHeight * frame.length));
+  return orMissing(frame.normalForce / (lawOf(frame.scene->elastomer).equilibriumModulus *
+                                        frame.rmsHeight * frame.length));
 }
 
 double dimensionlessVelocity(const Frame& frame) {
-  const Elastomer& elastomer = frame.scene->elastomer;
-  if (elastomer.rheology == Rheology::Elastic) return kNotApplicable;
-  return orMissing(elastomer.relaxationTime * frame.scene->sliding.velocity * frame.rmsSlope /
+  const ElementLaw law = lawOf(frame.scene->elastomer);
+  if (law.kind() != ElementKind::Kelvin) return kNotApplicable;
+  return orMissing(law.relaxationTime * frame.scene->sliding.velocity * frame.rmsSlope /
                    (std::sqrt(2.0) * frame.rmsHeight));
 }
 

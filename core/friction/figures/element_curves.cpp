@@ -71,11 +71,10 @@ Reading fineSteps(const std::shared_ptr<const Line>& line, const Scene& scene, d
   const double force = scene.load.normalForce;
   const TravelLine travel = prepareTravel(*line, Scheme::Cubic);
   const SteadyResult steady = slideAtForce(travel, conditions, force);
-  TimeMarch march(line, travel.lowestHeight);
+  TimeMarch march(line, travel.lowestHeight, lawOf(scene.elastomer));
   const NodeShape shape = shapeAt(travel, conditions, steady.indentation);
   march.setState(inLineOrder(travel, shape.depth), steady.indentation);
-  const MarchConditions load{conditions.shearModulus, conditions.relaxationTime, LoadKind::Force,
-                             force, 0};
+  const MarchLoad load{LoadKind::Force, force, 0};
   const double advance = line->spacing / static_cast<double>(steps.perSpacing);
   double work = 0;
   for (std::int64_t k = 0; k < steps.spacings * steps.perSpacing; ++k) {

@@ -214,7 +214,19 @@ TEST(SceneFile, ShippedScenesAreValid) {
   for (const auto& entry :
        std::filesystem::directory_iterator(std::string(ASPERITY_RESOURCES_DIR) + "/scenes"))
     if (entry.path().extension() == ".json") {
-      EXPECT_NO_THROW(readSceneFile(entry.path())) << entry.path();
+      Scene scene;
+      EXPECT_NO_THROW(scene = readSceneFile(entry.path())) << entry.path();
+      EXPECT_FALSE(scene.title.empty()) << entry.path();
+      EXPECT_FALSE(scene.chapter.empty()) << entry.path();
+      // Two sentences say what to look for.
+      const auto& words = scene.description;
+      std::size_t sentences = 0;
+      for (std::size_t i = 0; i < words.size(); ++i)
+        sentences += words[i] == '.' && (i + 1 == words.size() || words[i + 1] == ' ') &&
+                             (i < 2 || words.substr(i - 2, 3) != "Eq.")
+                         ? 1
+                         : 0;
+      EXPECT_EQ(sentences, 2U) << entry.path();
     }
 }
 

@@ -1,0 +1,31 @@
+// A scene's line made ready, and the march of its elements begun in a state that is known: the
+// steady one, or static equilibrium. Threading: plain functions; a RigidLine is shared for reading.
+#pragma once
+
+#include <memory>
+
+#include "core/contact/scene_sliding.h"
+#include "core/contact/time_march.h"
+#include "core/contact/travel_line.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// Realization 0 at the scene's own accuracy.
+struct RigidLine {
+  explicit RigidLine(const Scene& scene);
+
+  std::shared_ptr<const Line> line;
+  TravelLine travel;
+};
+
+MarchLoad marchLoadOf(const Load& load);
+
+/// The steady state, with the line moved to the node nearest to `distance` (m).
+TimeMarch steadyMarch(const RigidLine& rigid, const SceneSliding& sliding, double velocity,
+                      const SteadyState& state, double distance = 0);
+
+/// Pressed in at rest for ever. Throws InputError where the elastomer has no equilibrium.
+TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene);
+
+}  // namespace asperity

@@ -1,0 +1,149 @@
+#include "core/run/transient.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/contact/interface.h"
+#include "core/scene/effects.h"
+#include "core/scene/plan.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of a step
+
+TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
+  checkEffects(scene);
+  if (callsFor(scene, Purpose::Picture, Stage::StartFromRest)) return restingMarch(rigid, scene);
+  const SceneSliding sliding(scene);
+  const SteadyState state = sliding.at(rigid.travel, scene.sliding.velocity);
+  if (state.result.status != SteadyStatus::Balanced)
+    throw std::runtime_error("no steady state to begin from: the force balance is not met");
+  return steadyMarch(rigid, sliding, scene.sliding.velocity, state);
+}
+
+/// Of elements whose free surface has one relaxation time.
+double relaxationOf(const ElementLaw& law) {
+  const RetardationModes modes = retardationModes(law);
+  if (modes.modes() == 0) return 0;
+  return modes.modes() == 1 ? 1 / modes.rate[0] : kNotApplicable;
+}
+
+}  // namespace
+
+/// Sums over a few steps.
+class Transient::Means {
+ public:
+  void add(const MarchStep& step, double dt, double distance) {
+    time_ += dt;
+    distance_ += distance;
+    work_ += step.lineWork;
+    force_ += step.normalForce * dt;
+    pressed_ += step.normalForce * std::abs(distance);
+    contact_ += step.contactLength * dt;
+    stretches_ += static_cast<double>(step.contacts) * dt;
+  }
+
+  TransientSample sample(double length) const {
+    TransientSample sample;
+    sample.velocity = time_ > 0 ? distance_ / time_ : 0;
+    sample.normalForce = time_ > 0 ? force_ / time_ : 0;
+    if (distance_ != 0) sample.tangentialForce = work_ / distance_;
+    if (pressed_ > 0) sample.mu = work_ / pressed_;
+    if (time_ > 0) sample.contactFraction = contact_ / time_ / length;
+    if (stretches_ > 0) sample.contactLength = contact_ / stretches_;
+    return sample;
+  }
+
+ private:
+  double time_ = 0, distance_ = 0, work_ = 0, force_ = 0, pressed_ = 0, contact_ = 0,
+         stretches_ = 0;
+};
+
+Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
+                     std::int64_t leastSteps)
+    : load_(scene.load),
+      interface_(scene.interface),
+      hasInterface_(callsFor(scene, Purpose::Picture, Stage::Interface)),
+      motion_(scene.sliding),
+      longestStep_(scene.sliding.duration / static_cast<double>(leastSteps)),
+      rigid_(std::move(rigid)),
+      march_(beginning(scene, *rigid_)),
+      relaxation_(relaxationOf(march_.law())) {
+  countStage(Stage::TimeMarch);
+  if (scene.sliding.kind == SlidingKind::Oscillation)
+    longestStep_ = std::min(longestStep_, 1 / (64 * scene.sliding.frequency));
+}
+
+/// s. At a constant velocity a node or a whole part of one, so that elements meet the line's nodes
+/// always at the same places: other steps beat with them.
+double Transient::stepAt(double time) const {
+  const double fastest = motion_.fastest(time, time);
+  if (!(fastest > 0)) return longestStep_;
+  const double node = rigid_->line->spacing / fastest;
+  return motion_.isSmooth() ? std::min(longestStep_, node) : node / std::ceil(node / longestStep_);
+}
+
+double Transient::stepsTo(double time) const {
+  return std::ceil((time - time_) / stepAt(time_));
+}
+
+void Transient::stepOnce(double dt, Means& means) {
+  const double distance = motion_.distanceAt(time_ + dt) - motion_.distanceAt(time_);
+  last_ = march_.step(marchLoadOf(load_), dt, distance);
+  means.add(last_, dt, distance);
+  time_ += dt;
+  ++steps_;
+}
+
+/// Whole steps, but up to where the velocity jumps and to the end of the motion.
+TransientSample Transient::marchTo(double time) {
+  Means means;
+  const std::uint64_t before = steps_;
+  while (time_ < time || steps_ == before) {
+    const double mark = time_ < motion_.jump() ? motion_.jump() : motion_.duration();
+    const double dt = stepAt(time_), left = mark - time_;
+    if (left > 0 && dt >= left * (1 - kRounding)) {
+      stepOnce(left, means);
+      time_ = mark;  // to the last bit
+    } else if (steps_ > before && time_ + dt > time + kRounding * dt) {
+      break;
+    } else {
+      stepOnce(dt, means);
+    }
+  }
+  TransientSample sample = means.sample(rigid_->line->length);
+  sample.time = time_;
+  sample.distance = march_.distance();
+  sample.indentation = march_.indentation();
+  if (hasInterface_ && sample.velocity != 0) {
+    countStage(Stage::Interface);
+    sample.muInterface = localFriction(interface_, sample.normalForce,
+                                       sample.contactFraction * rigid_->line->length);
+  }
+  if (sample.contactLength > 0 && relaxation_ > 0)
+    sample.predictedRate = 1 / relaxation_ + std::abs(sample.velocity) / sample.contactLength;
+  return sample;
+}
+
+TransientSample Transient::singleStep() {
+  return marchTo(time_);
+}
+
+std::shared_ptr<const std::vector<TransientSample>> transientOf(const Scene& scene,
+                                                                std::int64_t count,
+                                                                const std::stop_token& stop) {
+  Transient transient(scene, std::make_shared<RigidLine>(scene),
+                      std::max<std::int64_t>(count, 500));
+  auto samples = std::make_shared<std::vector<TransientSample>>();
+  TransientSample first = transient.singleStep();
+  first.time = 0;
+  samples->push_back(first);
+  for (std::int64_t i = 1; i <= count && !stop.stop_requested() && !transient.isOver(); ++i)
+    samples->push_back(transient.marchTo(transient.motion().duration() * static_cast<double>(i) /
+                                         static_cast<double>(count)));
+  return samples;
+}
+
+}  // namespace asperity

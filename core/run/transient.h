@@ -1,0 +1,68 @@
+// A motion marched through its duration: what friction, indentation and contact did at each time.
+// The same calls give the same samples; no threads and no clock of its own.
+// Ownership: holds line and march; samples are values, handed out as immutable.
+// Failure: the constructor throws InputError for a scene that cannot run and std::runtime_error
+// where its first steady state has no balance.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "core/contact/time_march.h"
+#include "core/run/rigid_line.h"
+#include "core/run/transient_sample.h"
+#include "core/scene/motion.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+class Transient {
+ public:
+  /// rigid: the scene's. The march takes `leastSteps` at least for the duration; they are at most
+  /// one node long and meet the jump of a velocity.
+  Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
+            std::int64_t leastSteps = 500);
+
+  /// Steps that marchTo would take.
+  double stepsTo(double time) const;
+
+  const Motion& motion() const { return motion_; }
+  const TimeMarch& march() const { return march_; }
+  double time() const { return time_; }
+  std::uint64_t steps() const { return steps_; }
+  bool isOver() const { return time_ >= motion_.duration(); }
+
+  /// Marches one step at least, and on as long as whole steps end by that time (s), or exactly to
+  /// the motion's jump and end; gives the means on the way.
+  TransientSample marchTo(double time);
+
+  /// One step.
+  TransientSample singleStep();
+
+ private:
+  class Means;
+  double stepAt(double time) const;
+  void stepOnce(double dt, Means& means);
+
+  Load load_;
+  Interface interface_;
+  bool hasInterface_;
+  Motion motion_;
+  double longestStep_;  // s
+  std::shared_ptr<const RigidLine> rigid_;
+  TimeMarch march_;
+  MarchStep last_;
+  double relaxation_;  // s, of one relaxation time; NaN with more
+  double time_ = 0;
+  std::uint64_t steps_ = 0;
+};
+
+/// `count` samples evenly over the scene's duration, after one at time 0 from its first step. Ends
+/// early, with those it has, where `stop` is requested.
+std::shared_ptr<const std::vector<TransientSample>> transientOf(const Scene& scene,
+                                                                std::int64_t count,
+                                                                const std::stop_token& stop = {});
+
+}  // namespace asperity

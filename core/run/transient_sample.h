@@ -1,0 +1,26 @@
+// One moment of a motion that is not steady. Plain value.
+#pragma once
+
+#include "core/friction/curve_point.h"
+
+namespace asperity {
+
+/// Means over the steps since the sample before.
+struct TransientSample {
+  double time = 0;             // s, at its end
+  double velocity = 0;         // m/s, mean; below 0 the line goes back
+  double distance = 0;         // m, slid so far
+  double indentation = 0;      // m
+  double normalForce = 0;      // N
+  double tangentialForce = 0;  // N, against +x: of the sign of the velocity where it resists
+  double mu = kNotApplicable;  // tangential over normal force along the motion; NaN at rest
+  double muInterface = 0;      // of local friction
+  double contactFraction = 0;
+  double contactLength = 0;  // m, mean of one stretch in contact
+  /// 1/s, at which friction is about to relax: 1 / tau + |v| / contactLength. Exact to about 1 %
+  /// for one contact of elements with one relaxation time at constant force; a guide on rough
+  /// lines.
+  double predictedRate = kNotApplicable;
+};
+
+}  // namespace asperity

@@ -1,0 +1,46 @@
+#include "core/scene/motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+
+bool Motion::jumps() const {
+  return sliding_.kind == SlidingKind::Step || sliding_.kind == SlidingKind::Reversal;
+}
+
+double Motion::secondVelocity() const {
+  return sliding_.kind == SlidingKind::Step ? sliding_.velocityAfter : -sliding_.velocity;
+}
+
+double Motion::jump() const {
+  return jumps() ? 0.5 * sliding_.duration : sliding_.duration;
+}
+
+double Motion::velocityAt(double time) const {
+  if (sliding_.kind == SlidingKind::Oscillation)
+    return sliding_.velocity +
+           sliding_.amplitude * std::sin(2 * std::numbers::pi * sliding_.frequency * time);
+  return jumps() && time >= jump() ? secondVelocity() : sliding_.velocity;
+}
+
+double Motion::distanceAt(double time) const {
+  if (sliding_.kind == SlidingKind::Oscillation) {
+    // 1 - cos without cancellation.
+    const double half = std::sin(std::numbers::pi * sliding_.frequency * time);
+    return sliding_.velocity * time +
+           sliding_.amplitude * half * half / (std::numbers::pi * sliding_.frequency);
+  }
+  if (!jumps() || time <= jump()) return sliding_.velocity * time;
+  return sliding_.velocity * jump() + secondVelocity() * (time - jump());
+}
+
+double Motion::fastest(double from, double to) const {
+  if (sliding_.kind == SlidingKind::Oscillation) return sliding_.velocity + sliding_.amplitude;
+  // A stretch that ends at the jump is slid at the velocity before it.
+  const double first = std::abs(velocityAt(from));
+  return jumps() && to > jump() ? std::max(first, std::abs(secondVelocity())) : first;
+}
+
+}  // namespace asperity

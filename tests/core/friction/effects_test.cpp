@@ -1,0 +1,113 @@
+// What runs is what the plan says; curves of every rheology; effects of no strength.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/friction/curve_file.h"
+#include "core/friction/ensemble.h"
+#include "core/scene/effects.h"
+#include "core/scene/input_error.h"
+#include "core/scene/plan.h"
+#include "tests/core/contact/elastomers.h"
+
+namespace asperity {
+namespace {
+
+Scene smallScene() {
+  Scene scene;
+  scene.surface.elements = 200;
+  scene.sweep = {1e-4, 10, 6};
+  scene.load.normalForce = 0.02;
+  scene.ensemble.realizations = 4;
+  return scene;
+}
+
+/// Stages that ran while a curve was made, against the plan.
+void expectPlanned(const Scene& scene) {
+  const StageCounts before = stageCounts();
+  frictionCurve(scene);
+  const StageCounts after = stageCounts();
+  for (const PlanStage& stage : planOf(scene, Purpose::Curve)) {
+    const auto i = static_cast<std::size_t>(stage.stage);
+    EXPECT_EQ(after[i] > before[i], stage.runs) << stage.name << ": " << stage.reason;
+  }
+}
+
+TEST(Effects, WhatRunsIsWhatThePlanSays) {
+  for (const auto& [name, elastomer] : allElastomers()) {
+    Scene scene = smallScene();
+    scene.elastomer = elastomer;
+    expectPlanned(scene);
+    scene.elastomer.temperature = 305;
+    scene.surface.rollOffWavelength = 0.004;
+    scene.surface.summitCorrelation = 0.5;
+    scene.interface.frictionCoefficient = 0.2;
+    expectPlanned(scene);
+    scene.load = {LoadKind::Indentation, 0, 4e-7};
+    scene.sweep.points = 1;
+    scene.ensemble.realizations = 1;
+    expectPlanned(scene);
+  }
+}
+
+TEST(Effects, EveryRheologyHasACurve) {
+  for (const auto& [name, elastomer] : allElastomers()) {
+    Scene scene = smallScene();
+    scene.elastomer = elastomer;
+    CurveOptions one, many;
+    one.threads = 1;
+    many.threads = 3;
+    const Curve curve = frictionCurve(scene, one);
+    EXPECT_TRUE(curve.isComplete);
+    EXPECT_LT(curve.largestResidual, 1e-10) << name;
+    for (const CurvePoint& point : curve.points) {
+      EXPECT_TRUE(std::isfinite(point.mu)) << name;
+      EXPECT_GE(point.mu, name == "elastic" ? -1e-12 : 0) << name;
+    }
+    EXPECT_EQ(curveCsv(curve.points), curveCsv(frictionCurve(scene, many).points));
+  }
+}
+
+TEST(Effects, OfNoStrengthLeaveEveryBit) {
+  const auto bytesOf = [](const Scene& scene) { return curveCsv(frictionCurve(scene).points); };
+  const Scene plain = smallScene();
+  Scene empty = plain;
+  empty.interface = {0, 0};
+  empty.surface.rollOffWavelength = plain.surface.length;
+  empty.elastomer.temperature = empty.elastomer.shift.referenceTemperature = 320;
+  EXPECT_EQ(bytesOf(empty), bytesOf(plain));
+  // A Prony series of nothing but its equilibrium is elastic.
+  Scene elastic = plain, nothing = plain;
+  elastic.elastomer.rheology = Rheology::Elastic;
+  nothing.elastomer = prony(1e7, {{0, 1}, {1e6, 0}});
+  EXPECT_EQ(bytesOf(elastic), bytesOf(nothing));
+}
+
+TEST(Effects, LocalFrictionStandsInItsOwnColumns) {
+  Scene scene = smallScene();
+  const Curve without = frictionCurve(scene);
+  scene.interface.frictionCoefficient = 0.25;
+  const Curve with = frictionCurve(scene);
+  scene.interface = {0, 40};
+  const Curve shear = frictionCurve(scene);
+  for (std::size_t i = 0; i < with.points.size(); ++i) {
+    EXPECT_EQ(with.points[i].mu, without.points[i].mu);
+    EXPECT_DOUBLE_EQ(with.points[i].muInterface, 0.25);
+    EXPECT_TRUE(std::isnan(without.points[i].muInterface));
+    EXPECT_NEAR(shear.points[i].muInterface,
+                40 * shear.points[i].contactFraction * scene.surface.length / 0.02,
+                1e-12 * shear.points[i].muInterface);
+  }
+  EXPECT_EQ(curveCsv(without.points).find("mu_interface"), std::string::npos);
+  EXPECT_NE(curveCsv(with.points).find("realizations,mu_interface,mu_total\n"), std::string::npos);
+  EXPECT_NE(curveJson(with.points, scene).find("\"mu_total\""), std::string::npos);
+}
+
+TEST(Effects, WithoutAnEquilibriumThereIsNoSteadySliding) {
+  Scene scene = smallScene();
+  scene.elastomer = prony(0, {{1e7, 1e-3}});
+  EXPECT_THROW(frictionCurve(scene), InputError);
+}
+
+}  // namespace
+}  // namespace asperity

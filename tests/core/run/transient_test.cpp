@@ -1,0 +1,237 @@
+// Motions that are not steady: rates and jumps against their closed forms, and what must never
+// happen on the way through rest.
+#include "core/run/transient.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/scene/input_error.h"
+#include "tests/core/contact/elastomers.h"
+
+namespace asperity {
+namespace {
+
+using Samples = std::vector<TransientSample>;
+
+/// A parabola pressed by a constant force: one contact, half-width some 2 mm of 40 mm.
+Scene parabola(SlidingKind kind) {
+  Scene scene;
+  scene.surface.kind = SurfaceKind::Parabola;
+  scene.surface.length = 0.04;
+  scene.surface.radius = 1;
+  scene.surface.elements = 4000;
+  scene.accuracy.oversampling = 1;
+  scene.load.normalForce = 0.1;
+  scene.sliding.kind = kind;
+  scene.sliding.velocity = 0.5;
+  return scene;
+}
+
+Scene rough(SlidingKind kind) {
+  Scene scene;
+  scene.surface.elements = 400;
+  scene.load.normalForce = 0.05;
+  scene.sliding.kind = kind;
+  scene.sliding.velocity = 0.2;
+  scene.sliding.duration = 0.05;
+  return scene;
+}
+
+Samples run(const Scene& scene, std::int64_t count) {
+  return *transientOf(scene, count);
+}
+
+/// 1/s, of the last decay of mu towards `end` between two times.
+double rateOf(const Samples& samples, double end, double from, double to) {
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (const TransientSample& sample : samples) {
+    if (sample.time < from || sample.time > to) continue;
+    const double x = sample.time, y = std::log(std::abs(sample.mu - end));
+    n += 1;
+    sx += x;
+    sy += y;
+    sxx += x * x;
+    sxy += x * y;
+  }
+  return -(n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+/// 1 / tau + v / l, l the contact length of one leading edge.
+TEST(Transient, FrictionRelaxesAtThePredictedRateOnAParabola) {
+  Scene scene = parabola(SlidingKind::Step);
+  scene.sliding.velocityAfter = 0.55;
+  scene.sliding.duration = 0.02;
+  const Samples samples = run(scene, 500);
+  const TransientSample& last = samples.back();
+  const double jump = 0.5 * scene.sliding.duration, time = 1 / last.predictedRate;
+  const double rate = rateOf(samples, last.mu, jump + time, jump + 4 * time);
+  EXPECT_NEAR(rate / last.predictedRate, 1, 0.02);
+}
+
+/// At once by 4 eta L_c dv Var(z') / F_N where the line becomes slower.
+TEST(Transient, FrictionJumpsWithTheVelocity) {
+  Scene scene = parabola(SlidingKind::Step);
+  scene.surface.elements = 16000;
+  scene.sliding.velocityAfter = 0.45;
+  scene.sliding.duration = 0.01;
+  const Samples samples = run(scene, 1600);
+  std::size_t after = 0;
+  while (samples[after].time <= 0.5 * scene.sliding.duration) ++after;
+  const TransientSample &before = samples[after - 1], &first = samples[after];
+  // Contact from -a to b on z' = x / R: the variance of a slope that is even over l is (l/R)^2/12.
+  const double eta = scene.elastomer.shearModulus * scene.elastomer.relaxationTime;
+  const double l = before.contactLength, slope = l / scene.surface.radius;
+  const double jump = 4 * eta * l * -0.05 * slope * slope / 12 / scene.load.normalForce;
+  // The first sample lies a step after the jump; friction relaxes back meanwhile.
+  const double relaxed = 1 - 0.5 * (first.time - before.time) * first.predictedRate;
+  EXPECT_NEAR((first.mu - before.mu) / (jump * relaxed), 1, 0.03);
+}
+
+/// Steady march and steady pass agree for every rheology, ever better with finer elements.
+TEST(Transient, StaysInTheSteadyStateOfEveryRheology) {
+  for (const auto& [name, elastomer] : allElastomers()) {
+    const auto errorAt = [&elastomer = elastomer](std::int64_t oversampling) {
+      Scene scene = rough(SlidingKind::Step);
+      scene.surface.elements = 128;
+      scene.load.normalForce = 0.2;
+      scene.elastomer = elastomer;
+      scene.accuracy.oversampling = oversampling;
+      scene.sliding.velocity = scene.sliding.velocityAfter = 0.5;
+      scene.sliding.duration = 2 * scene.surface.length / scene.sliding.velocity;
+      const SceneSliding sliding(scene);
+      const RigidLine rigid(scene);
+      const SteadyResult steady = sliding.at(rigid.travel, 0.5).result;
+      // The second period.
+      Transient transient(scene, std::make_shared<RigidLine>(scene), 1);
+      transient.marchTo(0.5 * scene.sliding.duration);
+      const TransientSample sample = transient.marchTo(scene.sliding.duration);
+      EXPECT_NEAR(sample.indentation / steady.indentation, 1,
+                  0.02 / static_cast<double>(oversampling));
+      // In units of the friction of a soft Kelvin element, so that elastic counts as well.
+      return std::abs(sample.mu - steady.mu) / std::max(steady.mu, 1e-3 * rigid.line->rmsSlope);
+    };
+    const double coarse = errorAt(2), fine = errorAt(16);
+    EXPECT_LT(fine, 0.01) << name;
+    EXPECT_LT(fine, 0.5 * coarse + 1e-6) << name;
+  }
+}
+
+TEST(Transient, BeginsInStaticEquilibriumAndReachesTheSteadyState) {
+  for (const auto& [name, elastomer] : allElastomers()) {
+    Scene scene = rough(SlidingKind::Start);
+    scene.elastomer = elastomer;
+    scene.surface.elements = 200;
+    scene.accuracy.oversampling = 4;
+    // At rest nothing moves.
+    Scene still = scene;
+    still.sliding.velocity = 0;
+    const Samples resting = run(still, 20);
+    for (const TransientSample& sample : resting) {
+      EXPECT_NEAR(sample.indentation / resting.front().indentation, 1, 1e-9) << name;
+      EXPECT_NEAR(sample.normalForce / scene.load.normalForce, 1, 1e-9);
+      EXPECT_EQ(sample.tangentialForce, 0);
+      EXPECT_TRUE(std::isnan(sample.mu));
+    }
+    if (name == "tread compound" || name.starts_with("prony")) continue;  // slow arms take long
+    scene.sliding.duration = 0.3;                                         // three periods
+    Transient transient(scene, std::make_shared<RigidLine>(scene));
+    transient.marchTo(0.2);
+    const double mu = transient.marchTo(0.3).mu;
+    const double steady =
+        SceneSliding(scene).at(RigidLine(scene).travel, scene.sliding.velocity).result.mu;
+    EXPECT_NEAR(mu, steady, 0.03 * steady + 1e-6) << name;
+  }
+}
+
+TEST(Transient, StaysFiniteThroughRestAndBack) {
+  for (const SlidingKind kind :
+       {SlidingKind::Oscillation, SlidingKind::Reversal, SlidingKind::Step})
+    for (const auto& [name, elastomer] : allElastomers()) {
+      Scene scene = rough(kind);
+      scene.elastomer = elastomer;
+      scene.sliding.amplitude = 1;
+      scene.sliding.frequency = 60;
+      scene.sliding.velocityAfter = kind == SlidingKind::Step ? 0 : 1;
+      Transient transient(scene, std::make_shared<RigidLine>(scene));
+      for (int i = 1; i <= 50; ++i) {
+        const TransientSample sample = transient.marchTo(0.001 * i);
+        EXPECT_NEAR(sample.normalForce / 0.05, 1, 1e-8) << name;
+        EXPECT_TRUE(std::isfinite(sample.tangentialForce));
+        EXPECT_GT(sample.indentation, 0);
+        EXPECT_LT(sample.indentation, 1e-5);
+        const TimeMarch& march = transient.march();
+        for (std::size_t k = 0; k < march.depth().size(); ++k) {
+          EXPECT_GE(march.pressure()[k], 0);
+          EXPECT_GE(march.depth()[k] - (march.indentation() - march.rise()[k]), -1e-15);
+        }
+      }
+    }
+}
+
+/// After a reversal friction is that of sliding the other way, against the motion.
+TEST(Transient, AReversalEndsInTheMirroredSteadyState) {
+  Scene scene = rough(SlidingKind::Reversal);
+  scene.accuracy.oversampling = 4;
+  scene.sliding.duration = 0.4;
+  Transient transient(scene, std::make_shared<RigidLine>(scene));
+  const TransientSample there = transient.marchTo(0.2);
+  transient.marchTo(0.3);
+  const TransientSample back = transient.marchTo(0.4);
+  EXPECT_GT(there.tangentialForce, 0);
+  EXPECT_LT(back.tangentialForce, 0);
+  EXPECT_GT(there.mu, 0);
+  EXPECT_GT(back.mu, 0);
+  EXPECT_LT(back.velocity, 0);
+  const RigidLine rigid(scene);
+  const TravelLine backwards =
+      prepareTravel(*rigid.line, scene.accuracy.scheme, Direction::Backward);
+  const double steady = SceneSliding(scene).at(backwards, 0.2).result.mu;
+  EXPECT_NEAR(back.mu / steady, 1, 0.03);
+}
+
+TEST(Transient, AtConstantDepthTheForceFollows) {
+  Scene scene = rough(SlidingKind::Step);
+  scene.load = {LoadKind::Indentation, 0, 4e-7};
+  scene.sliding.velocityAfter = 2;
+  const Samples samples = run(scene, 100);
+  EXPECT_GT(samples.back().normalForce, samples.front().normalForce);
+  for (const TransientSample& sample : samples) EXPECT_EQ(sample.indentation, 4e-7);
+}
+
+/// In full contact at constant force there is no transient but the jump itself.
+TEST(Transient, FullContactHasNone) {
+  Scene scene = rough(SlidingKind::Step);
+  scene.surface.elements = 100;
+  scene.accuracy.oversampling = 8;
+  scene.load.normalForce = 100;
+  scene.sliding.velocity = 0.01;
+  scene.sliding.velocityAfter = 0.02;
+  scene.sliding.duration = 0.02;
+  const Samples samples = run(scene, 200);
+  for (const TransientSample& sample : samples)
+    if (sample.time > 0.5 * scene.sliding.duration)
+      EXPECT_NEAR(sample.mu / samples.back().mu, 1, 1e-3);
+    else
+      EXPECT_NEAR(sample.mu / samples.back().mu, 0.5, 1e-3);
+}
+
+TEST(Transient, LocalFrictionIsReportedApart) {
+  Scene plain = rough(SlidingKind::Start), sticky = plain;
+  sticky.interface.frictionCoefficient = 0.3;
+  const Samples one = run(plain, 50), other = run(sticky, 50);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].mu, other[i].mu);
+    EXPECT_EQ(one[i].muInterface, 0);
+    EXPECT_EQ(other[i].muInterface, 0.3);
+  }
+}
+
+TEST(Transient, WithoutAnEquilibriumThereIsNoBeginning) {
+  Scene scene = rough(SlidingKind::Start);
+  scene.elastomer = prony(0, {{1e7, 1e-3}});
+  EXPECT_THROW(run(scene, 10), InputError);
+}
+
+}  // namespace
+}  // namespace asperity
