@@ -54,11 +54,15 @@ void HeadlessPictures::write(const std::string& file, const DrawList& list,
 
 void HeadlessPictures::writePng(const std::string& file, const DrawList& list,
                                 const PictureFacts& facts) {
-  QImage image = renderImage(*context_, list);
+  QImage image = draw(list);
   finish();
   writing_ = std::async(std::launch::async, [file, facts, image = std::move(image)] {
     asperity::writePng(file, image, {facts.title, facts.metadata, 96 * facts.scale});
   });
+}
+
+QImage HeadlessPictures::draw(const DrawList& list) {
+  return renderImage(*context_, list);
 }
 
 void HeadlessPictures::finish() {

@@ -1,9 +1,11 @@
 // Pictures without a screen: a Qt application on the offscreen platform for texts, OpenGL without a
 // screen for shapes, and one thread that encodes and writes a picture while the next one is drawn.
 // Ownership: one at a time, made and used on the main thread.
-// Failure: std::runtime_error (no OSMesa, a file that cannot be written), from any call.
+// Failure: std::runtime_error (no library that draws, a file that cannot be written), from any
+// call.
 #pragma once
 
+#include <QImage>
 #include <future>
 #include <memory>
 #include <string>
@@ -32,6 +34,9 @@ class HeadlessPictures {
   /// file keeps what `facts` says. Draws at once; the file may be written later, but before
   /// finish() returns.
   void write(const std::string& file, const DrawList& list, const PictureFacts& facts = {});
+
+  /// Shapes and texts, at once.
+  QImage draw(const DrawList& list);
 
   /// Waits for the last file.
   void finish();
