@@ -112,21 +112,14 @@ Words encodingFor(const std::string& extension, bool transparent) {
 }
 
 Words argumentsFor(const std::string& extension, const FilmOptions& options) {
-  Words words{"ffmpeg",
-              "-hide_banner",
-              "-nostdin",
-              "-loglevel",
-              "error",
-              "-y",
-              "-threads",
-              "1",
-              "-filter_threads",
-              "1",
-              "-filter_complex_threads",
-              "1",
-              "-f",
-              "rawvideo",
-              "-pix_fmt",
+  Words words{"ffmpeg",    "-hide_banner",
+              "-nostdin",  "-xerror",
+              "-loglevel", "error",
+              "-y",        "-threads",
+              "1",         "-filter_threads",
+              "1",         "-filter_complex_threads",
+              "1",         "-f",
+              "rawvideo",  "-pix_fmt",
               "rgba"};
   const auto add = [&words](const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
@@ -252,14 +245,17 @@ struct FilmFile::Body {
     const ssize_t count = ::pread(complaints.number(), text.data(), text.size(), from);
     text.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     while (!text.empty() && text.back() == '\n') text.pop_back();
-    return text.empty() ? "it says nothing" : text.substr(text.rfind('\n') + 1);
+    return text.substr(text.rfind('\n') + 1);
   }
 
   /// Waits for ffmpeg; throws what it complained about.
   void end() {
     pictures.close();
     const int status = wait();
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail("ffmpeg failed: " + lastComplaint());
+    // With a full disk it complains, and may still end as if all were well.
+    const std::string complaint = lastComplaint();
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && complaint.empty()) return;
+    fail("ffmpeg failed" + (complaint.empty() ? std::string() : ": " + complaint));
   }
 
   void write(const char* bytes, std::size_t size) {
