@@ -138,7 +138,8 @@ TEST_F(MainWindowTest, TheCurveFillsInBesideTheAnimation) {
   const Plot& plot = window_.plotView().plot();
   ASSERT_EQ(plot.series.size(), 2U);
   for (const PlotSeries& series : plot.series) EXPECT_EQ(series.points.size(), 9U);
-  EXPECT_TRUE(plot.marker);
+  // The diagram follows a frame a little later.
+  EXPECT_TRUE(waitFor([&] { return window_.plotView().plot().marker.has_value(); }));
   for (const QLabel* label : window_.findChildren<QLabel*>())
     EXPECT_FALSE(label->text().contains("3 of 3"));  // it stands in the diagram, once
 }
