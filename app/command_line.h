@@ -48,6 +48,11 @@ struct FigureCommand {
   std::int64_t realizations = 200;
 };
 
+struct ExplainCommand {
+  CommonOptions common;
+  bool analyze = false;
+};
+
 struct AccuracyCommand {
   CommonOptions common;
   std::string output;  // folder
@@ -70,6 +75,7 @@ int runCheck(const CommonOptions& command);
 int runCurve(const CurveCommand& command);
 int runRender(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);
+int runExplain(const ExplainCommand& command);
 int runAccuracy(const AccuracyCommand& command);
 int runFigure(const FigureCommand& command);
 /// The window; an empty scene opens the default one.

@@ -121,10 +121,13 @@ ASPERITY_PAIR bool any(PairMask<T> x) { return any(x.a) || any(x.b); }
 #undef ASPERITY_PAIR
 // clang-format on
 
-#ifndef ASPERITY_WIDE
-#define ASPERITY_WIDE Pair<One>
+// Two vectors in flight are 1.2 to 1.5 times as fast as one where lanes are full; single numbers
+// gain nothing.
+#if HWY_TARGET == HWY_SCALAR
+using Wide = One;
+#else
+using Wide = Pair<One>;
 #endif
-using Wide = ASPERITY_WIDE;
 using WideMask = Wide::Mask;
 
 }  // namespace HWY_NAMESPACE
