@@ -12,7 +12,7 @@
 #include <string>
 
 #include "ui/picture/font_subset.h"
-#include "ui/render/osmesa_context.h"
+#include "ui/render/pixel_context.h"
 
 namespace asperity {
 namespace {
@@ -68,7 +68,7 @@ void paintTexts(QPainter& painter, const DrawList& list) {
   painter.restore();
 }
 
-QImage renderImage(OsmesaContext& context, const DrawList& list) {
+QImage renderImage(PixelContext& context, const DrawList& list) {
   const Pixels pixels = context.draw(list);
   QImage image(pixels.width, pixels.height, QImage::Format_RGBA8888_Premultiplied);
   const auto row = static_cast<std::size_t>(pixels.width) * 4;

@@ -15,6 +15,7 @@
 
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/charts/plot_view.h"
 #include "ui/panels/parameter_panel.h"
@@ -73,6 +74,7 @@ Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
 MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* parent)
     : QMainWindow(parent), session_(new Session(scene, options, this)) {
   setObjectName("mainWindow");
+  setAcceptDrops(true);
   buildViews();
   buildPanel();
   buildActions();
@@ -187,12 +189,13 @@ void MainWindow::showScene(const Scene& scene) {
 
 bool MainWindow::openScene(const QString& file) {
   try {
-    showScene(readSceneFile(file.toStdString()));
+    showScene(readProvenance(file.toStdString()));
   } catch (const InputError& error) {
     messages_->showMessage(QString::fromUtf8(error.what()));
     return false;
   }
-  file_ = file;
+  // What was opened from a picture is not saved over it.
+  file_ = file.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) ? file : QString();
   showTitle();
   return true;
 }
