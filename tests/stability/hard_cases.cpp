@@ -189,8 +189,7 @@ void addLines(Table& table) {
 
 void addLargest(Table& table) {
   const Line line = rough(1 << 20);
-  for (const double v : {1e-3, 1e3})
-    table.add("N = 2^20, v = " + std::to_string(v).substr(0, 6), "long sums", line, v, kForce);
+  table.add("N = 2^20, v = 1000", "long sums", line, 1e3, kForce);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ const char* nameOf(Scheme scheme) {
 
 constexpr double kRelative = 1e-11;  // of mu
 /// Of the rms slope: where mu is the difference of large terms, as for elements one by one.
-constexpr double kAbsolute = 1e-16;
+constexpr double kAbsolute = 1e-15;
 
 double errorOf(double mu, Wide reference) {
   if (mu == reference) return 0;

@@ -11,6 +11,7 @@ namespace asperity {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr std::size_t kMostNodes = 100000;  // above, only what one result says
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double relative(double a, double b) {
@@ -182,6 +183,7 @@ std::vector<Finding> allFindings(const Situation& situation) {
     const SteadyResult result = solve(situation, path);
     if (isRefused(result)) return {};
     add(resultFindings(situation, result));
+    if (situation.line.nodes() > kMostNodes) continue;
     add({exactScaling(situation, path, result.mu), shiftSymmetry(situation, path, result.mu)});
     if (path == Path::Lanes) continue;
     add(shapeFindings(situation, result.indentation));

@@ -51,7 +51,8 @@ Finding exactScaling(const Situation& situation, Path path, double mu);
 /// The line moved along x by whole elements: the same mu.
 Finding shiftSymmetry(const Situation& situation, Path path, double mu);
 
-/// All of the above, of the plain path and of the lanes. Empty where the situation is refused.
+/// All of the above, of the plain path and of the lanes; of very long lines the first only. Empty
+/// where the situation is refused.
 std::vector<Finding> allFindings(const Situation& situation);
 
 /// The finding nearest to its limit, or beyond it.
