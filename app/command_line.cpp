@@ -39,6 +39,7 @@ class CommandLine {
     addOpen();
     addBatch();
     addAccuracy();
+    addExplain();
     app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.",
                             kDone, kRunFailed, kBadInput));
   }
@@ -190,6 +191,11 @@ class CommandLine {
                              accuracy_.common, [this] { return runAccuracy(accuracy_); });
     verb->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")->required();
   }
+  void addExplain() {
+    CLI::App* verb = addVerb("explain", "The plan: what runs, what does not and why, what it costs",
+                             explain_.common, [this] { return runExplain(explain_); });
+    verb->add_flag("--analyze", explain_.analyze, "Run it, too, and add what it did cost");
+  }
   static void addOutputs(CLI::App* verb, std::vector<std::string>& outputs, const char* sentence) {
     verb->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
   }
@@ -203,6 +209,7 @@ class CommandLine {
   OpenCommand open_;
   BatchCommand batch_;
   AccuracyCommand accuracy_;
+  ExplainCommand explain_;
   std::function<int()> selected_;
 };
 

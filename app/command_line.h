@@ -53,6 +53,11 @@ struct FigureCommand {
   std::int64_t realizations = 200;
 };
 
+struct ExplainCommand {
+  CommonOptions common;
+  bool analyze = false;
+};
+
 struct OpenCommand {
   CommonOptions common;  // its scene: any file that holds one
 };
@@ -85,6 +90,7 @@ int runCheck(const CommonOptions& command);
 int runCurve(const CurveCommand& command);
 int runRender(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);
+int runExplain(const ExplainCommand& command);
 int runAccuracy(const AccuracyCommand& command);
 int runFigure(const FigureCommand& command);
 /// The window; an empty scene opens the default one.

@@ -10,6 +10,7 @@
 #include "app/progress_bar.h"
 #include "core/accuracy/work_precision_file.h"
 #include "core/scene/atomic_file.h"
+#include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "ui/picture/diagram_picture.h"
 
@@ -69,6 +70,7 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
 
 int runAccuracy(const AccuracyCommand& command) {
   const Scene scene = sceneOf(command.common);
+  saidOfScene(command.common, [&] { needSteadySliding(scene, "asperity accuracy"); });
   makeFolder(command.output);
   for (const char* name : kFiles) checkWritable(fileIn(command.output, name));
   const WorkPrecision comparison = compute(scene, command.common);

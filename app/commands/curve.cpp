@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "app/command_line.h"
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
+#include "core/accuracy/target_curve.h"
 #include "core/friction/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
@@ -26,7 +29,7 @@ Curve compute(const Scene& scene, const CommonOptions& common) {
   options.progress = [&bar](const CurveProgress& progress) {
     bar.show(progress.realizationsDone, progress.realizationsTotal);
   };
-  return saidOfScene(common, [&] { return frictionCurve(scene, options); });
+  return saidOfScene(common, [&] { return curveOf(scene, options); });
 }
 
 void writePictures(const std::vector<std::string>& outputs, const Scene& scene, const Curve& curve,
@@ -54,6 +57,9 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
   if (curve.marginalFraction > 0)
     text += fmt::format(", {:.1f} % of the balances with a partly loaded element",
                         100 * curve.marginalFraction);
+  if (std::isfinite(curve.achievedError))
+    text += fmt::format("\nrelative error at most {:.2g} at every velocity, target {}",
+                        curve.achievedError, curve.isTargetMet ? "met" : "not met");
   for (const std::string& output : outputs) text += fmt::format("\nwrote {}", output);
   return text + "\n";
 }
@@ -80,6 +86,11 @@ int runCurve(const CurveCommand& command) {
     fmt::print("{}", curveCsv(curve.points));
   if (!tableOnStdout)
     printSummary(command.common.json, command.common.quiet, summaryOf(curve, command.outputs));
+  if (!curve.isTargetMet)
+    throw std::runtime_error(
+        fmt::format("accuracy.target_relative_error is not reached within the lines and memory "
+                    "allowed: {:.2g}",
+                    curve.achievedError));
   return kDone;
 }
 

@@ -6,8 +6,10 @@
 #include <memory>
 #include <optional>
 
+#include "core/accuracy/processor_time.h"
 #include "core/friction/curve_averages.h"
 #include "core/friction/realizations.h"
+#include "core/friction/study.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -46,6 +48,33 @@ class Targeting {
   TargetCurve run() {
     const bool isWhole = isRandom_ ? runRandom() : runSingle();
     return result(isWhole);
+  }
+
+  TargetPlan plan() {
+    TargetPlan plan;
+    const double start = threadSeconds();
+    const bool isWhole = isRandom_ ? runPilot() && planAll() : runSingle();
+    if (!isWhole) throw StudyStopped{};
+    plan.secondsOfPilot = threadSeconds() - start;
+    plan.secondsOfOperation = plan.secondsOfPilot / std::max(1.0, operations_);
+    plan.largestResidual = largestResidual_;
+    const double target = scene_.accuracy.targetRelativeError;
+    double standard = 0, resolution = 0;
+    for (const VelocityState& state : states_) {
+      plan.operations += state.plan.operations;
+      double lines = 0;
+      for (const std::int64_t count : state.plan.lines) lines += static_cast<double>(count);
+      plan.mostLines = std::max(plan.mostLines, lines);
+      plan.simulations += lines;
+      const double mu = sampledValue(state);
+      const double relative = state.plan.resolutionError / mu;
+      resolution += relative * relative;
+      standard += isRandom_ ? std::max(0.0, target * target - relative * relative) : 0;
+    }
+    const auto count = static_cast<double>(states_.size());
+    plan.standardError = isRandom_ ? std::sqrt(standard / count) : kNotApplicable;
+    plan.resolutionError = std::sqrt(resolution / count);
+    return plan;
   }
 
  private:
@@ -128,11 +157,16 @@ class Targeting {
 
   // ---- A random line: pilot, plan, lines until it is met -------------------------------------
 
-  bool runRandom() {
+  bool runPilot() {
     States all = allStates();
     if (!sampleDirect(0, all, kPilotLines)) return false;
     if (!sampleCorrection(1, all, kPilotLines)) return false;
     for (VelocityState* state : all) state->known = 2;
+    return true;
+  }
+
+  bool runRandom() {
+    if (!runPilot()) return false;
     report();
     for (;;) {
       if (!planAll()) return false;
@@ -202,6 +236,10 @@ class Targeting {
     const int last = state.known - 2;
     state.plan = {last, last, {kPilotLines}, 0, 0, *resolutionErrorOf(state.levels, last)};
     state.isPlanned = state.isExhausted = true;
+  }
+
+  static double sampledValue(const VelocityState& state) {
+    return state.levels[static_cast<std::size_t>(state.plan.last)].value.mean();
   }
 
   static const RunningMean& sampled(const VelocityState& state, int level) {
@@ -304,6 +342,8 @@ class Targeting {
     CurvePoint point = state.facts.point(state.velocity);
     point.mu = 0.5 * (achieved.low + achieved.high);
     point.muStandardError = isRandom_ ? achieved.standardError : kNotApplicable;
+    point.muLow = achieved.low;
+    point.muHigh = achieved.high;
     point.realizations = achieved.lines;
     columns_->addTo(point, state.facts.normalForce.mean());
     return point;
@@ -325,6 +365,8 @@ class Targeting {
     result.isReached &= result.worst <= 1.05 * scene_.accuracy.targetRelativeError;
     result.operations = operations_;
     result.curve.isComplete = isWhole;
+    result.curve.achievedError = result.worst;
+    result.curve.isTargetMet = result.isReached;
     result.curve.largestResidual = largestResidual_;
     result.curve.meanPasses =
         static_cast<double>(passes_) / static_cast<double>(std::max<std::int64_t>(1, solves_));
@@ -363,6 +405,13 @@ class Targeting {
 };
 
 }  // namespace
+
+TargetPlan planTarget(const Scene& scene, const std::stop_token& stop) {
+  CurveOptions options;
+  options.threads = 1;  // its processor time is this thread's
+  options.stop = stop;
+  return Targeting(scene, options).plan();
+}
 
 TargetCurve targetCurve(const Scene& scene, const CurveOptions& options) {
   return Targeting(scene, options).run();

@@ -37,6 +37,19 @@ struct TargetCurve {
 /// scene.accuracy.targetRelativeError > 0; its scheme and oversampling are not used.
 TargetCurve targetCurve(const Scene& scene, const CurveOptions& options = {});
 
+/// What the pilot of a target curve says of the whole run.
+struct TargetPlan {
+  double operations = 0;          // nodes passed over after the pilot
+  double secondsOfPilot = 0;      // processor time
+  double secondsOfOperation = 0;  // measured in the pilot; for people only
+  double mostLines = 0;           // at the velocity that needs most
+  double simulations = 0;
+  double standardError = 0, resolutionError = 0;  // relative, root mean square over velocities
+  double largestResidual = 0;
+};
+
+TargetPlan planTarget(const Scene& scene, const std::stop_token& stop = {});
+
 /// Lines of the pilot, and how many a run may use at one velocity.
 inline constexpr std::int64_t kPilotLines = 16, kMostLines = 1000000;
 

@@ -301,7 +301,7 @@ class Comparison {
       mu.push_back(row[0].mu);
       all.add(row[0].mu);
     }
-    constexpr std::size_t kFewestGroups = 8;
+    constexpr std::size_t kFewestGroups = 16;
     for (std::size_t group = 1; mu.size() / group >= kFewestGroups; group *= 2) {
       RunningMean means;
       for (std::size_t first = 0; first + group <= mu.size(); first += group) {

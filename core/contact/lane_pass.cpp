@@ -7,20 +7,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "core/contact/lane_pass-inl.h"
-// After it, because it uses its names.
+#include "core/contact/flush_denormals.h"
 #include "core/contact/nodal_lane_pass-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-void passLinear(const TravelLine& line, const double* depth, const double* memory, LaneSums& sums) {
-  LanePass<true>(line, depth, memory).run(sums);
-}
-void passCubic(const TravelLine& line, const double* depth, const double* memory, LaneSums& sums) {
-  LanePass<false>(line, depth, memory).run(sums);
-}
 void passNodal(const TravelLine& line, const double* depth, const double* memory,
                NodalLaneSums& sums) {
   NodalLanePass<false>(line, depth, memory).run(sums);
@@ -30,7 +23,7 @@ void passNodalAll(const TravelLine& line, const double* depth, const double* mem
   NodalLanePass<true>(line, depth, memory).run(sums);
 }
 std::size_t lanes() {
-  return hn::Lanes(d);
+  return hn::Lanes(hn::CappedTag<double, kMostLanes>());
 }
 
 }  // namespace HWY_NAMESPACE
@@ -40,8 +33,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace asperity {
 
-HWY_EXPORT(passLinear);
-HWY_EXPORT(passCubic);
 HWY_EXPORT(passNodal);
 HWY_EXPORT(passNodalAll);
 HWY_EXPORT(lanes);
@@ -103,17 +94,9 @@ std::size_t laneCount() {
   return HWY_DYNAMIC_DISPATCH(lanes)();
 }
 
-void lanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,
-              LaneSums& sums) {
-  alignas(64) LaneValues d = depth, c = memory;
-  if (line.scheme == Scheme::Linear)
-    HWY_DYNAMIC_DISPATCH(passLinear)(line, d.data(), c.data(), sums);
-  else
-    HWY_DYNAMIC_DISPATCH(passCubic)(line, d.data(), c.data(), sums);
-}
-
 void nodalLanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,
                    Wanted wanted, NodalLaneSums& sums) {
+  const FlushDenormals flush(Traps::None);
   alignas(64) LaneValues d = depth, c = memory;
   if (wanted == Wanted::Force)
     HWY_DYNAMIC_DISPATCH(passNodal)(line, d.data(), c.data(), sums);

@@ -1,7 +1,7 @@
-// The steady pass of resolved_pass.h for several velocities at once, one in each lane of a vector,
-// all on the same line: whole blocks are taken in one step where every lane is free above them or
-// pressed on them throughout, and contact edges are found in all lanes together. Compiled for
-// several instruction sets; the best one that the machine has is chosen at run time.
+// The pass of nodal_pass.h, of the paper's separate elements (Eqs. 2 to 4), for several velocities
+// at once, one in each lane of a vector, all on the same line: whole blocks are taken in one step
+// where every lane is free above them. Compiled for several instruction sets; the best one that the
+// machine has is chosen at run time, here also for lane_stream.h.
 // Pure functions; any thread. No allocation.
 #pragma once
 
@@ -15,17 +15,7 @@ namespace asperity {
 inline constexpr std::size_t kMostLanes = 8;
 using LaneValues = std::array<double, kMostLanes>;
 
-/// Sums per 4G as in StateSums, a lane a velocity.
-struct LaneSums {
-  LaneValues depth{};          // m^2, integral of y: F_N / 4G
-  LaneValues stiffness{};      // m, its derivative with respect to the indentation
-  LaneValues pressure{};       // m^2, over contact: F_N / 4G again
-  LaneValues dissipation{};    // m^2, c integral of y'^2: F_x / 4G
-  LaneValues contactLength{};  // m
-  LaneValues slopeSquared{};   // m, integral of z'^2 over contact
-};
-
-/// The same of the paper's separate elements, Eqs. (2) to (4).
+/// Sums per 4G, a lane a velocity.
 struct NodalLaneSums {
   LaneValues pressure{};  // m^2, over loaded elements: F_N / 4G
   LaneValues loaded{};    // number of loaded elements
@@ -51,10 +41,6 @@ const char* nameOf(InstructionSet set);
 
 /// Velocities in one pass, at most kMostLanes.
 std::size_t laneCount();
-
-/// depth (m, > 0) and memory (c = v tau, m, >= 0) for laneCount() lanes.
-void lanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,
-              LaneSums& sums);
 
 /// depth (m, >= 0) and memory (m, >= 0) for laneCount() lanes.
 void nodalLanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,

@@ -17,6 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
+namespace hn = hwy::HWY_NAMESPACE;
+
 template <bool kEverything>
 class NodalLanePass {
   using D = hn::CappedTag<double, kMostLanes>;
@@ -59,7 +61,7 @@ class NodalLanePass {
       const auto& blocks = line_.blocks[static_cast<std::size_t>(level)];
       if ((from & (size - 1)) == 0 && block < blocks.size()) {
         const V far = hn::Mul(free_, kept_[level]);
-        const V highest = hn::Sub(depth_, set(blocks[block].lowest));
+        const V highest = hn::Sub(depth_, set(blocks.lowest[block]));
         if (hn::AllTrue(d_, hn::Lt(highest, far))) {
           skip(far, level);
           i += size;

@@ -1,220 +1,155 @@
 #include "core/contact/sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "core/contact/depth_at_rest.h"
+#include "core/contact/depth_table.h"
 #include "core/contact/flush_denormals.h"
-#include "core/contact/force_balance.h"
 #include "core/contact/lane_pass.h"
 #include "core/contact/nodal_group.h"
+#include "core/contact/stream_balance.h"
 
 namespace asperity {
 namespace {
 
-/// The balance of one velocity, in one lane: the bracket found so far and the best pass.
-class LaneBalance {
- public:
-  void start(double lowest, double highest, double guess) {
-    low_ = lowest;
-    high_ = highest;
-    depth_ = guess > lowest && guess < highest ? guess : highest;
-    best_ = std::numeric_limits<double>::infinity();
-    passes_ = stalled_ = 0;
-    done_ = false;
-  }
-
-  bool isDone() const { return done_; }
-  double depth() const { return depth_; }
-  double bestDepth() const { return bestDepth_; }
-  double residual() const { return best_; }
-  int passes() const { return passes_; }
-
-  /// Takes the force (per 4G) found at depth(); true where this pass is the best so far.
-  bool take(double force, double stiffness, double load) {
-    ++passes_;
-    const double residual = std::abs(force - load) / load;
-    const bool closer = residual < best_;
-    stalled_ = closer ? 0 : stalled_ + (best_ < kAcceptedResidual ? 1 : 0);
-    if (closer) {
-      best_ = residual;
-      bestDepth_ = depth_;
-    }
-    (force > load ? high_ : low_) = depth_;
-    done_ = best_ <= kWantedResidual || stalled_ >= kPatience || passes_ >= kMostPasses;
-    if (!done_) move(force, stiffness, load);
-    return closer;
-  }
-
- private:
-  /// In the logarithms F_N(d) is nearly straight: Newton's step first, then the cubic through the
-  /// last two passes and their slopes, read at the wanted force.
-  void move(double force, double stiffness, double load) {
-    const Pass pass{std::log1p((force - load) / load), force / (stiffness * depth_), depth_};
-    double step = -pass.excess * pass.slope;
-    if (passes_ > 1) {
-      const double gap = last_.excess - pass.excess, t = -pass.excess / gap;
-      const double climb = std::log1p((last_.depth - pass.depth) / pass.depth);
-      const double cubic = t * t * (3 - 2 * t) * climb +
-                           gap * t * (1 - t) * ((1 - t) * pass.slope - t * last_.slope);
-      if (std::isfinite(cubic) && std::abs(t) < 1) step = cubic;
-    }
-    last_ = pass;
-    double next = depth_ * (1 + std::expm1(step));
-    if (!(next >= low_ && next <= high_)) next = 0.5 * (low_ + high_);
-    done_ = next == depth_;
-    depth_ = next;
-  }
-
-  struct Pass {
-    double excess;  // ln(F / wanted)
-    double slope;   // d ln depth / d ln F
-    double depth;   // m
-  };
-
-  Pass last_{};
-  double low_ = 0, high_ = 0, depth_ = 0, bestDepth_ = 0, best_ = 0;
-  int passes_ = 0, stalled_ = 0;
-  bool done_ = false;
-};
-
 SteadyResult resultOf(const TravelLine& line, double stiffness, double velocity,
-                      const LaneSums& sums, std::size_t lane, double depth) {
+                      const PassSums& sums, double depth) {
   constexpr double kNotGathered = std::numeric_limits<double>::quiet_NaN();
   SteadyResult result;
   result.indentation = depth;
-  result.normalForce = stiffness * sums.depth[lane];
+  result.normalForce = stiffness * sums.depth;
   result.forceFromDepth = result.normalForce;
-  result.forceFromPressure = stiffness * sums.pressure[lane];
-  result.tangentialForce = stiffness * sums.dissipation[lane];
-  result.mu = sums.dissipation[lane] / sums.depth[lane];
-  result.contactFraction = std::min(sums.contactLength[lane] / line.length, 1.0);
-  result.rmsSlopeContact = sums.contactLength[lane] > 0
-                               ? std::sqrt(sums.slopeSquared[lane] / sums.contactLength[lane])
-                               : kNotGathered;
+  result.forceFromPressure = stiffness * sums.pressure;
+  result.tangentialForce = stiffness * sums.dissipation;
+  result.mu = sums.dissipation / sums.depth;
+  result.contactFraction = std::min(sums.contactLength / line.length, 1.0);
+  result.rmsSlopeContact =
+      sums.contactLength > 0 ? std::sqrt(sums.slopeSquared / sums.contactLength) : kNotGathered;
   result.powerDissipated = result.tangentialForce * velocity;
   result.powerIn = kNotGathered;
   return result;
 }
 
-/// A few neighbouring velocities, solved side by side until the last balance is met. A finished
-/// lane goes along at its depth, but its result stays as it was.
-class LaneGroup {
+/// All balances of a table, each in the first lane that is free.
+class SweepQueue final : public PassQueue {
  public:
-  LaneGroup(const TravelLine& line, const SlidingConditions& conditions, const Load& load)
+  SweepQueue(const TravelLine& line, const SlidingConditions& conditions, const DepthTable& table,
+             const std::stop_token& stop)
       : line_(line),
         stiffness_(4 * conditions.shearModulus),
         tau_(conditions.relaxationTime),
-        byForce_(load.kind == LoadKind::Force),
-        load_(load.normalForce / stiffness_),
-        depth_(load.depth) {}
+        table_(table),
+        stop_(stop) {}
 
-  /// False where `stop` was requested in between.
-  bool solve(std::span<const double> velocities, std::span<SteadyResult> results,
-             const LaneValues& guesses, const std::stop_token& stop) {
-    const std::size_t used = velocities.size();
-    LaneValues depth{}, memory{};
-    const double lowest = load_ / line_.length;
-    for (std::size_t lane = 0; lane < kMostLanes; ++lane) {
-      memory[lane] = velocities[std::min(lane, used - 1)] * tau_;
-      balances_[lane].start(lowest, lowest + line_.meanRise, guesses[std::min(lane, used - 1)]);
+  bool isStopped() const override { return stop_.stop_requested(); }
+
+  bool begin(std::size_t lane, PassTask& task) override {
+    if (begun_ == table_.results.size() || isStopped()) return false;
+    const std::size_t columns = table_.velocities.size();
+    Lane& one = lanes_[lane];
+    one.row = begun_ / columns;
+    one.column = columnInOrder(begun_ % columns, columns);
+    ++begun_;
+    one.load = table_.forces[one.row] / stiffness_;
+    if (one.row != restRow_) {
+      table_.rests[one.row % DepthTable::kRests] = depthAtRest(line_, one.load);
+      restRow_ = one.row;
     }
-    if (!byForce_) {
-      once(velocities, results, memory);
-      return true;
-    }
-    for (bool open = true; open;) {
-      if (stop.stop_requested()) return false;
-      for (std::size_t lane = 0; lane < kMostLanes; ++lane)
-        depth[lane] = balances_[std::min(lane, used - 1)].depth();
-      lanePass(line_, depth, memory, sums_);
-      open = false;
-      for (std::size_t lane = 0; lane < used; ++lane) {
-        takePass(lane, velocities[lane], results[lane]);
-        open |= !balances_[lane].isDone();
-      }
-    }
+    const double lowest = one.load / line_.length;
+    one.balance.start(lowest, lowest + line_.meanRise, table_.guess(one.row, one.column));
+    task = taskOf(one);
     return true;
   }
 
- private:
-  void takePass(std::size_t lane, double velocity, SteadyResult& result) {
-    LaneBalance& balance = balances_[lane];
-    if (balance.isDone()) return;
-    if (balance.take(sums_.depth[lane], sums_.stiffness[lane], load_))
-      result = resultOf(line_, stiffness_, velocity, sums_, lane, balance.bestDepth());
-    result.passes = balance.passes();
-    result.residual = balance.residual();
+  bool next(std::size_t lane, const PassSums& sums, PassTask& task) override {
+    Lane& one = lanes_[lane];
+    one.balance.take(sums, one.load);
+    looksOf(one.column) = sums.looks;
+    if (!one.balance.isDone()) {
+      task = taskOf(one);
+      return !isStopped();
+    }
+    SteadyResult& result = table_.at(one.row, one.column);
+    result = resultOf(line_, stiffness_, table_.velocities[one.column], one.balance.bestSums(),
+                      one.balance.bestDepth());
+    result.passes = one.balance.passes();
+    result.residual = one.balance.residual();
     result.status = statusOf(result);
+    return begin(lane, task);
   }
 
-  void once(std::span<const double> velocities, std::span<SteadyResult> results,
-            const LaneValues& memory) {
-    LaneValues depth;
-    depth.fill(depth_);
-    lanePass(line_, depth, memory, sums_);
-    for (std::size_t lane = 0; lane < velocities.size(); ++lane) {
-      results[lane] = resultOf(line_, stiffness_, velocities[lane], sums_, lane, depth_);
-      results[lane].passes = 1;
-    }
+ private:
+  struct Lane {
+    std::size_t row, column;
+    double load;  // m^2, per 4G
+    StreamBalance balance;
+  };
+
+  /// Long passes are cut, by what the last one at this velocity cost.
+  PassTask taskOf(const Lane& one) {
+    constexpr double kLooksOfPart = 48;
+    const double parts = std::clamp(looksOf(one.column) / kLooksOfPart, 1.0, 16.0);
+    return {one.balance.depth(), table_.velocities[one.column] * tau_, static_cast<int>(parts)};
   }
+  double& looksOf(std::size_t column) { return looks_[column % looks_.size()]; }
 
   const TravelLine& line_;
   double stiffness_, tau_;
-  bool byForce_;
-  double load_, depth_;
-  LaneSums sums_;
-  std::array<LaneBalance, kMostLanes> balances_;
+  DepthTable table_;
+  std::stop_token stop_;
+  std::size_t begun_ = 0, restRow_ = std::numeric_limits<std::size_t>::max();
+  std::array<Lane, kMostStreams> lanes_;
+  std::array<double, 64> looks_{};
 };
 
-/// Force at rest, looked up in the blocks: those above the depth carry nothing, those below it
-/// their mean, and only those that it cuts are opened. Single segments count by their mean.
-ForceSums forceAtRest(const TravelLine& line, double depth) {
-  ForceSums sums;
-  const auto carry = [&](const SegmentBounds& block, double length) {
-    if (depth * length <= block.riseIntegral) return;
-    sums.depth += depth * length - block.riseIntegral;
-    sums.stiffness += length;
-  };
-  const std::size_t top = line.blocks.size() - 1;
-  std::size_t level = top;
-  for (std::size_t i = 0, end = line.segments() - 2; i < end;) {
-    const std::size_t size = std::size_t{1} << (2 * level), block = i >> (2 * level);
-    const bool fits = (i & (size - 1)) == 0 && block < line.blocks[level].size();
-    const SegmentBounds& bounds = line.blocks[level][fits ? block : 0];
-    if (fits && (level == 0 || depth <= bounds.lowest || depth >= bounds.highest)) {
-      if (depth > bounds.lowest) carry(bounds, line.spacing * static_cast<double>(size));
-      i += size;
-      level = std::min(level + 1, top);
-    } else {
-      --level;
-    }
-  }
-  return sums;
-}
+/// One pass for each velocity at a given depth.
+class DepthQueue final : public PassQueue {
+ public:
+  DepthQueue(const TravelLine& line, const SlidingConditions& conditions, double depth,
+             std::span<const double> velocities, std::span<SteadyResult> results,
+             const std::stop_token& stop)
+      : line_(line),
+        conditions_(conditions),
+        depth_(depth),
+        velocities_(velocities),
+        results_(results),
+        stop_(stop) {}
 
-/// A depth close to that which carries the load (m^2, per 4G) at rest. Sliding carries more.
-double depthAtRest(const TravelLine& line, double load) {
-  constexpr int kMostSteps = 12;
-  constexpr double kCloseEnough = 1e-3;
-  double depth = load / line.length + line.meanRise;
-  for (int step = 0; step < kMostSteps; ++step) {
-    const ForceSums sums = forceAtRest(line, depth);
-    if (!(sums.stiffness > 0)) break;
-    const double next = depth - (sums.depth - load) / sums.stiffness;
-    const bool close = std::abs(next - depth) <= kCloseEnough * depth;
-    depth = next;
-    if (close) break;
+  bool isStopped() const override { return stop_.stop_requested(); }
+
+  bool begin(std::size_t lane, PassTask& task) override {
+    if (begun_ == velocities_.size() || isStopped()) return false;
+    task = {depth_, velocities_[begun_] * conditions_.relaxationTime, 1};
+    columns_[lane] = begun_++;
+    return true;
   }
-  return depth;
-}
+
+  bool next(std::size_t lane, const PassSums& sums, PassTask& task) override {
+    const std::size_t column = columns_[lane];
+    results_[column] =
+        resultOf(line_, 4 * conditions_.shearModulus, velocities_[column], sums, depth_);
+    results_[column].passes = 1;
+    return begin(lane, task);
+  }
+
+ private:
+  const TravelLine& line_;
+  SlidingConditions conditions_;
+  double depth_;
+  std::span<const double> velocities_;
+  std::span<SteadyResult> results_;
+  std::stop_token stop_;
+  std::size_t begun_ = 0;
+  std::array<std::size_t, kMostStreams> columns_{};
+};
 
 /// Depths to start from: the trend of the last two answers, which fall with velocity.
-LaneValues guessesFor(double first, std::span<const double> velocities,
-                      std::span<const double> known, std::span<const SteadyResult> answers) {
-  LaneValues guesses;
-  guesses.fill(first);
-  if (answers.empty()) return guesses;
+LaneValues guessesFor(std::span<const double> velocities, std::span<const double> known,
+                      std::span<const SteadyResult> answers) {
+  LaneValues guesses{};
   const std::size_t n = answers.size();
   const double last = answers[n - 1].indentation;
   double trend = 0;  // d ln depth / d ln v
@@ -228,32 +163,56 @@ LaneValues guessesFor(double first, std::span<const double> velocities,
   return guesses;
 }
 
-/// Neighbouring velocities go side by side, group after group.
-template <class Group>
-bool sweepInGroups(Group group, double first, std::span<const double> velocities,
-                   std::span<SteadyResult> results, const std::stop_token& stop) {
-  const FlushDenormals flush;
+/// Neighbouring velocities of the separate elements go side by side, group after group.
+bool sweepNodal(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
+                std::span<const double> velocities, std::span<SteadyResult> results,
+                const std::stop_token& stop) {
+  NodalGroup group(line, conditions, load);
   const std::size_t lanes = laneCount();
+  LaneValues guesses{};
   for (std::size_t i = 0; i < velocities.size(); i += lanes) {
     const std::size_t count = std::min(lanes, velocities.size() - i);
-    const auto now = velocities.subspan(i, count);
-    const LaneValues guesses = guessesFor(first, now, velocities.first(i), results.first(i));
-    if (!group.solve(now, results.subspan(i, count), guesses, stop)) return false;
+    if (i > 0)
+      guesses = guessesFor(velocities.subspan(i, count), velocities.first(i), results.first(i));
+    if (!group.solve(velocities.subspan(i, count), results.subspan(i, count), guesses, stop))
+      return false;
   }
   return true;
 }
 
 }  // namespace
 
+bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
+                   std::span<const double> forces, std::span<const double> velocities,
+                   std::span<SteadyResult> results, const std::stop_token& stop) {
+  const FlushDenormals flush;
+  for (SteadyResult& result : results) result.passes = 0;
+  if (line.scheme != Scheme::Nodal) {
+    SweepQueue queue(line, conditions, {forces, velocities, results, {}}, stop);
+    passLanes(line, queue);
+    return !stop.stop_requested();
+  }
+  for (std::size_t row = 0; row < forces.size(); ++row) {
+    Load load;
+    load.normalForce = forces[row];
+    if (!sweepNodal(line, conditions, load, velocities,
+                    results.subspan(row * velocities.size(), velocities.size()), stop))
+      return false;
+  }
+  return true;
+}
+
 bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
                 const std::stop_token& stop) {
+  if (load.kind == LoadKind::Force)
+    return slideAtForces(line, conditions, {&load.normalForce, 1}, velocities, results, stop);
+  const FlushDenormals flush;
   if (line.scheme == Scheme::Nodal)
-    return sweepInGroups(NodalGroup(line, conditions, load), 0, velocities, results, stop);
-  const double first = load.kind == LoadKind::Force
-                           ? depthAtRest(line, load.normalForce / (4 * conditions.shearModulus))
-                           : 0;
-  return sweepInGroups(LaneGroup(line, conditions, load), first, velocities, results, stop);
+    return sweepNodal(line, conditions, load, velocities, results, stop);
+  DepthQueue queue(line, conditions, load.depth, velocities, results, stop);
+  passLanes(line, queue);
+  return !stop.stop_requested();
 }
 
 }  // namespace asperity

@@ -15,9 +15,19 @@ namespace asperity {
 
 /// results[i] is for velocities[i] (m/s, ascending); both of one length. `conditions.velocity` is
 /// not used. Of resolved lines powerIn is not gathered: NaN. Returns false where `stop` was
-/// requested in between; the rest is then left untouched.
+/// requested in between, which is looked at inside passes too; `passes` is 0 in results that are
+/// then missing.
 bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
                 const std::stop_token& stop = {});
+
+/// The same at several forces (N, ascending), which costs less than one after the other: depths
+/// found at some forces and velocities lead to those at others. results[k * velocities.size() + i]
+/// is for forces[k] and velocities[i].
+/// Steady sliding depends on F_N / G alone, and on F_N / (G h) with mu in units of the rms slope:
+/// moduli and rms heights of one line are forces too.
+bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
+                   std::span<const double> forces, std::span<const double> velocities,
+                   std::span<SteadyResult> results, const std::stop_token& stop = {});
 
 }  // namespace asperity

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/contact/segment_bounds.h"
+
 namespace asperity {
 namespace {
 
@@ -21,6 +23,19 @@ class Traveller {
   std::size_t next(std::size_t node) const {
     if (forward_) return node == 0 ? count_ - 1 : node - 1;
     return node + 1 == count_ ? 0 : node + 1;
+  }
+  /// Segments from this node to the end of the Line in the way of travel.
+  std::size_t nodesAhead(std::size_t node) const { return forward_ ? node : count_ - 1 - node; }
+  std::size_t moved(std::size_t node, std::size_t by) const {
+    return forward_ ? node - by : node + by;
+  }
+  /// take(k, node k, node k + 1) for a run of segments that does not leave the Line.
+  template <class Take>
+  void forRun(std::size_t node, std::size_t run, const Take& take) const {
+    if (forward_)
+      for (std::size_t k = 0; k < run; ++k) take(k, node - k, node - k - 1);
+    else
+      for (std::size_t k = 0; k < run; ++k) take(k, node + k, node + k + 1);
   }
   double slopeAfter(std::size_t node) const {
     return forward_ ? -line_.slopeLeftOf(node) : line_.slopeAfter[node];
@@ -66,52 +81,37 @@ Lowest findLowest(const Line& line, const Traveller& traveller, Scheme scheme) {
   return lowest;
 }
 
-/// Bounds by control points (a cubic lies within theirs), integrals exactly.
-SegmentBounds boundsOf(double in, double out, double slopeIn, double slopeOut, double length,
-                       double perLength) {
-  const double third = length * (1.0 / 3);
-  const double first = in + slopeIn * third, second = out - slopeOut * third;
-  const double middle = 3 * (second - first) * perLength;  // the slope's own middle control point
-  const Cubic rise = hermite(in, out, slopeIn * length, slopeOut * length);
-  return {std::min(std::min(in, out), std::min(first, second)),
-          std::max(std::max(in, out), std::max(first, second)),
-          std::max(std::max(slopeIn, slopeOut), middle),
-          length * (0.5 * (in + out) + length * (slopeIn - slopeOut) * (1.0 / 12)),
-          rise.integralOfSlopeSquared(1) * perLength};
-}
-
 void setSegment(TravelLine& travel, std::size_t i, double rise, double slopeIn, double slopeOut) {
   travel.rise[i] = rise;
   travel.slopeIn[i] = slopeIn;
   travel.slopeOut[i] = slopeOut;
 }
 
-/// Rises and slopes of `count` whole segments from `node` on, as segments `first` and on.
+/// Rises and slopes of `count` whole segments from `node` on, as segments `first` and on; returns
+/// the node behind them. Between the ends of the Line nodes follow each other without a look.
 std::size_t setWholeSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
                              std::size_t node, std::size_t first, std::size_t count) {
-  const double perSpacing = 1 / line.spacing;
-  for (std::size_t i = first; i < first + count; ++i) {
-    const std::size_t to = traveller.next(node);
-    const double straight = (line.height[to] - line.height[node]) * perSpacing;
-    const bool linear = travel.scheme == Scheme::Linear;
-    setSegment(travel, i, line.height[node] - travel.lowestHeight,
-               linear ? straight : traveller.slopeAfter(node),
-               linear ? straight : traveller.slopeBefore(to));
+  const double perSpacing = 1 / line.spacing, level = travel.lowestHeight;
+  const bool isLinear = travel.scheme == Scheme::Linear;
+  double *rise = travel.rise.data(), *in = travel.slopeIn.data(), *out = travel.slopeOut.data();
+  for (std::size_t i = first, end = first + count; i < end;) {
+    const std::size_t run = std::min(traveller.nodesAhead(node), end - i);
+    const auto take = [&](std::size_t k, std::size_t from, std::size_t to) {
+      const double straight = (line.height[to] - line.height[from]) * perSpacing;
+      rise[i + k] = line.height[from] - level;
+      in[i + k] = isLinear ? straight : traveller.slopeAfter(from);
+      out[i + k] = isLinear ? straight : traveller.slopeBefore(to);
+    };
+    traveller.forRun(node, run, take);
+    i += run;
+    if (i == end) return traveller.moved(node, run);
+    node = traveller.moved(node, run);
+    const std::size_t to = traveller.next(node);  // over the end of the Line
+    take(0, node, to);
     node = to;
+    ++i;
   }
   return node;
-}
-
-SegmentBounds merged(const SegmentBounds* four) {
-  SegmentBounds all = four[0];
-  for (int i = 1; i < 4; ++i) {
-    all.lowest = std::min(all.lowest, four[i].lowest);
-    all.highest = std::max(all.highest, four[i].highest);
-    all.steepest = std::max(all.steepest, four[i].steepest);
-    all.riseIntegral += four[i].riseIntegral;
-    all.slopeSquared += four[i].slopeSquared;
-  }
-  return all;
 }
 
 /// Blocks of 4, 16, ... segments over those of one, as far as whole ones go.
@@ -119,12 +119,27 @@ void addBlocks(TravelLine& travel) {
   std::size_t level = 0;
   while (travel.blocks[level].size() >= 4) {
     if (travel.blocks.size() == level + 1) travel.blocks.emplace_back();
-    const std::vector<SegmentBounds>& finer = travel.blocks[level];
-    std::vector<SegmentBounds>& coarser = travel.blocks[++level];
-    coarser.resize(finer.size() / 4);
-    for (std::size_t i = 0; i < coarser.size(); ++i) coarser[i] = merged(&finer[4 * i]);
+    travel.blocks[level + 1].merge(travel.blocks[level]);
+    ++level;
   }
   travel.blocks.resize(level + 1);
+}
+
+/// Finds a cut in each of equal parts of the line but the first, at its lowest node.
+void addCuts(TravelLine& travel) {
+  constexpr std::size_t kFewestSegments = 16;  // in a part
+  travel.cuts.clear();
+  const std::size_t parts = TravelLine::kMostCuts + 1, size = travel.segments() / parts;
+  if (size < kFewestSegments) return;
+  for (std::size_t k = 1; k < parts; ++k) {
+    const auto from = travel.rise.begin() + static_cast<std::ptrdiff_t>(k * size);
+    const auto lowest = std::min_element(from, from + static_cast<std::ptrdiff_t>(size));
+    const auto segment = static_cast<std::size_t>(lowest - travel.rise.begin());
+    std::size_t back = segment - 2;  // blocks[0][back - 1] is of segment `back`
+    while (back > 0 && segment - back < size && travel.blocks[0].lowest[back - 1] >= *lowest)
+      --back;
+    travel.cuts.push_back({segment, travel.position[segment] - travel.position[back + 1]});
+  }
 }
 
 void resizeFor(TravelLine& travel, std::size_t segments) {
@@ -136,23 +151,24 @@ void resizeFor(TravelLine& travel, std::size_t segments) {
 
 void addBounds(TravelLine& travel) {
   const std::size_t last = travel.segments() - 1;
-  const auto bounds = [&travel](std::size_t i, double length, double perLength) {
-    return boundsOf(travel.rise[i], travel.rise[i + 1], travel.slopeIn[i], travel.slopeOut[i],
-                    length, perLength);
+  const auto bounds = [&travel](std::size_t i) {
+    return boundSegment(&travel.rise[i], travel.slopeIn[i], travel.slopeOut[i],
+                        travel.segmentLength(i));
   };
-  travel.firstBounds = bounds(0, travel.segmentLength(0), 1 / travel.segmentLength(0));
-  travel.lastBounds = bounds(last, travel.segmentLength(last), 1 / travel.segmentLength(last));
-  const double spacing = travel.spacing, perSpacing = 1 / spacing;
+  travel.firstBounds = bounds(0);
+  travel.lastBounds = bounds(last);
   travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
-  std::vector<SegmentBounds>& inner = travel.blocks[0];
-  inner.resize(last - 1);
-  double integral = travel.firstBounds.riseIntegral + travel.lastBounds.riseIntegral;
-  for (std::size_t i = 1; i < last; ++i) {
-    inner[i - 1] = bounds(i, spacing, perSpacing);
-    integral += inner[i - 1].riseIntegral;
-  }
-  travel.meanRise = integral / travel.length;
+  boundSegments(&travel.rise[1], &travel.slopeIn[1], &travel.slopeOut[1], last - 1, travel.spacing,
+                travel.blocks[0]);
   addBlocks(travel);
+  double integral = travel.firstBounds.riseIntegral + travel.lastBounds.riseIntegral;
+  // By fours as far as they go.
+  const BlockLevel& inner = travel.blocks[0];
+  const std::size_t fours = travel.blocks.size() > 1 ? travel.blocks[1].size() : 0;
+  for (std::size_t i = 0; i < fours; ++i) integral += travel.blocks[1].riseIntegral[i];
+  for (std::size_t i = 4 * fours; i < inner.size(); ++i) integral += inner.riseIntegral[i];
+  travel.meanRise = integral / travel.length;
+  addCuts(travel);
 }
 
 void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
@@ -160,15 +176,20 @@ void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
   const double h = line.spacing, t = lowest.fraction;
   const std::size_t count = line.nodes(), split = t > 0 ? 1 : 0;
   travel.startsInsideSegment = t > 0;
+  travel.firstLength = (1 - t) * h;
+  travel.lastLength = t > 0 ? t * h : h;
   resizeFor(travel, count + split);
   std::size_t node = lowest.node;
   if (split > 0) node = traveller.next(node);
   node = setWholeSegments(travel, line, traveller, node, split, count - split);
   if (split > 0) {
-    // The segment of the lowest point: its two parts, level at that point.
-    const Cubic whole = traveller.cubicAfter(node, lowest.height);
-    setSegment(travel, 0, 0, 0, whole.derivative(1) / h);
-    setSegment(travel, count, whole(0), whole.derivative(0) / h, 0);
+    // The segment of the lowest point: its two parts, level at that point. About it, because the
+    // difference of two heights would lose what rises next to it.
+    const Cubic whole = traveller.cubicAfter(node, lowest.height).about(t);
+    const Cubic level{0, 0, whole.c2, whole.c3};
+    setSegment(travel, 0, 0, 0, level.derivative(1 - t) / h);
+    setSegment(travel, count, level(-t), level.derivative(-t) / h, 0);
+    travel.rise[1] = level(1 - t);
   }
   travel.rise.back() = 0;
   for (std::size_t i = 0; i <= travel.segments(); ++i)
@@ -186,6 +207,7 @@ void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
   travel.slopeIn.resize(count);
   travel.slopeOut.clear();
   travel.startsInsideSegment = false;
+  travel.firstLength = travel.lastLength = line.spacing;
   travel.meanRise = 0;
   std::size_t node = lowest.node;
   for (std::size_t i = 0; i < count; ++i) {
@@ -200,8 +222,8 @@ void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
   travel.rise[count] = 0;
   travel.meanRise /= static_cast<double>(count);
   travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
-  travel.blocks[0].assign(count - 1, SegmentBounds{});
-  for (std::size_t i = 1; i < count; ++i) travel.blocks[0][i - 1].lowest = travel.rise[i];
+  travel.blocks[0].resizeForNodal(count - 1);
+  std::copy_n(travel.rise.begin() + 1, count - 1, travel.blocks[0].lowest.begin());
   addBlocks(travel);
 }
 

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/contact/block_level.h"
 #include "core/contact/polynomial.h"
 #include "core/scene/scene.h"
 #include "core/surface/line.h"
@@ -17,27 +18,27 @@ namespace asperity {
 
 enum class Direction { Forward, Backward };  // sliding towards +x or -x
 
-/// What a pass needs to know of a whole segment to decide without looking inside.
-struct SegmentBounds {
-  double lowest, highest;  // m, bounds of the rise
-  double steepest;         // bound of d rise / d s: pressure is lowest there
-  double riseIntegral;     // m^2
-  double slopeSquared;     // m, integral of (d rise / ds)^2
-};
-
 struct TravelLine {
   Scheme scheme = Scheme::Cubic;
-  double length = 0;             // m, period
-  double spacing = 0;            // m, of all segments but perhaps the first and the last
-  std::vector<double> position;  // m, s of the nodes, n + 1
-  std::vector<double> rise;      // m, n + 1; first and last are the lowest point: 0
+  double length = 0;                       // m, period
+  double spacing = 0;                      // m, of all segments but perhaps the first and the last
+  double firstLength = 0, lastLength = 0;  // m, of those two
+  std::vector<double> position;            // m, s of the nodes, n + 1
+  std::vector<double> rise;                // m, n + 1; first and last are the lowest point: 0
   std::vector<double> slopeIn;   // d rise / ds at the start of each segment, n (nodal: at nodes)
   std::vector<double> slopeOut;  // at its end, n; empty for nodal
   double lowestHeight = 0;       // m, z of the lowest point, where rise is 0
   SegmentBounds firstBounds{}, lastBounds{};  // of the first and the last segment; not for nodal
   /// blocks[k][b] bounds and sums up the 4^k whole segments from segment 1 + b 4^k on; the first
   /// and the last segment, which may be parts, stand outside. For nodal, likewise of nodes.
-  std::vector<std::vector<SegmentBounds>> blocks;
+  std::vector<BlockLevel> blocks;
+  /// Starts of segments near low points, ascending, where a pass may be cut if they are in contact.
+  struct Cut {
+    std::size_t segment;
+    double clear;  // m: so far back of it nothing is lower, but for the segment before it
+  };
+  static constexpr std::size_t kMostCuts = 15;
+  std::vector<Cut> cuts;
   double meanRise = 0;                 // m, of the line as the scheme sees it
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself
 
@@ -45,8 +46,15 @@ struct TravelLine {
   bool startsInsideSegment = false;  // the lowest point is not a node: first and last are parts
 
   std::size_t segments() const { return slopeIn.size(); }
-  double segmentLength(std::size_t i) const { return position[i + 1] - position[i]; }
-  const SegmentBounds& bounds(std::size_t i) const {
+  /// Not the difference of two positions, which has lost digits where segments are many.
+  double segmentLength(std::size_t i) const {
+    if (i == 0) return firstLength;
+    return i + 1 == segments() ? lastLength : spacing;
+  }
+  /// Whether its end is the lower one. Contact there may be far shorter than the segment and far
+  /// lower than its start; measured from that, both would have lost their digits.
+  bool isMeasuredBack(std::size_t i) const { return rise[i + 1] < rise[i] || i + 1 == segments(); }
+  SegmentBounds bounds(std::size_t i) const {
     if (i == 0) return firstBounds;
     return i + 1 == segments() ? lastBounds : blocks[0][i - 1];
   }

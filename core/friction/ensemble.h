@@ -2,7 +2,7 @@
 // averaged. Realizations run on all threads; they are summed in their own order, so the result has
 // the same bits for any number of threads.
 // Failure: InputError for a scene that cannot run; std::runtime_error where a force balance is not
-// met. Cancelling ends the work within one solve.
+// met. Cancelling ends the work inside a pass, or with the making of a line.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +33,9 @@ struct Curve {
   double largestResidual = 0;   // of all force balances
   double meanPasses = 0;        // over the line, per force balance
   double marginalFraction = 0;  // nodal: part of the solves with a partly loaded element
+  /// Of curves to a target: the largest relative error of all velocities, and whether it is met.
+  double achievedError = kNotApplicable;
+  bool isTargetMet = true;
 };
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options = {});

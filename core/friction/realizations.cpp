@@ -57,6 +57,7 @@ class Realizations {
     const Scheme scheme = task_.scene.accuracy.scheme;
     task_.source.makeInto(memory.line, realization,
                           scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
+    if (stop_.stop_requested()) return {};  // a long line takes as long as all the rest
     prepareTravelInto(memory.travel, memory.line, scheme);
     std::size_t count = 0;
     for (const LoadCase& one : task_.cases) count += one.velocities.size();

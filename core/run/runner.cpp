@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <thread>
 
+#include "core/accuracy/target_curve.h"
 #include "core/friction/ensemble.h"
 #include "core/run/simulation.h"
 #include "core/scene/input_error.h"
@@ -139,7 +140,7 @@ struct Runner::Body {
 
   void run(const Posted& work, const CurveOptions& curveOptions) {
     try {
-      frictionCurve(*work.scene, curveOptions);
+      curveOf(*work.scene, curveOptions);
     } catch (const InputError& error) {
       say(work.number, error.key(), error.message());
     } catch (const std::exception& error) {

@@ -1,7 +1,7 @@
 #include "tests/bench/paper_study.h"
 
 #include <cmath>
-#include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "core/contact/sweep.h"
@@ -18,7 +18,6 @@ class Study {
  public:
   Study(Scheme scheme, std::int64_t oversampling, int hursts)
       : velocities_(logarithmic(1e-5, 1e3, kValues)),
-        results_(velocities_.size()),
         weight_(static_cast<double>(kHursts) / hursts * kRealizationsOfStudy) {
     for (const char* varied : {"force", "modulus", "rms height", "spacing"})
       estimate_.series.push_back({varied});
@@ -37,33 +36,42 @@ class Study {
  private:
   void seriesOf(double hurst) {
     base_.surface.hurst = hurst;
+    const double force = base_.load.normalForce;
     current_ = 0;
     makeLine(base_);
-    for (const double force : logarithmic(1e-3, 1e2, kValues)) {
-      Scene scene = base_;
-      scene.load.normalForce = force;
-      simulate(scene);
-    }
+    simulate(logarithmic(1e-3, 1e2, kValues));
+    // mu depends on F_N / G, and in units of the rms slope on F_N / (G h): other moduli and rms
+    // heights are other forces on the same line, ascending.
     current_ = 1;
-    for (const double modulus : logarithmic(1e3, 1e9, kValues)) {
-      Scene scene = base_;
-      scene.elastomer.shearModulus = modulus;
-      simulate(scene);
-    }
+    simulate(forcesLike(force * base_.elastomer.shearModulus, logarithmic(1e9, 1e3, kValues)));
     current_ = 2;
-    for (const double height : logarithmic(1e-9, 1e-5, kValues)) {
-      Scene scene = base_;
-      scene.surface.rmsHeight = height;
-      makeLine(scene);
-      simulate(scene);
-    }
+    simulate(forcesLike(force * base_.surface.rmsHeight, logarithmic(1e-5, 1e-9, kValues)));
     current_ = 3;
     for (const double spacing : logarithmic(1e-7, 1e-5, kValues)) {
       Scene scene = base_;
-      scene.surface.elements = std::llround(scene.surface.length / spacing);
+      scene.surface.elements = roundNumber(scene.surface.length / spacing);
       makeLine(scene);
-      simulate(scene);
+      simulate({force});
     }
+  }
+
+  static std::vector<double> forcesLike(double product, std::vector<double> values) {
+    for (double& value : values) value = product / value;
+    return values;
+  }
+
+  /// The even number with no prime factor above 7 that is next to `wanted`, as anybody would choose
+  /// who has the choice: transforms of other lengths take several times as long.
+  static std::int64_t roundNumber(double wanted) {
+    const auto isRound = [](std::int64_t n) {
+      for (const int factor : {2, 3, 5, 7})
+        while (n % factor == 0) n /= factor;
+      return n == 1;
+    };
+    const std::int64_t middle = 2 * std::llround(wanted / 2);
+    for (std::int64_t away = 0;; away += 2)
+      for (const std::int64_t n : {middle - away, middle + away})
+        if (isRound(n)) return n;
   }
 
   /// Amplitudes and transform plans serve all 200 lines of a set, so they are not timed.
@@ -77,14 +85,18 @@ class Study {
     now().lines += weight_;
   }
 
-  void simulate(const Scene& scene) {
+  void simulate(const std::vector<double>& forces) {
+    results_.resize(forces.size() * velocities_.size());
     const double start = threadSeconds();
-    slideSweep(line_, conditionsOf(scene, 0), scene.load, velocities_, results_);
+    slideAtForces(line_, conditionsOf(base_, 0), forces, velocities_, results_);
     now().simulationSeconds += weight_ * (threadSeconds() - start);
     now().simulations += weight_ * static_cast<double>(results_.size());
     for (const SteadyResult& result : results_) {
+      if (result.status != SteadyStatus::Balanced)
+        throw std::runtime_error("a force balance of the study is not met");
       estimate_.sampled += 1;
-      estimate_.elements += static_cast<double>(scene.surface.elements);
+      estimate_.elements +=
+          static_cast<double>(points_.nodes()) / static_cast<double>(base_.accuracy.oversampling);
       estimate_.contactFraction += result.contactFraction;
       estimate_.passes += result.passes;
     }

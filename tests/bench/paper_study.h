@@ -4,8 +4,10 @@
 // rms heights 1e-9 to 1e-5 m, 20 spacings 1e-5 to 1e-7 m), with 11 Hurst exponents 0 to 1 and 200
 // lines each. With 20 velocities (1e-5 to 1e3 m/s) that makes 3.52 million simulations. The sample
 // is one line of the 200 for every one of those 880 combinations, with all its velocities.
-// Lines are made where they differ: once for all forces and moduli, once for each rms height and
-// each spacing. Threading: the main thread; one thread computes.
+// Lines are made where they differ: once for all forces, moduli and rms heights, which are forces
+// in other units, and once for each spacing, of which the nearest is taken (within 1 %) that makes
+// the number of elements a product of small primes. Threading: the main thread; one thread
+// computes.
 #pragma once
 
 #include <vector>

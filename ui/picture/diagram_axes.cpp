@@ -206,7 +206,7 @@ Place DiagramAxes::place(double x, double y) const {
 }
 
 float leftOfAxes(const PlotAxis& up, const DiagramSizes& sizes) {
-  const float title = up.title.empty() ? 0 : 1.6F * sizes.axis;
+  const float title = up.title.empty() ? 0 : 1.75F * sizes.axis;
   return std::ceil(title + widestLabel(up, sizes.tick) + 0.7F * sizes.tick);
 }
 

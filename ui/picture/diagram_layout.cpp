@@ -40,6 +40,13 @@ bool isCut(const std::vector<std::string>& lines) {
                      [](const std::string& line) { return line.empty() || line.ends_with("…"); });
 }
 
+/// A last line that is not the end: whole words and an ellipsis.
+std::string cutOff(std::string line, float size, bool bold, float width) {
+  while (textWidth(line + " …", size, bold) > width && line.rfind(' ') != line.npos)
+    line.erase(line.rfind(' '));
+  return elided(line.ends_with("…") ? line : line + " …", size, bold, width);
+}
+
 /// Lines at the largest size, down to `least`, that needs at most `most` of them.
 Paragraph paragraph(const std::string& text, float size, float least, bool bold, float width,
                     std::size_t most) {
@@ -52,12 +59,12 @@ Paragraph paragraph(const std::string& text, float size, float least, bool bold,
     }
     if ((p.lines.size() <= most && !isCut(p.lines)) || p.size - 1 < least) break;
   }
+  for (std::string& line : p.lines) line = replaced(std::move(line), kHardBlank, " ");
   if (p.lines.size() > most) {
     p.lines.resize(most);
-    p.lines.back() = elided(p.lines.back() + " …" + std::string(200, ' '), p.size, bold, width);
+    p.lines.back() = cutOff(p.lines.back(), p.size, bold, width);
   }
   std::erase(p.lines, "");
-  for (std::string& line : p.lines) line = replaced(std::move(line), kHardBlank, " ");
   return p;
 }
 
@@ -92,7 +99,7 @@ DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) 
   const float height = static_cast<float>(options.height) / static_cast<float>(grid.rows);
   const float room = std::min(width / (900 * scale), height / (620 * scale));
   float unit = scale * (room > 1 ? std::pow(room, 0.7F) : std::clamp(room, 0.85F, 1.0F));
-  unit = std::min({unit, width / 330, height / 290});
+  unit = std::min({unit, width / 350, height / 380});
   return {unit,
           fontSize(19 * unit),
           fontSize(13 * unit),

@@ -10,6 +10,8 @@
 namespace asperity {
 namespace {
 
+constexpr float kHidden = 0.015F;  // share of a legend's box that may hide something
+
 /// One diagram of a sheet: first its parts find their places, then they are drawn.
 class Panel {
  public:
@@ -54,7 +56,7 @@ class Panel {
     place(0);
     if (legend_.empty()) return;
     const float inside = hidden_;
-    if (inside <= 0.015F) return;
+    if (inside <= kHidden) return;
     const float gap = std::round(10 * sizes_.unit);
     const Legend beside =
         legendFor(diagram_, styles_, sizes_.legend, 0.36F * cell_.width, axes_.plot.box.height);
@@ -76,17 +78,30 @@ class Panel {
     fit(sizes_.tick);
     fit(overhang());
     styles_ = stylesOf(diagram_, sizes_, theme_, box.width);
-    CoverMap map(box, 4 * sizes_.unit);
-    coverSeries(map, diagram_, styles_, axes_);
-    labels_ = placeLabels(diagram_, axes_, map, sizes_);
     legend_ = legendFor(diagram_, styles_, sizes_.legend, 0.7F * box.width, 0.7F * box.height);
+    CoverMap series(box, 4 * sizes_.unit);
+    coverSeries(series, diagram_, styles_, axes_);
+    CoverMap map = series;
+    labels_ = placeLabels(diagram_, axes_, map, sizes_);
+    placeLegend(map);
+    if (hidden_ <= kHidden || labels_.empty()) return;
+    // Labels can give way to the legend.
+    const Panel before = *this;
+    placeLegend(series);
+    series.addBox(legendBox_, kTaken);
+    labels_ = placeLabels(diagram_, axes_, series, sizes_);
+    if (labels_.size() < before.labels_.size() || hidden_ >= before.hidden_) {
+      labels_ = before.labels_;
+      legendBox_ = before.legendBox_;
+      hidden_ = before.hidden_;
+    }
+  }
+
+  void placeLegend(const CoverMap& map) {
     const float margin = std::round(9 * sizes_.unit);
     legendBox_ = legend_.empty() ? Box{} : freestPlace(map, legend_.width, legend_.height, margin);
+    if (map.greatestUnder(legendBox_) >= kTaken) legendBox_ = {};
     hidden_ = legendBox_.width > 0 ? map.under(legendBox_) : 1;
-    if (legendBox_.width > 0 && map.greatestUnder(legendBox_) >= kTaken) {
-      legendBox_ = {};
-      hidden_ = 1;
-    }
   }
 
   /// Of the last label beyond the frame.

@@ -147,10 +147,9 @@ std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& si
     const float apart = pixels / static_cast<float>(series.points.size() + 1);
     style.markSize = std::clamp(0.55F * apart, kSmallestMark * sizes.unit, kMark * sizes.unit);
     style.isBand = series.isBand;
-    style.hasBars = !series.isBand && std::any_of(series.points.begin(), series.points.end(),
-                                                  [](const DiagramPoint& point) {
-                                                    return std::isfinite(point.high);
-                                                  });
+    style.hasBars = !series.isBand &&
+                    std::any_of(series.points.begin(), series.points.end(),
+                                [](const DiagramPoint& point) { return point.high > point.low; });
     styles.push_back(style);
   }
   return styles;

@@ -1,5 +1,7 @@
 #include "ui/window/appearance.h"
 
+#include "ui/picture/text_painter.h"
+
 namespace asperity {
 
 namespace {

@@ -58,6 +58,15 @@ void drawScenes(QPainter& painter) {
   }
 }
 
+void drawFigures(QPainter& painter) {
+  painter.drawPolyline(QPolygonF{{3.5, 3}, {3.5, 16.5}, {17, 16.5}});
+  QPainterPath curve;
+  curve.moveTo(5.5, 13.5);
+  curve.cubicTo(9, 13, 9, 5.5, 12, 5.5);
+  curve.cubicTo(14, 5.5, 14.5, 8, 16.5, 10);
+  painter.drawPath(curve);
+}
+
 void drawLight(QPainter& painter) {
   painter.drawEllipse(QPointF(10, 10), 6.5, 6.5);
   QPainterPath half;
@@ -81,6 +90,8 @@ void draw(QPainter& painter, Symbol symbol) {
       return drawReset(painter);
     case Symbol::Scenes:
       return drawScenes(painter);
+    case Symbol::Figures:
+      return drawFigures(painter);
     case Symbol::Open:
       return drawOpen(painter);
     case Symbol::Save:

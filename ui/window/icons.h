@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-enum class Symbol { Play, Pause, Step, Reset, Scenes, Open, Save, Light };
+enum class Symbol { Play, Pause, Step, Reset, Scenes, Figures, Open, Save, Light };
 
 QIcon symbolIcon(Symbol symbol, const QColor& colour);
 

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolButton>
@@ -20,6 +21,7 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/appearance.h"
 #include "ui/window/contact_canvas.h"
+#include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/session.h"
 #include "ui/window/status_line.h"
@@ -105,13 +107,18 @@ void MainWindow::buildViews() {
   splitter->setStretchFactor(1, 42);
   splitter->setSizes({580, 420});
 
+  gallery_ = new GalleryPage;
+  pages_ = new QStackedWidget;
+  pages_->addWidget(splitter);
+  pages_->addWidget(gallery_);
+
   messages_ = new MessageBar;
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(messages_);
-  column->addWidget(splitter, 1);
+  column->addWidget(pages_, 1);
   setCentralWidget(centre);
 
   status_ = new StatusLine;
@@ -139,7 +146,7 @@ void MainWindow::buildPanel() {
 void MainWindow::connectSession() {
   connect(session_, &Session::frameArrived, this, [this] {
     const std::shared_ptr<const Frame> frame = session_->frame();
-    canvas_->setFrame(frame);
+    if (!isShowingFigures()) canvas_->setFrame(frame);
     status_->showFrame(*frame);
     if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
   });
@@ -216,6 +223,7 @@ void MainWindow::setDark(bool dark) {
   setStyleSheet(windowStyleSheet(theme));
   canvas_->setTheme(theme);
   plot_->setColours(plotColoursOf(theme));
+  gallery_->setTheme(theme);
   paintIcons();
 }
 

@@ -1,7 +1,7 @@
 // The main window: contact view above, friction diagram below it, parameters at the right, bars for
-// commands and facts. Everything shown about a state comes from the frame; the controls only post
-// scenes. Owns its Session. GUI thread. Failure: complaints appear in a bar over the views and the
-// window goes on.
+// commands and facts; or the page of the paper's figures in the place of the views. Everything
+// shown about a state comes from the frame; the controls only post scenes. Owns its Session. GUI
+// thread. Failure: complaints appear in a bar over the views and the window goes on.
 #pragma once
 
 #include <QMainWindow>
@@ -12,11 +12,13 @@
 #include "ui/window/icons.h"
 
 class QMenu;
+class QStackedWidget;
 class QTimer;
 
 namespace asperity {
 
 class ContactCanvas;
+class GalleryPage;
 class MessageBar;
 class ParameterPanel;
 class PlotView;
@@ -35,6 +37,7 @@ class MainWindow : public QMainWindow {
   PlotView& plotView() { return *plot_; }
   ContactCanvas& canvas() { return *canvas_; }
   MessageBar& messages() { return *messages_; }
+  GalleryPage& gallery() { return *gallery_; }
 
   /// Another scene for controls and runner.
   void showScene(const Scene& scene);
@@ -43,6 +46,12 @@ class MainWindow : public QMainWindow {
   /// message bar, where the file does not read or write.
   bool openScene(const QString& file);
   bool saveScene(const QString& file);
+
+  /// The page of the paper's figures in the place of the views, and back. What it computes goes on
+  /// meanwhile.
+  void openFigures();
+  void closeFigures();
+  bool isShowingFigures() const;
 
   void setDark(bool dark);
   bool isDark() const { return dark_; }
@@ -73,20 +82,28 @@ class MainWindow : public QMainWindow {
   void askSave();
   void showAbout();
 
+  // In main_window_figures.cpp.
+  void buildFigures();
+  void fillFigures(QMenu& menu);
+
   Session* session_ = nullptr;
   ContactCanvas* canvas_ = nullptr;
   PlotView* plot_ = nullptr;
   ParameterPanel* panel_ = nullptr;
   MessageBar* messages_ = nullptr;
   StatusLine* status_ = nullptr;
+  QStackedWidget* pages_ = nullptr;  // the views, and the figures
+  GalleryPage* gallery_ = nullptr;
   QDockWidget* dock_ = nullptr;
   QTimer* plotPause_ = nullptr;  // runs after the diagram was painted
   bool plotIsDue_ = false;       // and something came meanwhile
   QAction *play_ = nullptr, *step_ = nullptr, *reset_ = nullptr;
   QAction *open_ = nullptr, *save_ = nullptr, *light_ = nullptr;
+  QAction* figures_ = nullptr;
   QMenu* scenes_ = nullptr;
   QString file_;  // last opened or saved
   bool dark_ = false;
+  bool hadDock_ = true;  // before the figures were opened
 };
 
 }  // namespace asperity

@@ -49,6 +49,7 @@ void MainWindow::buildActions() {
   save_ = addCommand("save", tr("Save scene…"), QKeySequence::Save, Symbol::Save,
                      [this] { askSave(); });
   light_ = addCommand("light", tr("Dark colours"), {}, Symbol::Light, [this] { setDark(!dark_); });
+  buildFigures();
   buildMenus();
   buildToolBar();
 }
@@ -73,6 +74,8 @@ void MainWindow::buildMenus() {
 
   scenes_ = menuBar()->addMenu(tr("&Scenes"));
   fillScenes(*scenes_);
+
+  fillFigures(*menuBar()->addMenu(tr("Fi&gures")));
 
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   run->addActions({play_, step_, reset_});
@@ -109,7 +112,7 @@ void MainWindow::buildToolBar() {
   scenes->setPopupMode(QToolButton::InstantPopup);
   scenes->setMenu(scenes_);
   bar->addWidget(scenes);
-  bar->addActions({open_, save_});
+  bar->addActions({figures_, open_, save_});
 
   auto* space = new QWidget;
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -127,7 +130,7 @@ void MainWindow::showPlaying(bool playing) {
 
 void MainWindow::paintIcons() {
   const QColor colour = paletteOf(dark_ ? darkTheme() : lightTheme()).color(QPalette::WindowText);
-  for (QAction* action : {play_, step_, reset_, open_, save_, light_}) {
+  for (QAction* action : {play_, step_, reset_, figures_, open_, save_, light_}) {
     action->setIcon(symbolIcon(static_cast<Symbol>(action->data().toInt()), colour));
     action->setIconVisibleInMenu(false);
   }

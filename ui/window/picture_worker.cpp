@@ -20,16 +20,16 @@ PictureWorker::~PictureWorker() {
   thread_.join();
 }
 
-void PictureWorker::request(PictureRequest request) {
+void PictureWorker::request(PictureJob job) {
   {
     const std::lock_guard lock(mutex_);
-    pending_ = std::make_unique<PictureRequest>(std::move(request));
+    pending_ = std::make_unique<PictureJob>(std::move(job));
   }
   changed_.notify_one();
 }
 
 /// Waits; null when it is time to stop.
-std::unique_ptr<PictureRequest> PictureWorker::next() {
+std::unique_ptr<PictureJob> PictureWorker::next() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return stopping_ || pending_; });
   if (stopping_) return {};
@@ -46,10 +46,9 @@ void PictureWorker::run() {
 
 void PictureWorker::drawAll() {
   const std::unique_ptr<PixelContext> context = makePixelContext();
-  PictureSource source;
-  while (const std::unique_ptr<PictureRequest> request = next()) {
-    QImage image = renderImage(*context, source.compose(*request));
-    image.setDevicePixelRatio(request->scale);
+  while (const std::unique_ptr<PictureJob> job = next()) {
+    QImage image = renderImage(*context, job->compose());
+    image.setDevicePixelRatio(job->scale);
     events_.finished(std::move(image));
   }
 }

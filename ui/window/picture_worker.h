@@ -1,4 +1,4 @@
-// Draws contact pictures in memory on a thread of its own, with the only OSMesa context there.
+// Draws pictures in memory on a thread of its own, with the only OSMesa context there.
 // Threading: the constructor, the destructor (which joins) and request() on any one thread;
 // the callbacks come on the worker's thread. The newest request wins, older ones are dropped.
 // Failure: where there is no OSMesa or a picture cannot be made, `failed` is called once and the
@@ -13,9 +13,14 @@
 #include <mutex>
 #include <thread>
 
-#include "ui/window/picture_source.h"
+#include "ui/render/draw_list.h"
 
 namespace asperity {
+
+struct PictureJob {
+  std::function<DrawList()> compose;  // called on the worker's thread
+  double scale = 1;                   // device pixels for one of the window system's
+};
 
 struct PictureWorkerEvents {
   std::function<void(QImage)> finished;
@@ -29,17 +34,17 @@ class PictureWorker {
   PictureWorker(const PictureWorker&) = delete;
   PictureWorker& operator=(const PictureWorker&) = delete;
 
-  void request(PictureRequest request);
+  void request(PictureJob job);
 
  private:
-  std::unique_ptr<PictureRequest> next();
+  std::unique_ptr<PictureJob> next();
   void run();
   void drawAll();
 
   PictureWorkerEvents events_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::unique_ptr<PictureRequest> pending_;
+  std::unique_ptr<PictureJob> pending_;
   bool stopping_ = false;
   std::thread thread_;  // last: starts when all of the above is there
 };

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "ui/window/canvas_backend.h"
+#include "ui/window/picture_source.h"
 #include "ui/window/picture_worker.h"
 
 namespace asperity {
@@ -50,7 +51,9 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
   void requestPicture() {
     request_.scale = devicePixelRatioF();
     request_.size = size() * request_.scale;
-    if (request_.frame && !request_.size.isEmpty()) worker_.request(request_);
+    if (!request_.frame || request_.size.isEmpty()) return;
+    worker_.request(
+        {[this, request = request_] { return source_.compose(request); }, request_.scale});
   }
 
   /// Both arrive on the worker's thread and go on here; dropped once this widget is gone.
@@ -73,6 +76,7 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
 
   CanvasEvents events_;
   PictureRequest request_;
+  PictureSource source_;  // used on the worker's thread
   QImage image_;
   PictureWorker worker_;  // last: its thread ends before anything else here goes
 };

@@ -222,6 +222,35 @@ TEST(Arms, SummitCorrelationReversesTheTrendOfTheSlopeInContact) {
   }
 }
 
+/// Arms of any times and moduli, any velocity and load.
+TEST(Arms, AnyElastomerBalances) {
+  std::uint64_t state = 7;
+  const auto uniform = [&state](double low, double high) {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return low + (high - low) * static_cast<double>(state >> 11) * 0x1p-53;
+  };
+  double passes = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Line rough =
+        roughLine(static_cast<std::int64_t>(uniform(20, 500)), 1 + i % 3, uniform(0.2, 1), i);
+    const TravelLine line = prepareTravel(rough, i % 2 == 0 ? Scheme::Cubic : Scheme::Linear);
+    std::vector<Arm> arms;
+    for (int k = static_cast<int>(uniform(1, 14)); k > 0; --k)
+      arms.push_back({std::pow(10, uniform(3, 9)), std::pow(10, uniform(-10, 3))});
+    const double equilibrium = std::pow(10, uniform(5, 8));
+    const Elastomer elastomer =
+        prony(equilibrium, arms, i % 3 == 0 ? std::pow(10, uniform(-3, 5)) : 0);
+    const double newton =
+        equilibrium * line.length * line.rmsHeight * 4 * std::pow(10, uniform(-4, 1.5));
+    const SteadyResult result =
+        slide(elastomer, line, std::pow(10, uniform(-6, 3)), force(newton)).result;
+    EXPECT_EQ(result.status, SteadyStatus::Balanced) << i;
+    EXPECT_LT(result.residual, 1e-10) << i;
+    passes += result.passes;
+  }
+  EXPECT_LT(passes / 300, 20);
+}
+
 /// Second order for straight, fourth for cubic segments, as with one relaxation time.
 TEST(Arms, ConvergeAtTheOrderOfTheScheme) {
   const auto friction = [](std::int64_t oversampling, Scheme scheme) {

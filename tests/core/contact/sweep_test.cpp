@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/contact/lane_pass.h"
+#include "core/contact/lane_stream.h"
 #include "core/surface/shapes.h"
 #include "tests/core/contact/allocation_counter.h"
 #include "tests/core/contact/csv_table.h"
@@ -119,15 +120,27 @@ TEST_P(Sweep, ContactsFarShorterThanASegment) {
     }
 }
 
-/// Where the numbers run out of digits the result says so: the two ways to the force disagree.
-TEST_P(Sweep, RunOutDigitsAreNotAResult) {
-  const TravelLine line = prepareTravel(roughLine(1000, 2), Scheme::Cubic);
-  std::vector<SteadyResult> results(1);
-  const double velocity = 1e3;
-  slideSweep(line, {kModulus, 1e12, 0}, Load{}, {&velocity, 1}, results);
-  EXPECT_EQ(results[0].status, SteadyStatus::NotBalanced);
-  EXPECT_EQ(slideAtForce(line, {kModulus, 1e12, velocity}, 0.0034).status,
-            SteadyStatus::NotBalanced);
+/// Where nothing relaxes within a period, all depends on F_N / (4 eta v L) and the shape, however
+/// far v tau is beyond numbers that tell a surface from one that does not relax at all.
+TEST_P(Sweep, MemoryFarBeyondThePeriodKeepsItsDigits) {
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
+    const TravelLine line = prepareTravel(roughLine(1000, 2), scheme);
+    std::vector<SteadyResult> results(1);
+    const double velocity = 1e3;
+    double first = 0;
+    for (const double factor : {1.0, 1e4, 1e8, 1e12}) {
+      Load load;
+      load.normalForce = 1e-9 * factor;
+      slideSweep(line, {kModulus, 1e4 * factor, 0}, load, {&velocity, 1}, results);
+      EXPECT_EQ(results[0].status, SteadyStatus::Balanced);
+      if (first == 0) first = results[0].mu;
+      EXPECT_NEAR(results[0].mu / first, 1, 1e-6) << factor;
+      const SteadyResult plain =
+          slideAtForce(line, {kModulus, 1e4 * factor, velocity}, load.normalForce);
+      EXPECT_EQ(plain.status, SteadyStatus::Balanced);
+      EXPECT_NEAR(plain.mu / results[0].mu, 1, 1e-11) << factor;
+    }
+  }
 }
 
 /// The public profile within the limits of the reference test.
@@ -208,6 +221,119 @@ TEST_P(Sweep, StopsWhenAsked) {
   const double velocity = 1;
   EXPECT_FALSE(
       slideSweep(line, {kModulus, kTau, 0}, {}, {&velocity, 1}, results, source.get_token()));
+}
+
+/// A table of forces is no other answer than its rows.
+TEST_P(Sweep, ManyForcesAtOnce) {
+  const auto velocities = decades(1e-5, 1e3, 9), forces = decades(1e-4, 100, 7);
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
+    const TravelLine line = prepareTravel(roughLine(900), scheme);
+    std::vector<SteadyResult> table(forces.size() * velocities.size());
+    ASSERT_TRUE(slideAtForces(line, {kModulus, kTau, 0}, forces, velocities, table));
+    for (std::size_t row = 0; row < forces.size(); ++row) {
+      const auto one = sweep(line, forces[row], velocities);
+      for (std::size_t i = 0; i < velocities.size(); ++i) {
+        const SteadyResult& result = table[row * velocities.size() + i];
+        EXPECT_EQ(result.status, SteadyStatus::Balanced);
+        const double tolerance = scheme == Scheme::Nodal ? 1e-9 : 1e-12;
+        EXPECT_NEAR(result.mu, one[i].mu, tolerance * std::abs(one[i].mu));
+        EXPECT_NEAR(result.normalForce / forces[row], 1, 1e-10);
+      }
+    }
+  }
+}
+
+/// Just before contact is full, where a depth for full contact is nearly right.
+TEST_P(Sweep, NearlyFullContact) {
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
+    const TravelLine line = prepareTravel(roughLine(400), scheme);
+    for (const double velocity : {1e-4, 0.01, 0.3, 10.0}) {
+      double low = line.meanRise, high = 1;  // depths
+      for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        const auto result = slideAtDepth(line, {kModulus, kTau, velocity}, middle);
+        (result.contactFraction < 1 - 1e-12 ? low : high) = middle;
+      }
+      const double full = slideAtDepth(line, {kModulus, kTau, velocity}, high).normalForce;
+      for (const double less : {0.0, 1e-8, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2}) {
+        const auto result = sweep(line, full * (1 - less), {velocity}).front();
+        EXPECT_EQ(result.status, SteadyStatus::Balanced) << less;
+        EXPECT_LE(result.residual, 1e-12) << less;
+        EXPECT_LE(result.passes, 12) << less;
+      }
+    }
+  }
+}
+
+/// mu depends on F_N / G, and in units of the rms slope on F_N / (G h).
+TEST_P(Sweep, ModuliAndHeightsAreForces) {
+  const auto velocities = decades(1e-4, 1e2, 7);
+  const Line line = roughLine(500);
+  Line higher = line;
+  for (double& height : higher.height) height *= 8;
+  for (double& slope : higher.slopeAfter) slope *= 8;
+  const auto one = sweep(prepareTravel(line, Scheme::Cubic), 0.01, velocities);
+  const auto two = sweep(prepareTravel(higher, Scheme::Cubic), 0.08, velocities);
+  for (std::size_t i = 0; i < velocities.size(); ++i)
+    EXPECT_NEAR(two[i].mu / (8 * one[i].mu), 1, 1e-11);
+}
+
+/// Passes at one depth, cut or not, until it is told to stop at the looks-th question.
+class FixedDepths : public PassQueue {
+ public:
+  FixedDepths(double depth, double memory, int parts, int looks)
+      : task_{depth, memory, parts}, looks_(looks) {}
+
+  bool begin(std::size_t stream, PassTask& task) override {
+    task = task_;
+    return stream == 0;
+  }
+  bool next(std::size_t, const PassSums& sums, PassTask&) override {
+    found.push_back(sums);
+    return false;
+  }
+  bool isStopped() const override { return ++asked_ >= looks_; }
+
+  std::vector<PassSums> found;
+
+ private:
+  PassTask task_;
+  int looks_;
+  mutable int asked_ = 0;
+};
+
+TEST_P(Sweep, PartsOfAPassAddUp) {
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
+    for (const int realization : {0, 1, 2, 3}) {
+      const TravelLine line = prepareTravel(roughLine(2000, 2, 0.3, realization), scheme);
+      for (const double depth : {3e-7, 1e-6, 2e-6, 4e-6})
+        for (const double memory : {1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1.0}) {
+          FixedDepths whole(depth, memory, 1, 1 << 30), cut(depth, memory, 16, 1 << 30);
+          passLanes(line, whole);
+          passLanes(line, cut);
+          ASSERT_EQ(whole.found.size(), 1U);
+          ASSERT_EQ(cut.found.size(), 1U);
+          const PassSums &a = whole.found[0], &b = cut.found[0];
+          EXPECT_NEAR(b.depth, a.depth, 1e-12 * a.depth);
+          EXPECT_NEAR(b.dissipation, a.dissipation, 1e-12 * a.dissipation);
+          EXPECT_NEAR(b.stiffness, a.stiffness, 1e-10 * a.stiffness);
+          EXPECT_NEAR(b.pressure, a.pressure, 1e-9 * a.pressure);
+          if (memory < 1e-5) {
+            EXPECT_GT(b.looks, a.looks);  // it was cut
+          }
+        }
+    }
+}
+
+/// The end of work is asked for inside a pass: here before any has ended.
+TEST_P(Sweep, StopsInsideAPass) {
+  const TravelLine line = prepareTravel(roughLine(20000, 1, 0.0), Scheme::Cubic);
+  FixedDepths whole(1e-6, 1e-8, 1, 1 << 30), queue(1e-6, 1e-8, 1, 1);
+  passLanes(line, whole);
+  ASSERT_EQ(whole.found.size(), 1U);
+  EXPECT_GT(whole.found[0].looks, 300);  // it looks up every 256 steps
+  passLanes(line, queue);
+  EXPECT_TRUE(queue.found.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, Sweep,

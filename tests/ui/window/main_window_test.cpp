@@ -258,7 +258,7 @@ TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
   Scene still = smallScene();
   still.sliding.velocity = 0;  // there is an answer at rest, but none where it slides
   still.elastomer.shearModulus = 1e15;
-  still.elastomer.relaxationTime = 1e3;
+  still.elastomer.relaxationTime = 1e12;  // contacts shorter than the digits of numbers
   still.load.normalForce = 1e-30;
   window_.showScene(still);
   ASSERT_TRUE(waitForFrame());

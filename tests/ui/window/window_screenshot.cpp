@@ -1,8 +1,9 @@
 // Shows the window on a real display, waits until it is alive, and saves a picture of the screen.
 // Usage: window_screenshot FILE.png [--dark] [--size WxH] [--scene FILE [--set KEY=VALUE]...]
-//        [--wait MS] [--expect-message]
+//        [--wait MS] [--expect-message] [--figure WORD]
 // Exit: 0 when the window was exposed, animated and showed a curve (or, with --expect-message, a
 // message); 1 with the reason otherwise.
+#include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QPixmap>
@@ -15,6 +16,8 @@
 #include "core/scene/scene_file.h"
 #include "ui/charts/plot_view.h"
 #include "ui/window/contact_canvas.h"
+#include "ui/window/figure_picture.h"
+#include "ui/window/gallery_page.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/run_window.h"
@@ -26,7 +29,7 @@ namespace {
 using namespace asperity;
 
 struct Wish {
-  QString picture, scene;
+  QString picture, scene, figure;
   QSize size{1280, 800};
   std::vector<std::string> assignments;
   bool dark = false;
@@ -41,6 +44,7 @@ Wish readWish(const QApplication& application) {
                      {"size", "of the window, WxH", "WxH"},
                      {"scene", "scene file", "FILE"},
                      {"set", "over the scene file", "KEY=VALUE"},
+                     {"figure", "of the paper, on its page", "WORD"},
                      {"expect-message", "the scene cannot run"},
                      {"wait", "milliseconds to run before the picture", "MS"}});
   parser.process(application);
@@ -48,6 +52,7 @@ Wish readWish(const QApplication& application) {
   if (parser.positionalArguments().size() != 1) parser.showHelp(1);
   wish.picture = parser.positionalArguments().constFirst();
   wish.scene = parser.value("scene");
+  wish.figure = parser.value("figure");
   for (const QString& text : parser.values("set")) wish.assignments.push_back(text.toStdString());
   wish.dark = parser.isSet("dark");
   wish.message = parser.isSet("expect-message");
@@ -73,6 +78,17 @@ bool isPainted(const QImage& image) {
   return false;
 }
 
+/// As from the menu; waits for the picture.
+bool showFigure(MainWindow& window, const QString& word) {
+  auto* action = window.findChild<QAction*>("figure:" + word);
+  if (!action) return false;
+  action->trigger();
+  FigurePicture& picture = window.gallery().picture();
+  const bool isThere = QTest::qWaitFor([&] { return picture.isPainted(); }, 300000);
+  QTest::qWait(300);  // on the screen too
+  return isThere;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -96,6 +112,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "window_screenshot: %s\n", reason);
     return 1;
   }
+  if (!wish.figure.isEmpty() && !showFigure(window, wish.figure))
+    return std::fputs("window_screenshot: the figure does not come\n", stderr), 1;
   const QImage image = window.screen()->grabWindow(0).toImage();
   std::printf("%s, %d frames/s\n", qPrintable(window.canvas().backendName()),
               window.canvas().framesPerSecond());

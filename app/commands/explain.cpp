@@ -1,0 +1,22 @@
+// asperity explain: the plan of a scene as an ordered list of stages, what was left out and why,
+// and what the run will cost; with --analyze also what it did cost.
+#include <fmt/format.h>
+
+#include "app/command_line.h"
+#include "app/output.h"
+#include "core/accuracy/explanation.h"
+
+namespace asperity {
+
+int runExplain(const ExplainCommand& command) {
+  const Scene scene = sceneOf(command.common);
+  saidOfScene(command.common, [&] {
+    Explanation explanation = explain(scene, command.common.threads);
+    if (command.analyze) analyze(explanation, command.common.threads);
+    printSummary(command.common.json, command.common.quiet, explanationText(explanation));
+    if (command.common.json) fmt::print("{}", explanationJson(explanation));
+  });
+  return kDone;
+}
+
+}  // namespace asperity

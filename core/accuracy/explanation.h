@@ -1,0 +1,38 @@
+// A plan and what it will cost, as people and machines read it: like a database's EXPLAIN.
+// Pure; any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/accuracy/prediction.h"
+#include "core/scene/plan.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// What a run took, beside what was predicted.
+struct Measurement {
+  double seconds = 0;
+  double memory = 0;  // bytes, by which the process grew; 0 where it did not
+  ErrorBudget error;
+};
+
+struct Explanation {
+  Scene scene;
+  std::string verb;  // "curve" or "render"
+  std::vector<PlanStage> stages;
+  std::optional<Prediction> predicted;
+  std::optional<Measurement> measured;
+};
+
+/// The plan of `curve` for steady sliding, else of `render`, with the prediction of a curve.
+Explanation explain(const Scene& scene, int threads = 0);
+
+/// Runs the curve and fills `measured`. Nothing for a motion that is not steady.
+void analyze(Explanation& explanation, int threads = 0);
+
+std::string explanationText(const Explanation& explanation);
+std::string explanationJson(const Explanation& explanation);
+
+}  // namespace asperity

@@ -1,0 +1,42 @@
+// What a friction curve will cost and how good it will be, said before it is run: a pilot on a few
+// lines gives time, spread and resolution, and the rest is arithmetic. The parts of the error are
+// told apart. Time depends on the machine and is for people; nothing is decided by it.
+// Threading: one thread at a time (time is measured). Failure: as frictionCurve; StudyStopped.
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+
+#include "core/friction/curve_point.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// Relative to mu, root mean square over the velocities of the sweep. NaN: does not apply.
+struct ErrorBudget {
+  double resolution = kNotApplicable;       // of the line: scheme and oversampling
+  double standardError = kNotApplicable;    // realizations
+  double forceBalance = kNotApplicable;     // its tolerance
+  double modelDifference = kNotApplicable;  // `nodal` against the resolved line: not an error
+  /// Root of the sum of squares of those that are errors.
+  double total() const;
+};
+
+struct Prediction {
+  double seconds = 0;  // wall clock, on `threads`
+  int threads = 1;
+  double memory = 0;  // bytes, of the lines in work and the results
+  ErrorBudget error;
+  double lines = 0;        // of the run; with a target: at the velocity that needs most
+  double simulations = 0;  // a line, a velocity, a balance
+  std::int64_t pilotLines = 0;
+};
+
+/// For `curve` of this scene. threads: 0 for as many as the machine has.
+Prediction predictCurve(const Scene& scene, int threads = 0, const std::stop_token& stop = {});
+
+/// The same numbers read from a finished run: its time and memory are the caller's; the resolution
+/// is measured on `lines` of its lines at four times the points.
+ErrorBudget measureError(const Scene& scene, std::int64_t lines, int threads = 0);
+
+}  // namespace asperity

@@ -1,0 +1,54 @@
+#include "core/contact/depth_at_rest.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/pass_sums.h"
+
+namespace asperity {
+namespace {
+
+/// Force at rest, looked up in the blocks: those above the depth carry nothing, those below it
+/// their mean, and only those that it cuts are opened. Single segments count by their mean.
+ForceSums forceAtRest(const TravelLine& line, double depth) {
+  ForceSums sums;
+  const auto carry = [&](const SegmentBounds& block, double length) {
+    if (depth * length <= block.riseIntegral) return;
+    sums.depth += depth * length - block.riseIntegral;
+    sums.stiffness += length;
+  };
+  const std::size_t top = line.blocks.size() - 1;
+  std::size_t level = top;
+  for (std::size_t i = 0, end = line.segments() - 2; i < end;) {
+    const std::size_t size = std::size_t{1} << (2 * level), block = i >> (2 * level);
+    const bool fits = (i & (size - 1)) == 0 && block < line.blocks[level].size();
+    const SegmentBounds bounds = line.blocks[level][fits ? block : 0];
+    if (fits && (level == 0 || depth <= bounds.lowest || depth >= bounds.highest)) {
+      if (depth > bounds.lowest) carry(bounds, line.spacing * static_cast<double>(size));
+      i += size;
+      level = std::min(level + 1, top);
+    } else {
+      --level;
+    }
+  }
+  return sums;
+}
+
+}  // namespace
+
+double depthAtRest(const TravelLine& line, double load) {
+  constexpr int kMostSteps = 12;
+  constexpr double kCloseEnough = 1e-3;
+  double depth = load / line.length + line.meanRise;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const ForceSums sums = forceAtRest(line, depth);
+    if (!(sums.stiffness > 0)) break;
+    const double next = depth - (sums.depth - load) / sums.stiffness;
+    const bool close = std::abs(next - depth) <= kCloseEnough * depth;
+    depth = next;
+    if (close) break;
+  }
+  return depth;
+}
+
+}  // namespace asperity

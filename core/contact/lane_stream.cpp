@@ -1,0 +1,51 @@
+#include "core/contact/lane_stream.h"
+
+// As for the separate elements of lane_pass.cpp.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/contact/lane_stream.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/contact/flush_denormals.h"
+#include "core/contact/lane_stream-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace asperity {
+namespace HWY_NAMESPACE {
+
+void streamLinear(const TravelLine& line, PassQueue& queue) {
+  LaneStream<true>(line, queue).run();
+}
+void streamCubic(const TravelLine& line, PassQueue& queue) {
+  LaneStream<false>(line, queue).run();
+}
+std::size_t streams() {
+  return Wide::kLanes;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace asperity
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace asperity {
+
+HWY_EXPORT(streamLinear);
+HWY_EXPORT(streamCubic);
+HWY_EXPORT(streams);
+
+std::size_t streamCount() {
+  return HWY_DYNAMIC_DISPATCH(streams)();
+}
+
+void passLanes(const TravelLine& line, PassQueue& queue) {
+  const FlushDenormals flush(Traps::None);
+  if (line.scheme == Scheme::Linear)
+    HWY_DYNAMIC_DISPATCH(streamLinear)(line, queue);
+  else
+    HWY_DYNAMIC_DISPATCH(streamCubic)(line, queue);
+}
+
+}  // namespace asperity
+#endif  // HWY_ONCE

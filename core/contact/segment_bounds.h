@@ -1,0 +1,20 @@
+// Bounds and integrals of whole segments of one length, many at a time; the same bits on every
+// instruction set. Pure function.
+#pragma once
+
+#include <cstddef>
+
+#include "core/contact/block_level.h"
+
+namespace asperity {
+
+/// Segment k has the rises rise[k] and rise[k + 1] (m) at its ends and the slopes slopeIn[k] and
+/// slopeOut[k] there; it becomes block k of `blocks`, which is resized. length: m, of each.
+/// Bounds by control points (a cubic lies within theirs), integrals exactly.
+void boundSegments(const double* rise, const double* slopeIn, const double* slopeOut,
+                   std::size_t count, double length, BlockLevel& blocks);
+
+/// The same of one segment; rise: at its two ends.
+SegmentBounds boundSegment(const double* rise, double slopeIn, double slopeOut, double length);
+
+}  // namespace asperity

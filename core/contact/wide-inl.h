@@ -1,0 +1,137 @@
+// Numbers for many lanes at once: one vector of the machine, or several side by side, so that the
+// long chains of one of them do not leave the machine waiting. Compiled once per instruction set.
+
+#if defined(ASPERITY_WIDE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASPERITY_WIDE_INL
+#undef ASPERITY_WIDE_INL
+#else
+#define ASPERITY_WIDE_INL
+#endif
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace asperity {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr hn::CappedTag<double, 8> kTag;
+
+struct OneMask {
+  hn::Mask<decltype(kTag)> m;
+
+  static HWY_INLINE OneMask none() { return {hn::FirstN(kTag, 0)}; }
+};
+
+/// One vector.
+struct One {
+  using Mask = OneMask;
+  static constexpr std::size_t kLanes = hn::MaxLanes(kTag);
+
+  hn::Vec<decltype(kTag)> v;
+
+  static HWY_INLINE One all(double value) { return {hn::Set(kTag, value)}; }
+  static HWY_INLINE One load(const double* from) { return {hn::LoadU(kTag, from)}; }
+  HWY_INLINE void store(double* to) const { hn::StoreU(v, kTag, to); }
+};
+
+template <class T>
+struct PairMask {
+  T a, b;
+
+  static HWY_INLINE PairMask none() { return {T::none(), T::none()}; }
+};
+
+/// Twice as many lanes.
+template <class T>
+struct Pair {
+  using Mask = PairMask<typename T::Mask>;
+  static constexpr std::size_t kLanes = 2 * T::kLanes;
+
+  T a, b;
+
+  static HWY_INLINE Pair all(double value) { return {T::all(value), T::all(value)}; }
+  static HWY_INLINE Pair load(const double* from) {
+    return {T::load(from), T::load(from + T::kLanes)};
+  }
+  HWY_INLINE void store(double* to) const { a.store(to), b.store(to + T::kLanes); }
+};
+
+// clang-format off
+HWY_INLINE One operator+(One x, One y) { return {hn::Add(x.v, y.v)}; }
+HWY_INLINE One operator-(One x, One y) { return {hn::Sub(x.v, y.v)}; }
+HWY_INLINE One operator*(One x, One y) { return {hn::Mul(x.v, y.v)}; }
+HWY_INLINE One operator/(One x, One y) { return {hn::Div(x.v, y.v)}; }
+HWY_INLINE One operator-(One x) { return {hn::Neg(x.v)}; }
+HWY_INLINE One mulAdd(One x, One y, One z) { return {hn::MulAdd(x.v, y.v, z.v)}; }
+HWY_INLINE One mulSub(One x, One y, One z) { return {hn::MulSub(x.v, y.v, z.v)}; }
+HWY_INLINE One negMulAdd(One x, One y, One z) { return {hn::NegMulAdd(x.v, y.v, z.v)}; }
+HWY_INLINE One min(One x, One y) { return {hn::Min(x.v, y.v)}; }
+HWY_INLINE One max(One x, One y) { return {hn::Max(x.v, y.v)}; }
+HWY_INLINE One abs(One x) { return {hn::Abs(x.v)}; }
+HWY_INLINE One sqrt(One x) { return {hn::Sqrt(x.v)}; }
+HWY_INLINE One copySign(One x, One sign) { return {hn::CopySign(x.v, sign.v)}; }
+HWY_INLINE One exp(One x) { return {hn::Exp(kTag, x.v)}; }
+HWY_INLINE One expm1(One x) { return {hn::Expm1(kTag, x.v)}; }
+HWY_INLINE One select(OneMask m, One x, One y) { return {hn::IfThenElse(m.m, x.v, y.v)}; }
+HWY_INLINE One onlyIn(OneMask m, One x) { return {hn::IfThenElseZero(m.m, x.v)}; }
+HWY_INLINE OneMask operator<(One x, One y) { return {hn::Lt(x.v, y.v)}; }
+HWY_INLINE OneMask operator>(One x, One y) { return {hn::Gt(x.v, y.v)}; }
+HWY_INLINE OneMask operator<=(One x, One y) { return {hn::Le(x.v, y.v)}; }
+HWY_INLINE OneMask operator>=(One x, One y) { return {hn::Ge(x.v, y.v)}; }
+HWY_INLINE OneMask operator==(One x, One y) { return {hn::Eq(x.v, y.v)}; }
+HWY_INLINE OneMask operator&(OneMask x, OneMask y) { return {hn::And(x.m, y.m)}; }
+HWY_INLINE OneMask operator|(OneMask x, OneMask y) { return {hn::Or(x.m, y.m)}; }
+HWY_INLINE OneMask operator^(OneMask x, OneMask y) { return {hn::Xor(x.m, y.m)}; }
+HWY_INLINE OneMask operator!(OneMask x) { return {hn::Not(x.m)}; }
+HWY_INLINE bool any(OneMask x) { return !hn::AllFalse(kTag, x.m); }
+
+#define ASPERITY_PAIR template <class T> HWY_INLINE
+ASPERITY_PAIR Pair<T> operator+(Pair<T> x, Pair<T> y) { return {x.a + y.a, x.b + y.b}; }
+ASPERITY_PAIR Pair<T> operator-(Pair<T> x, Pair<T> y) { return {x.a - y.a, x.b - y.b}; }
+ASPERITY_PAIR Pair<T> operator*(Pair<T> x, Pair<T> y) { return {x.a * y.a, x.b * y.b}; }
+ASPERITY_PAIR Pair<T> operator/(Pair<T> x, Pair<T> y) { return {x.a / y.a, x.b / y.b}; }
+ASPERITY_PAIR Pair<T> operator-(Pair<T> x) { return {-x.a, -x.b}; }
+ASPERITY_PAIR Pair<T> mulAdd(Pair<T> x, Pair<T> y, Pair<T> z) { return {mulAdd(x.a, y.a, z.a), mulAdd(x.b, y.b, z.b)}; }
+ASPERITY_PAIR Pair<T> mulSub(Pair<T> x, Pair<T> y, Pair<T> z) { return {mulSub(x.a, y.a, z.a), mulSub(x.b, y.b, z.b)}; }
+ASPERITY_PAIR Pair<T> negMulAdd(Pair<T> x, Pair<T> y, Pair<T> z) { return {negMulAdd(x.a, y.a, z.a), negMulAdd(x.b, y.b, z.b)}; }
+ASPERITY_PAIR Pair<T> min(Pair<T> x, Pair<T> y) { return {min(x.a, y.a), min(x.b, y.b)}; }
+ASPERITY_PAIR Pair<T> max(Pair<T> x, Pair<T> y) { return {max(x.a, y.a), max(x.b, y.b)}; }
+ASPERITY_PAIR Pair<T> abs(Pair<T> x) { return {abs(x.a), abs(x.b)}; }
+ASPERITY_PAIR Pair<T> sqrt(Pair<T> x) { return {sqrt(x.a), sqrt(x.b)}; }
+ASPERITY_PAIR Pair<T> copySign(Pair<T> x, Pair<T> sign) { return {copySign(x.a, sign.a), copySign(x.b, sign.b)}; }
+ASPERITY_PAIR Pair<T> exp(Pair<T> x) { return {exp(x.a), exp(x.b)}; }
+ASPERITY_PAIR Pair<T> expm1(Pair<T> x) { return {expm1(x.a), expm1(x.b)}; }
+ASPERITY_PAIR Pair<T> select(typename Pair<T>::Mask m, Pair<T> x, Pair<T> y) { return {select(m.a, x.a, y.a), select(m.b, x.b, y.b)}; }
+ASPERITY_PAIR Pair<T> onlyIn(typename Pair<T>::Mask m, Pair<T> x) { return {onlyIn(m.a, x.a), onlyIn(m.b, x.b)}; }
+ASPERITY_PAIR typename Pair<T>::Mask operator<(Pair<T> x, Pair<T> y) { return {x.a < y.a, x.b < y.b}; }
+ASPERITY_PAIR typename Pair<T>::Mask operator>(Pair<T> x, Pair<T> y) { return {x.a > y.a, x.b > y.b}; }
+ASPERITY_PAIR typename Pair<T>::Mask operator<=(Pair<T> x, Pair<T> y) { return {x.a <= y.a, x.b <= y.b}; }
+ASPERITY_PAIR typename Pair<T>::Mask operator>=(Pair<T> x, Pair<T> y) { return {x.a >= y.a, x.b >= y.b}; }
+ASPERITY_PAIR typename Pair<T>::Mask operator==(Pair<T> x, Pair<T> y) { return {x.a == y.a, x.b == y.b}; }
+ASPERITY_PAIR PairMask<T> operator&(PairMask<T> x, PairMask<T> y) { return {x.a & y.a, x.b & y.b}; }
+ASPERITY_PAIR PairMask<T> operator|(PairMask<T> x, PairMask<T> y) { return {x.a | y.a, x.b | y.b}; }
+ASPERITY_PAIR PairMask<T> operator^(PairMask<T> x, PairMask<T> y) { return {x.a ^ y.a, x.b ^ y.b}; }
+ASPERITY_PAIR PairMask<T> operator!(PairMask<T> x) { return {!x.a, !x.b}; }
+ASPERITY_PAIR bool any(PairMask<T> x) { return any(x.a) || any(x.b); }
+#undef ASPERITY_PAIR
+// clang-format on
+
+// Two vectors in flight are 1.2 to 1.5 times as fast as one where lanes are full; single numbers
+// gain nothing.
+#if HWY_TARGET == HWY_SCALAR
+using Wide = One;
+#else
+using Wide = Pair<One>;
+#endif
+using WideMask = Wide::Mask;
+
+}  // namespace HWY_NAMESPACE
+}  // namespace asperity
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

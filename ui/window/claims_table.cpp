@@ -1,0 +1,173 @@
+#include "ui/window/claims_table.h"
+
+#include <QHeaderView>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/charts/decade_range.h"
+
+namespace asperity {
+
+namespace {
+
+enum Column { kHolds, kClaim, kMeasured, kExpected, kWhere, kColumns };
+
+constexpr int kAside = 5;  // pixels of air beside a cell's text
+constexpr int kAbove = 4;  // and above and below it
+
+QString text(const std::string& utf8) {
+  return QString::fromStdString(utf8);
+}
+
+/// With a minus sign instead of a hyphen.
+QString numberLabel(double value) {
+  return readingLabel(value).replace('-', u'−');
+}
+
+QString verdictText(const Claim& claim) {
+  if (claim.holds == Verdict::OnlyForScheme)
+    return ClaimsTable::tr("only for scheme %1").arg(text(claim.scheme));
+  return claim.holds == Verdict::Yes ? ClaimsTable::tr("✓ yes") : ClaimsTable::tr("✗ no");
+}
+
+QColor verdictColour(Verdict verdict, bool dark) {
+  switch (verdict) {
+    case Verdict::Yes:
+      return dark ? QColor(0x6f, 0xcf, 0x97) : QColor(0x1b, 0x7a, 0x3d);
+    case Verdict::No:
+      return dark ? QColor(0xff, 0x8a, 0x80) : QColor(0xb4, 0x23, 0x18);
+    case Verdict::OnlyForScheme:
+      break;
+  }
+  return dark ? QColor(0xff, 0xc1, 0x6b) : QColor(0x9a, 0x5b, 0x00);
+}
+
+/// What the row itself does not say.
+QString detailsOf(const Claim& claim) {
+  QStringList lines{ClaimsTable::tr("Measured: %1.").arg(text(claim.quantity))};
+  if (!claim.criterion.empty())
+    lines << ClaimsTable::tr("Holds when: %1.").arg(text(claim.criterion));
+  if (!claim.note.empty()) lines << text(claim.note);
+  return lines.join('\n');
+}
+
+/// Cells with air around their texts, which keep their colours in the selected row: the table tints
+/// it.
+class ClaimDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyleOptionViewItem inside = option;
+    inside.rect.adjust(0, 0, -2 * kAside, 0);
+    return QStyledItemDelegate::sizeHint(inside, index) + QSize(2 * kAside, 2 * kAbove);
+  }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    QStyleOptionViewItem inside = option;
+    inside.state &= ~(QStyle::State_Selected | QStyle::State_HasFocus | QStyle::State_MouseOver);
+    inside.rect.adjust(kAside, kAbove, -kAside, -kAbove);
+    QStyledItemDelegate::paint(painter, inside, index);
+  }
+};
+
+}  // namespace
+
+QString estimateText(const Estimate& estimate) {
+  const double error = estimate.standardError;
+  const double size = std::max(std::abs(estimate.value), error);
+  if (!std::isfinite(estimate.value) || !std::isfinite(error) || error <= 0 || size >= 1e5 ||
+      size < 1e-3)
+    return std::isfinite(error) && error > 0
+               ? numberLabel(estimate.value) + QStringLiteral(" ± ") + readingLabel(error)
+               : numberLabel(estimate.value);
+  // Two digits of an uncertainty that begins with 1, one of any other.
+  const int place = static_cast<int>(std::floor(std::log10(error)));
+  const int digits = error / std::pow(10, place) < 1.95 ? 1 - place : -place;
+  const int decimals = std::clamp(digits, 0, 6);
+  return QString::number(estimate.value, 'f', decimals).replace('-', u'−') + QStringLiteral(" ± ") +
+         QString::number(error, 'f', decimals);
+}
+
+ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
+  setObjectName("claims");
+  setAccessibleName(tr("what the paper says of this figure, and whether it holds"));
+  setHorizontalHeaderLabels(
+      {tr("Holds"), tr("The paper says"), tr("Measured"), tr("Expected"), tr("Where")});
+  setItemDelegate(new ClaimDelegate(this));
+  setEditTriggers(NoEditTriggers);
+  setSelectionBehavior(SelectRows);
+  setSelectionMode(SingleSelection);
+  setTabKeyNavigation(false);
+  setWordWrap(true);
+  setShowGrid(false);
+  setFrameShape(NoFrame);
+  setVerticalScrollMode(ScrollPerPixel);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  verticalHeader()->hide();
+  QHeaderView& header = *horizontalHeader();
+  header.setHighlightSections(false);
+  header.setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  header.setSectionResizeMode(QHeaderView::Fixed);
+  header.setSectionResizeMode(kClaim, QHeaderView::Stretch);
+  // Claims wrap anew, also where a scroll bar takes some of their width.
+  connect(&header, &QHeaderView::sectionResized, this, [this](int column) {
+    if (column == kClaim) resizeRowsToContents();
+  });
+  const int letter = fontMetrics().averageCharWidth();
+  header.resizeSection(kHolds, 17 * letter);
+  header.resizeSection(kMeasured, 20 * letter);
+  header.resizeSection(kExpected, 13 * letter);
+  header.resizeSection(kWhere, 24 * letter);
+  connect(this, &QTableWidget::itemSelectionChanged, this,
+          [this] { unfold(selectedItems().isEmpty() ? -1 : currentRow()); });
+}
+
+void ClaimsTable::setClaims(const std::vector<Claim>& claims) {
+  claims_ = claims;
+  fill();
+}
+
+void ClaimsTable::setDark(bool dark) {
+  isDark_ = dark;
+  fill();
+}
+
+void ClaimsTable::fill() {
+  clearSelection();
+  setRowCount(static_cast<int>(claims_.size()));
+  for (int row = 0; row < rowCount(); ++row) {
+    const Claim& claim = claims_[static_cast<std::size_t>(row)];
+    const QStringList cells{verdictText(claim), text(claim.claim), estimateText(claim.measured),
+                            std::isfinite(claim.expected) ? numberLabel(claim.expected) : "",
+                            text(claim.where)};
+    for (int column = 0; column < kColumns; ++column) {
+      auto* item = new QTableWidgetItem(cells[column]);
+      item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
+      item->setToolTip(QStringLiteral("<p style='white-space:pre-wrap'>%1</p>")
+                           .arg(detailsOf(claim).toHtmlEscaped()));
+      setItem(row, column, item);
+    }
+    item(row, kHolds)->setForeground(verdictColour(claim.holds, isDark_));
+    QFont bold = font();
+    bold.setBold(true);
+    item(row, kHolds)->setFont(bold);
+  }
+  resizeRowsToContents();
+}
+
+void ClaimsTable::unfold(int chosen) {
+  for (int row = 0; row < rowCount(); ++row) {
+    const Claim& claim = claims_[static_cast<std::size_t>(row)];
+    item(row, kClaim)
+        ->setText(row == chosen ? text(claim.claim) + "\n\n" + detailsOf(claim)
+                                : text(claim.claim));
+  }
+  resizeRowsToContents();
+  if (chosen >= 0) scrollTo(model()->index(chosen, kClaim));
+}
+
+}  // namespace asperity

@@ -1,0 +1,33 @@
+// The paper's sentences about a figure and what was found: whether each holds, what was measured.
+// The selected row unfolds to the quantity, the criterion and the note; so does its tool tip.
+// GUI thread; belongs to its parent.
+#pragma once
+
+#include <QTableWidget>
+#include <vector>
+
+#include "core/friction/figures/claim.h"
+
+namespace asperity {
+
+class ClaimsTable : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  explicit ClaimsTable(QWidget* parent = nullptr);
+
+  void setClaims(const std::vector<Claim>& claims);
+  void setDark(bool dark);
+
+ private:
+  void fill();
+  void unfold(int row);
+
+  std::vector<Claim> claims_;
+  bool isDark_ = false;
+};
+
+/// "1.26 ± 0.04": as many digits as the uncertainty leaves; three where there is none.
+QString estimateText(const Estimate& estimate);
+
+}  // namespace asperity

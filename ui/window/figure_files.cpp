@@ -1,0 +1,67 @@
+#include "ui/window/figure_files.h"
+
+#include <initializer_list>
+#include <string>
+
+#include "core/scene/atomic_file.h"
+#include "core/scene/input_error.h"
+#include "core/scene/scene_file.h"
+#include "ui/panels/number_text.h"
+#include "ui/picture/pdf_file.h"
+#include "ui/picture/png_file.h"
+#include "ui/picture/svg_file.h"
+#include "ui/picture/text_painter.h"
+#include "ui/render/osmesa_context.h"
+
+namespace asperity {
+
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const char* known) {
+  throw InputError(file.string(), "", "'" + file.extension().string() + "' is not one of " + known);
+}
+
+}  // namespace
+
+DrawList composeFigure(const MadeFigure& made, const DiagramOptions& options) {
+  if (!made.contact) return composeDiagrams(made.figure.sheet, options);
+  ContactPictureOptions contact;
+  contact.width = options.width;
+  contact.height = options.height;
+  contact.scale = options.scale;
+  contact.theme = options.theme;
+  return composeContact(*made.contact, contact);
+}
+
+QString figureFile(FigureName name, const QString& extension) {
+  return "figure_" + fromUtf8(entryOf(name).word) + extension;
+}
+
+void writeFigurePicture(const std::filesystem::path& file, const MadeFigure& made) {
+  const std::string extension = file.extension().string();
+  const Figure& figure = made.figure;
+  const DrawList picture = composeFigure(made, printOptions(figure.sheet));
+  if (extension == ".png") {
+    checkWritable(file);
+    OsmesaContext context;
+    writePng(file, renderImage(context, picture));
+  } else if (extension == ".svg") {
+    writeSvg(file, picture, {figure.sheet.title, writeScene(figure.scene)});
+  } else if (extension == ".pdf") {
+    writePdf(file, picture, {figure.sheet.title, writeScene(figure.scene)});
+  } else {
+    refuse(file, ".png, .svg, .pdf");
+  }
+}
+
+void writeFigureData(const std::filesystem::path& file, const MadeFigure& made) {
+  const std::string extension = file.extension().string();
+  if (extension == ".csv")
+    writeFileAtomically(file, made.figure.csv);
+  else if (extension == ".json")
+    writeFileAtomically(file, claimsJson({&made.figure, 1}));
+  else
+    refuse(file, ".csv, .json");
+}
+
+}  // namespace asperity

@@ -1,0 +1,82 @@
+// The main window's page of the paper's figures: its menu, and how it changes places with the
+// views.
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QStatusBar>
+
+#include "ui/panels/number_text.h"
+#include "ui/window/contact_canvas.h"
+#include "ui/window/gallery_page.h"
+#include "ui/window/main_window.h"
+#include "ui/window/session.h"
+
+namespace asperity {
+
+namespace {
+
+/// As it stands in the menu: "Figure 2: Typical dependence …"; the two others by their headlines.
+QString menuText(const FigureEntry& entry) {
+  const QString headline = fromUtf8(entry.headline);
+  return entry.name < FigureName::Master
+             ? MainWindow::tr("%1: %2").arg(figureLabel(entry.name), headline)
+             : headline;
+}
+
+}  // namespace
+
+void MainWindow::buildFigures() {
+  figures_ = addCommand("figures", tr("All figures"), Qt::CTRL | Qt::Key_G, Symbol::Figures,
+                        [this] { isShowingFigures() ? closeFigures() : openFigures(); });
+  figures_->setIconText(QChar(0x2002) + tr("Figures"));
+  figures_->setCheckable(true);
+  connect(gallery_, &GalleryPage::closed, this, &MainWindow::closeFigures);
+  connect(gallery_, &GalleryPage::sceneWanted, this, [this](const Scene& scene) {
+    closeFigures();
+    showScene(scene);
+  });
+}
+
+void MainWindow::fillFigures(QMenu& menu) {
+  int key = Qt::Key_1;
+  for (const FigureEntry& entry : figureEntries()) {
+    QAction* action = menu.addAction(menuText(entry), this, [this, name = entry.name] {
+      openFigures();
+      gallery_->choose(name, true);
+    });
+    action->setObjectName("figure:" + fromUtf8(entry.word));
+    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(key++)));
+  }
+  menu.addSeparator();
+  menu.addAction(figures_);
+}
+
+bool MainWindow::isShowingFigures() const {
+  return pages_->currentWidget() == gallery_;
+}
+
+/// Parameters and facts, which are of the contact, make room; the run's keys are the page's: Space
+/// is for its buttons.
+void MainWindow::openFigures() {
+  figures_->setChecked(true);
+  if (isShowingFigures()) return;
+  hadDock_ = !dock_->isHidden();
+  dock_->hide();
+  statusBar()->hide();
+  for (QAction* action : {play_, step_, reset_}) action->setEnabled(false);
+  pages_->setCurrentWidget(gallery_);
+}
+
+void MainWindow::closeFigures() {
+  figures_->setChecked(false);
+  if (!isShowingFigures()) return;
+  if (hadDock_) dock_->show();
+  statusBar()->show();
+  for (QAction* action : {play_, step_, reset_}) action->setEnabled(true);
+  pages_->setCurrentIndex(0);
+  if (session_->frame()) canvas_->setFrame(session_->frame());
+  canvas_->setFocus();
+}
+
+}  // namespace asperity
