@@ -81,10 +81,11 @@ std::string deflated(const std::vector<Bytef>& rows) {
 }
 
 bool isOpaque(const QImage& image) {
-  for (int y = 0; y < image.height(); ++y) {
+  const int width = image.width(), height = image.height();
+  for (int y = 0; y < height; ++y) {
     const uchar* pixels = image.constScanLine(y);
     unsigned least = 255;
-    for (int x = 0; x < image.width(); ++x) least &= pixels[4 * x + 3];
+    for (int x = 0; x < width; ++x) least &= pixels[4 * x + 3];
     if (least != 255) return false;
   }
   return true;
