@@ -3,6 +3,7 @@
 #include <QBuffer>
 #include <QImage>
 #include <QPageSize>
+#include <QHashFunctions>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPdfWriter>
@@ -135,6 +136,8 @@ void blankDate(QByteArray& bytes) {
 }  // namespace
 
 std::string pdfOf(const DrawList& list, const PdfOptions& options) {
+  // Qt lists the fonts in the order of a hash, which is another one in every process otherwise.
+  QHashSeed::setDeterministicGlobalSeed();
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
