@@ -1,9 +1,9 @@
 #include "ui/picture/pdf_file.h"
 
 #include <QBuffer>
+#include <QHashFunctions>
 #include <QImage>
 #include <QPageSize>
-#include <QHashFunctions>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPdfWriter>
@@ -149,7 +149,8 @@ std::string pdfOf(const DrawList& list, const PdfOptions& options) {
     writer.setResolution(kResolution);
     writer.setTitle(QString::fromStdString(options.title));
     writer.setCreator(QStringLiteral("Asperity"));
-    writer.setDocumentXmpMetadata(QByteArray::fromStdString(xmpPacket(options.title, options.metadata)));
+    writer.setDocumentXmpMetadata(
+        QByteArray::fromStdString(xmpPacket(options.title, options.metadata)));
     QPainter painter;
     if (!painter.begin(&writer)) throw std::runtime_error("The picture cannot be written as PDF.");
     const double scale = options.pointsPerPixel * kResolution / kPointsPerInch;
