@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::int64_t kUsualFrames = 60;
 constexpr double kMostFrames = 1e6;
+constexpr std::int64_t kSamples = 200;  // over a motion, at least
 
 std::int64_t rounded(double frames) {
   if (!(frames <= kMostFrames))
@@ -79,7 +80,8 @@ FramePlan planFrames(const Scene& scene, double length, const TimeChoice& choice
   return plan;
 }
 
-FrameSource::FrameSource(const Scene& scene, const TimeChoice& choice, bool single) {
+FrameSource::FrameSource(const Scene& scene, const TimeChoice& choice, bool single)
+    : duration_(scene.sliding.duration) {
   const auto shared = std::make_shared<const Scene>(scene);
   if (scene.sliding.kind == SlidingKind::Steady)
     steady_.emplace(shared);
@@ -92,10 +94,19 @@ Frame FrameSource::frame(std::int64_t index) {
   if (steady_)
     return steady_->frameAt(static_cast<double>(index) * plan_.periodsPerFrame, plan_.timeScale,
                             static_cast<std::uint64_t>(index));
-  const auto steps = static_cast<double>(std::max<std::int64_t>(plan_.count - 1, 1));
-  const std::int64_t target = plan_.count == 1 ? 1 : index;
-  for (; advanced_ < target; ++advanced_) motion_->advance(1 / steps, 1 / plan_.framesPerSecond);
-  return motion_->frame();
+  const std::int64_t intervals = std::max<std::int64_t>(plan_.count - 1, 1);
+  const std::int64_t parts = (kSamples + intervals - 1) / intervals;  // of an interval
+  const std::int64_t target = (plan_.count == 1 ? 1 : index) * parts;
+  while (advanced_ < target) {
+    // Whole steps fall short of a part: the next one makes up for it.
+    ++advanced_;
+    const double due = static_cast<double>(advanced_) / static_cast<double>(intervals * parts);
+    const double part = due - motion_->frame().time / duration_;
+    if (part > 0) motion_->advance(part, 1 / plan_.framesPerSecond);
+  }
+  Frame frame = motion_->frame();
+  frame.timeScale = plan_.timeScale;
+  return frame;
 }
 
 }  // namespace asperity

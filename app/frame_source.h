@@ -45,6 +45,7 @@ class FrameSource {
   std::optional<SteadyFrames> steady_;
   std::optional<Simulation> motion_;
   FramePlan plan_;
+  double duration_;  // s, of a motion
   std::int64_t advanced_ = 0;
 };
 

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kContactPart = 0.54;  // of the height, where a diagram stands below
 
+constexpr float kStripScale = 1.5F;  // strips are low, which would make their texts small
+
 }  // namespace
 
 PictureLayout layoutFrom(const std::string& name) {
@@ -43,8 +45,8 @@ DrawList PictureComposer::compose(const Frame& frame) {
     return stacked(contact(frame, above), *below_);
   }
   const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
-  return stacked(contact(frame, above),
-                 diagram(transientSheet(*frame.scene, samples), style_.height - above));
+  return stacked(contact(frame, above), diagram(transientSheet(*frame.scene, samples),
+                                                style_.height - above, kStripScale));
 }
 
 DrawList PictureComposer::contact(const Frame& frame, int height) {
@@ -58,11 +60,11 @@ DrawList PictureComposer::contact(const Frame& frame, int height) {
   return composeContact(frame, options);
 }
 
-DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height) const {
+DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float scale) const {
   DiagramOptions options;
   options.width = style_.width;
   options.height = height;
-  options.scale = style_.scale;
+  options.scale = style_.scale * scale;
   options.theme = style_.theme;
   return composeDiagrams(sheet, options);
 }

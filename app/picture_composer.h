@@ -28,7 +28,7 @@ class PictureComposer {
 
  private:
   DrawList contact(const Frame& frame, int height);
-  DrawList diagram(const DiagramSheet& sheet, int height) const;
+  DrawList diagram(const DiagramSheet& sheet, int height, float scale = 1) const;
   DiagramSheet curveWithPresent(const Frame& frame) const;
 
   PictureStyle style_;

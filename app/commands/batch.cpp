@@ -20,6 +20,7 @@
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
+#include "ui/picture/shapes.h"
 #include "ui/picture/stacked.h"
 
 namespace asperity {
@@ -73,15 +74,26 @@ class BatchRun {
   BatchResult resultOf(const BatchItem& item, HeadlessPictures& pictures) {
     BatchResult result;
     result.item = item;
-    if (!item.error.empty()) return result;
     try {
-      fill(result, pictures);
+      if (item.error.empty()) fill(result, pictures);
     } catch (const InputError& error) {
       result.item.error = error.what();
     } catch (const std::runtime_error& error) {
       result.item.error = error.what();
     }
+    if (!result.item.error.empty()) {
+      const auto [x, y] = cell();
+      addLabel(sheet_, item.name + " failed", {x + 16, y + 32}, 16, TextAnchor::Left,
+               style_.theme.text);
+    }
     return result;
+  }
+
+  /// Where the next scene stands on the sheet.
+  Place cell() const {
+    const int place = static_cast<int>(results_.size());
+    return {static_cast<float>(place % columns_ * small_.width),
+            static_cast<float>(place / columns_ * small_.height)};
   }
 
   void fill(BatchResult& result, HeadlessPictures& pictures) {
@@ -112,10 +124,8 @@ class BatchRun {
     writeFileAtomically(fileIn(name + ".json"), writeScene(scene));
     result.files.push_back(name + ".json");
 
-    const int place = static_cast<int>(results_.size());
-    addPicture(sheet_, PictureComposer(small_, layout, curve).compose(frame),
-               static_cast<float>(place % columns_ * small_.width),
-               static_cast<float>(place / columns_ * small_.height));
+    const auto [x, y] = cell();
+    addPicture(sheet_, PictureComposer(small_, layout, curve).compose(frame), x, y);
   }
 
   int report() const {

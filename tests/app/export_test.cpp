@@ -193,6 +193,18 @@ TEST_F(ExportTest, LayoutsAndMotions) {
   expectRefused("render s.json -o b.png --layout both" + start, 2, "steady");
 }
 
+/// The examples of reports: make has nothing left to do afterwards, and all pictures are there.
+TEST_F(ExportTest, ReportsAreRebuiltByMake) {
+  const std::string make = "make -C '" ASPERITY_RESOURCES_DIR "/reports' pictures OUT='" +
+                           (program.folder / "build").string() +
+                           "' ASPERITY='" ASPERITY_PROGRAM "'";
+  other(make);
+  EXPECT_THAT(program.folder.names("build"),
+              testing::UnorderedElementsAre("contact.pdf", "contact.png", "curve.pdf", "curve.svg",
+                                            "curve.csv", "film.gif"));
+  EXPECT_THAT(other(make), Not(HasSubstr("render")));
+}
+
 TEST_F(ExportTest, RefusesOptionsItDoesNotKnow) {
   expectRefused("render s.json -o a.png --theme pink", 2,
                 "--theme: pink is not one of light, dark");

@@ -1,6 +1,7 @@
 #include "ui/picture/pdf_file.h"
 
 #include <QBuffer>
+#include <QHashFunctions>
 #include <QImage>
 #include <QPageSize>
 #include <QPainter>
@@ -135,6 +136,8 @@ void blankDate(QByteArray& bytes) {
 }  // namespace
 
 std::string pdfOf(const DrawList& list, const PdfOptions& options) {
+  // Qt lists the fonts in the order of a hash, which is another one in every process otherwise.
+  QHashSeed::setDeterministicGlobalSeed();
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -146,7 +149,8 @@ std::string pdfOf(const DrawList& list, const PdfOptions& options) {
     writer.setResolution(kResolution);
     writer.setTitle(QString::fromStdString(options.title));
     writer.setCreator(QStringLiteral("Asperity"));
-    writer.setDocumentXmpMetadata(QByteArray::fromStdString(xmpPacket(options.title, options.metadata)));
+    writer.setDocumentXmpMetadata(
+        QByteArray::fromStdString(xmpPacket(options.title, options.metadata)));
     QPainter painter;
     if (!painter.begin(&writer)) throw std::runtime_error("The picture cannot be written as PDF.");
     const double scale = options.pointsPerPixel * kResolution / kPointsPerInch;
