@@ -32,14 +32,15 @@ TimeMarch marchOf(const std::shared_ptr<const Line>& line, double tau) {
 /// How far a step is from what always holds.
 struct Worst {
   double balance = 0;   // |F_N - wanted| / wanted
-  double energy = 0;    // |work - stored - dissipated| / their sum
+  double energy = 0;    // |work - stored - dissipated| / their sum, or 1e-9 of what is stored
   double negative = 0;  // -p, -y
   double through = 0;   // u above z - d, in ulp of max |z| and d
   bool finite = true;
 
   void take(const TimeMarch& march, const MarchStep& step, double force) {
     balance = std::max(balance, std::abs(step.normalForce / force - 1));
-    const double scale = std::abs(step.work) + std::abs(step.stored) + step.dissipated;
+    const double scale = std::abs(step.work) + std::abs(step.stored) + step.dissipated +
+                         1e-9 * force * march.indentation();
     if (scale > 0)
       energy = std::max(energy, std::abs(step.work - step.stored - step.dissipated) / scale);
     finite = finite && std::isfinite(step.indentation) && std::isfinite(step.lineWork);

@@ -297,9 +297,11 @@ class NodalReference {
   }
 
   ReferenceResult underLoad(Wide load) const {
-    Wide low = -load / spacing_ * 1e-30L, high = load / spacing_;
+    // What is loaded as soon as anything touches jumps at 0.
+    const bool atOnce = at(0).force >= load;
+    Wide low = atOnce ? -1 : 0, high = atOnce ? 0 : load / spacing_;
     while (at(high).force < load) high *= 2;
-    while (true) {
+    while (!atOnce) {
       const Wide middle = low + (high - low) / 2;
       if (middle <= low || middle >= high) break;
       (at(middle).force < load ? low : high) = middle;
