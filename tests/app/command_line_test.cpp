@@ -79,8 +79,7 @@ TEST_F(CommandLineTest, BadUsageIsExitTwo) {
   expectRefused("render s.json -o a.png --frames 0", 2, "--frames");
   expectRefused("render s.json -o a.png --frames 3", 2, "frames need a folder or a film");
   expectRefused("nowhere.json", 2, "cannot be opened");
-  expectRefused("chekc s.json", 2,
-                "chekc is neither a verb (check, ");
+  expectRefused("chekc s.json", 2, "chekc is neither a verb (check, ");
   expectRefused("render s.json -o new/folder --fps nan", 2, "--fps");
   expectRefused("curve s.json -o ''", 2, "an output needs a name");
 }
@@ -171,7 +170,8 @@ TEST_F(CommandLineTest, RenderMakesNumberedFrames) {
 TEST_F(CommandLineTest, AMissingOsmesaIsOneClearLine) {
   const std::string none = "ASPERITY_OSMESA_LIBRARY=libNowhere.so ";
   expectRefused("render s.json -o a.png --backend osmesa", 1, "libNowhere", none);
-  expectRefused("render s.json -o a.png", 1, "libegl1", none + "ASPERITY_EGL_LIBRARY=libNowhere.so");
+  expectRefused("render s.json -o a.png", 1, "libegl1",
+                none + "ASPERITY_EGL_LIBRARY=libNowhere.so");
 }
 
 TEST_F(CommandLineTest, SurfaceWritesWhatTheProfileReaderTakesBack) {
