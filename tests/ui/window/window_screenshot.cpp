@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
   const Scene scene = !wish.scene.isEmpty()
                           ? readSceneFile(wish.scene.toStdString(), wish.assignments)
                       : library.empty() ? Scene{}
-                                        : library.back().scene;
+                                        : library.front().scene;
   MainWindow window(scene);
   window.setDark(wish.dark);
   window.resize(wish.size);
