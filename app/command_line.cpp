@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "app/batch_file.h"
 #include "core/friction/figures/figure.h"
 #include "core/scene/input_error.h"
 #include "core/scene/parameter_table.h"
@@ -35,6 +36,8 @@ class CommandLine {
     addRender();
     addSurface();
     addFigure();
+    addOpen();
+    addBatch();
     addAccuracy();
     addExplain();
     app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.",
@@ -68,7 +71,8 @@ class CommandLine {
 
   bool timing() const {
     return window_.timing || check_.timing || curve_.common.timing || render_.common.timing ||
-           surface_.common.timing || figure_.common.timing || accuracy_.common.timing;
+           surface_.common.timing || figure_.common.timing || open_.common.timing ||
+           batch_.common.timing || accuracy_.common.timing;
   }
 
  private:
@@ -104,28 +108,45 @@ class CommandLine {
   void addCurve() {
     CLI::App* verb = addVerb("curve", "Friction over velocity, averaged over the realizations",
                              curve_.common, [this] { return runCurve(curve_); });
-    addOutputs(verb, curve_.outputs, "FILE.csv or FILE.json; may repeat; none: CSV on stdout");
+    addOutputs(
+        verb, curve_.outputs,
+        "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
+        "or .pdf; may repeat; none: CSV on stdout");
+    addPictureOptions(*verb, curve_.picture, "1200x800", "print");
   }
   void addRender() {
-    CLI::App* verb = addVerb("render", "Pictures of the contact, without a screen", render_.common,
-                             [this] { return runRender(render_); });
+    CLI::App* verb = addVerb("render", "Pictures and films of the contact, without a screen",
+                             render_.common, [this] { return runRender(render_); });
     verb->add_option("-o,--output", render_.output,
-                     "FILE.png for one picture, or a folder for frame_0001.png and on")
+                     "FILE.png, .svg or .pdf for one picture; FILE.mp4, .webm, .gif or .webp for a "
+                     "film; or a folder for frame_0001.png and on")
         ->required();
-    verb->add_option("--frames", render_.frames, "Frames, which divide one period")
+    addPictureOptions(*verb, render_.picture, "1280x720", "light");
+    verb->add_option("--layout", render_.layout,
+                     "contact, curve, both, or transient: the contact above strips over time")
+        ->capture_default_str();
+    TimeChoice& time = render_.time;
+    verb->add_option("--frames", time.frames, "Frames; else 60 a period, or 60 for a motion")
         ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
-    verb->add_option("--fps", render_.framesPerSecond, "Frames per second, for the time scale")
+    verb->add_option("--fps", time.framesPerSecond, "Frames per second of film")
         ->capture_default_str()
         ->check(CLI::Range(0.001, 1000.0));
-    verb->add_option("--size", render_.size, "Width and height in pixels")
-        ->capture_default_str()
-        ->type_name("WxH");
+    verb->add_option("--duration", time.duration, "Seconds of film, instead of --frames")
+        ->check(CLI::Range(0.001, 1e6));
+    verb->add_option("--cycles", time.cycles, "Periods of the line that pass; else 1")
+        ->check(CLI::Range(1e-6, 1e6));
+    verb->add_option("--slow-motion", time.slowMotion, "Seconds of film to a simulated second")
+        ->check(CLI::Range(1e-12, 1e15));
+    verb->add_flag("--resume", render_.resume,
+                   "Keep the frames that an interrupted run left, and make the rest");
   }
   void addSurface() {
     CLI::App* verb = addVerb("surface", "The rigid line, its spectrum and its statistics",
                              surface_.common, [this] { return runSurface(surface_); });
-    addOutputs(verb, surface_.outputs,
-               "FILE.csv (position, height), FILE.json or FILE.png; may repeat");
+    addOutputs(
+        verb, surface_.outputs,
+        "FILE.csv (a line # asperity: ..., then position, height), FILE.json or FILE.png; may "
+        "repeat");
   }
   void addFigure() {
     CLI::App* verb = app_.add_subcommand(
@@ -143,6 +164,27 @@ class CommandLine {
     addShared(*verb, figure_.common);
     verb->footer("Figures:\n" + words);
     verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
+  }
+  void addOpen() {
+    CLI::App* verb = app_.add_subcommand("open", "The window, with the scene that made a file");
+    verb->add_option("FILE", open_.common.scene,
+                     "PNG, SVG, PDF, film, CSV or JSON that Asperity wrote; a scene may be dropped "
+                     "on the window in the same way")
+        ->required();
+    addShared(*verb, open_.common);
+    verb->footer("With --json the scene is printed as a scene file, and no window opens.");
+    verb->callback([this] { selected_ = [this] { return runOpen(open_); }; });
+  }
+  void addBatch() {
+    CLI::App* verb = app_.add_subcommand(
+        "batch", "Many scenes and sweeps of their keys: pictures, data and a page of them");
+    verb->add_option("FILE", batch_.common.scene, "The batch (JSON), see below")->required();
+    verb->add_option("-o,--output", batch_.output, "Folder for all files")->required();
+    addPictureOptions(*verb, batch_.picture, "the batch's", "light");
+    addShared(*verb, batch_.common);
+    verb->remove_option(verb->get_option("--set"));  // an entry's own set says it
+    verb->footer(kBatchFormat);
+    verb->callback([this] { selected_ = [this] { return runBatch(batch_); }; });
   }
   void addAccuracy() {
     CLI::App* verb = addVerb("accuracy", "What accuracy costs: error against time of every method",
@@ -164,6 +206,8 @@ class CommandLine {
   RenderCommand render_;
   SurfaceCommand surface_;
   FigureCommand figure_;
+  OpenCommand open_;
+  BatchCommand batch_;
   AccuracyCommand accuracy_;
   ExplainCommand explain_;
   std::function<int()> selected_;

@@ -2,9 +2,12 @@
 // app/commands/. Main thread.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/frame_source.h"
+#include "app/picture_choice.h"
 #include "core/scene/input_error.h"
 #include "core/scene/scene.h"
 
@@ -26,14 +29,16 @@ struct CommonOptions {
 struct CurveCommand {
   CommonOptions common;
   std::vector<std::string> outputs;
+  PictureChoice picture;
 };
 
 struct RenderCommand {
   CommonOptions common;
   std::string output;
-  std::int64_t frames = 0;  // 0: one for a file, 60 for a folder
-  double framesPerSecond = 25;
-  std::string size = "1280x720";
+  TimeChoice time;
+  PictureChoice picture;
+  std::string layout = "contact";
+  bool resume = false;
 };
 
 struct SurfaceCommand {
@@ -53,9 +58,19 @@ struct ExplainCommand {
   bool analyze = false;
 };
 
+struct OpenCommand {
+  CommonOptions common;  // its scene: any file that holds one
+};
+
 struct AccuracyCommand {
   CommonOptions common;
   std::string output;  // folder
+};
+
+struct BatchCommand {
+  CommonOptions common;  // its scene: the batch's file
+  std::string output;    // folder
+  PictureChoice picture;
 };
 
 /// The scene of a command, with its assignments. Throws InputError.
@@ -80,6 +95,10 @@ int runAccuracy(const AccuracyCommand& command);
 int runFigure(const FigureCommand& command);
 /// The window; an empty scene opens the default one.
 int runWindowCommand(const CommonOptions& command);
+/// The window with this scene. Throws std::runtime_error where there is no display.
+int showWindow(const std::optional<Scene>& scene, const CommonOptions& options);
+int runBatch(const BatchCommand& command);
+int runOpen(const OpenCommand& command);
 
 /// Parses and runs; returns the exit status. Errors are one line on stderr.
 int runCommandLine(int argc, char** argv);

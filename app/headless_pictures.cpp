@@ -9,7 +9,7 @@
 #include "ui/picture/png_file.h"
 #include "ui/picture/svg_file.h"
 #include "ui/picture/text_painter.h"
-#include "ui/render/osmesa_context.h"
+#include "ui/render/pixel_context.h"
 
 namespace asperity {
 namespace {
@@ -30,8 +30,8 @@ std::unique_ptr<QGuiApplication> offscreenApplication() {
 
 }  // namespace
 
-HeadlessPictures::HeadlessPictures()
-    : application_(offscreenApplication()), context_(std::make_unique<OsmesaContext>()) {
+HeadlessPictures::HeadlessPictures(PixelBackend backend)
+    : application_(offscreenApplication()), context_(makePixelContext(backend)) {
   loadFonts();
 }
 
@@ -43,20 +43,26 @@ void HeadlessPictures::write(const std::string& file, const DrawList& list,
                              const PictureFacts& facts) {
   const std::string extension = extensionOf(file);
   if (extension == ".png")
-    writePng(file, list);
+    writePng(file, list, facts);
   else if (extension == ".svg")
     writeSvg(file, list, {facts.title, facts.metadata});
   else if (extension == ".pdf")
-    writePdf(file, list, {facts.title, facts.metadata});
+    writePdf(file, list, {facts.title, facts.metadata, 0.75 / facts.scale});
   else
     throw InputError(file, "", "'" + extension + "' is not one of .png, .svg, .pdf");
 }
 
-void HeadlessPictures::writePng(const std::string& file, const DrawList& list) {
-  QImage image = renderImage(*context_, list);
+void HeadlessPictures::writePng(const std::string& file, const DrawList& list,
+                                const PictureFacts& facts) {
+  QImage image = draw(list);
   finish();
-  writing_ = std::async(std::launch::async,
-                        [file, image = std::move(image)] { asperity::writePng(file, image); });
+  writing_ = std::async(std::launch::async, [file, facts, image = std::move(image)] {
+    asperity::writePng(file, image, {facts.title, facts.metadata, 96 * facts.scale});
+  });
+}
+
+QImage HeadlessPictures::draw(const DrawList& list) {
+  return renderImage(*context_, list);
 }
 
 void HeadlessPictures::finish() {

@@ -10,7 +10,8 @@
 #include "app/progress_bar.h"
 #include "core/accuracy/work_precision_file.h"
 #include "core/scene/atomic_file.h"
-#include "core/scene/scene_file.h"
+#include "core/scene/effects.h"
+#include "core/scene/provenance.h"
 #include "ui/picture/diagram_picture.h"
 
 namespace asperity {
@@ -36,11 +37,11 @@ WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
 
 void writePictures(const std::string& folder, const WorkPrecision& comparison) {
   HeadlessPictures pictures;
-  const std::string scene = writeScene(comparison.scene);
+  const std::string origin = provenanceLine(provenance("accuracy", comparison.scene));
   const auto write = [&](const DiagramSheet& sheet, const char* png, const char* svg) {
     const DrawList list = composeDiagrams(sheet, printOptions(sheet));
     for (const char* name : {png, svg})
-      pictures.write(fileIn(folder, name), list, {sheet.title, scene});
+      pictures.write(fileIn(folder, name), list, {sheet.title, origin, printOptions(sheet).scale});
   };
   write(workPrecisionSheet(comparison), "work_precision.png", "work_precision.svg");
   write(standardErrorSheet(comparison), "standard_error.png", "standard_error.svg");
@@ -69,11 +70,14 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
 
 int runAccuracy(const AccuracyCommand& command) {
   const Scene scene = sceneOf(command.common);
+  saidOfScene(command.common, [&] { needSteadySliding(scene, "asperity accuracy"); });
   makeFolder(command.output);
   for (const char* name : kFiles) checkWritable(fileIn(command.output, name));
   const WorkPrecision comparison = compute(scene, command.common);
   const std::string json = workPrecisionJson(comparison);
-  writeFileAtomically(fileIn(command.output, "accuracy.csv"), workPrecisionCsv(comparison));
+  writeFileAtomically(
+      fileIn(command.output, "accuracy.csv"),
+      provenanceComment("accuracy", comparison.scene) + workPrecisionCsv(comparison));
   writeFileAtomically(fileIn(command.output, "accuracy.json"), json);
   writePictures(command.output, comparison);
   printSummary(command.common.json, command.common.quiet, summaryOf(comparison, command.output));

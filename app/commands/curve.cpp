@@ -1,15 +1,23 @@
 // asperity curve: friction over velocity, averaged over the scene's realizations.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 #include "app/command_line.h"
+#include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
+#include "core/friction/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
+#include "core/scene/provenance.h"
+#include "ui/picture/diagram_picture.h"
 
 namespace asperity {
 namespace {
@@ -24,12 +32,34 @@ Curve compute(const Scene& scene, const CommonOptions& common) {
   return saidOfScene(common, [&] { return curveOf(scene, options); });
 }
 
+void writePictures(const std::vector<std::string>& outputs, const Scene& scene, const Curve& curve,
+                   const PictureStyle& style) {
+  const auto isPicture = [](const std::string& output) {
+    return extensionOf(output) != ".csv" && extensionOf(output) != ".json";
+  };
+  if (std::none_of(outputs.begin(), outputs.end(), isPicture)) return;
+  DiagramOptions options{style.width, style.height, style.scale, style.theme};
+  if (style.transparent) options.theme.background.a = 0;
+  const DiagramSheet sheet = curveSheet(scene, curve.points);
+  const DrawList list = composeDiagrams(sheet, options);
+  nlohmann::ordered_json origin = provenance("curve", scene);
+  origin["picture"] = style.json();
+  HeadlessPictures pictures(style.backend);
+  for (const std::string& output : outputs)
+    if (isPicture(output))
+      pictures.write(output, list, {sheet.title, provenanceLine(origin), style.scale});
+  pictures.finish();
+}
+
 std::string summaryOf(const Curve& curve, const std::vector<std::string>& outputs) {
   std::string text = fmt::format("{} velocities, {} realizations", curve.points.size(),
                                  curve.points.front().realizations);
   if (curve.marginalFraction > 0)
     text += fmt::format(", {:.1f} % of the balances with a partly loaded element",
                         100 * curve.marginalFraction);
+  if (std::isfinite(curve.achievedError))
+    text += fmt::format("\nrelative error at most {:.2g} at every velocity, target {}",
+                        curve.achievedError, curve.isTargetMet ? "met" : "not met");
   for (const std::string& output : outputs) text += fmt::format("\nwrote {}", output);
   return text + "\n";
 }
@@ -39,11 +69,16 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
 int runCurve(const CurveCommand& command) {
   const Scene scene = sceneOf(command.common);
   saidOfScene(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
-  checkOutputs(command.outputs, {".csv", ".json"});
+  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
+  const PictureStyle style = styleOf(command.picture, {1200, 800, "print"});
   const Curve curve = compute(scene, command.common);
-  for (const std::string& output : command.outputs)
-    writeFileAtomically(output, extensionOf(output) == ".csv" ? curveCsv(curve.points)
-                                                              : curveJson(curve.points, scene));
+  for (const std::string& output : command.outputs) {
+    const std::string extension = extensionOf(output);
+    if (extension == ".csv")
+      writeFileAtomically(output, provenanceComment("curve", scene) + curveCsv(curve.points));
+    if (extension == ".json") writeFileAtomically(output, curveJson(curve.points, scene));
+  }
+  writePictures(command.outputs, scene, curve, style);
   const bool tableOnStdout = command.outputs.empty();
   if (command.common.json)
     fmt::print("{}", curveJson(curve.points, scene));
@@ -51,6 +86,11 @@ int runCurve(const CurveCommand& command) {
     fmt::print("{}", curveCsv(curve.points));
   if (!tableOnStdout)
     printSummary(command.common.json, command.common.quiet, summaryOf(curve, command.outputs));
+  if (!curve.isTargetMet)
+    throw std::runtime_error(
+        fmt::format("accuracy.target_relative_error is not reached within the lines and memory "
+                    "allowed: {:.2g}",
+                    curve.achievedError));
   return kDone;
 }
 

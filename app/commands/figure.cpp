@@ -14,7 +14,7 @@
 #include "core/run/steady_frames.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
-#include "core/scene/scene_file.h"
+#include "core/scene/provenance.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/picture/diagram_picture.h"
 
@@ -85,9 +85,11 @@ DrawList pictureOf(const Figure& figure) {
 }
 
 void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPictures& pictures) {
-  writeFileAtomically(fileOf(command, figure.name, ".csv"), figure.csv);
+  writeFileAtomically(fileOf(command, figure.name, ".csv"),
+                      provenanceComment("figure", figure.scene) + figure.csv);
   const DrawList picture = pictureOf(figure);
-  const PictureFacts facts{figure.sheet.title, writeScene(figure.scene)};
+  const PictureFacts facts{figure.sheet.title, provenanceLine(provenance("figure", figure.scene)),
+                           printOptions(figure.sheet).scale};
   for (const char* extension : {".png", ".svg"})
     pictures.write(fileOf(command, figure.name, extension), picture, facts);
 }

@@ -1,150 +1,255 @@
-// asperity render: pictures of the contact without a screen, by OSMesa.
+// asperity render: pictures and films of the contact without a screen.
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
-#include <optional>
+#include <thread>
 
 #include "app/command_line.h"
+#include "app/film_file.h"
+#include "app/frame_pipeline.h"
+#include "app/frame_source.h"
 #include "app/headless_pictures.h"
 #include "app/output.h"
+#include "app/picture_composer.h"
 #include "app/progress_bar.h"
-#include "core/run/simulation.h"
-#include "core/run/steady_frames.h"
+#include "app/sequence_files.h"
+#include "core/friction/ensemble.h"
+#include "core/scene/atomic_file.h"
+#include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
-#include "ui/picture/contact_picture.h"
+#include "ui/picture/png_file.h"
 
 namespace asperity {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
-constexpr int kSmallest = 160, kLargest = 16384;  // pixels
-constexpr std::int64_t kFramesOfFolder = 60;
+enum class Kind { Picture, Film, Sequence };
 
-struct Size {
-  int width, height;
-};
-
-Size sizeFrom(const std::string& text) {
-  Size size{};
-  const char* end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.width);
-  bool good = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
-  if (good) {
-    const auto height = std::from_chars(width.ptr + 1, end, size.height);
-    good = height.ec == std::errc{} && height.ptr == end;
-  }
-  const auto fits = [](int pixels) { return pixels >= kSmallest && pixels <= kLargest; };
-  if (!good || !fits(size.width) || !fits(size.height))
-    throw InputError(
-        "", "--size",
-        fmt::format("{} is not WIDTHxHEIGHT with {} to {} pixels each", text, kSmallest, kLargest));
-  return size;
+Kind kindOf(const std::string& output) {
+  const std::string extension = extensionOf(output);
+  if (extension == ".png" || extension == ".svg" || extension == ".pdf") return Kind::Picture;
+  if (isFilm(extension)) return Kind::Film;
+  if (!extension.empty() && !fs::is_directory(output))
+    throw InputError(output, "",
+                     "is neither a folder nor a .png, .svg, .pdf, .mp4, .webm, .gif or .webp file");
+  return Kind::Sequence;
 }
-
-std::int64_t frameCount(const RenderCommand& command) {
-  if (extensionOf(command.output) == ".png") return 1;
-  return command.frames > 0 ? command.frames : kFramesOfFolder;
-}
-
-/// The file of each frame, and the folder made where one is named.
-std::vector<std::string> filesFor(const RenderCommand& command) {
-  if (extensionOf(command.output) == ".png") {
-    if (command.frames > 1)
-      throw InputError(command.output, "", "is one file; --frames needs a folder");
-    checkOutputs({command.output}, {".png"});
-    return {command.output};
-  }
-  const fs::path folder = command.output;
-  if (folder.has_extension() && !fs::is_directory(folder))
-    throw InputError(command.output, "", "is neither a folder nor a .png file");
-  makeFolder(command.output);
-  const std::int64_t frames = frameCount(command);
-  std::vector<std::string> files;
-  for (std::int64_t i = 1; i <= frames; ++i)
-    files.push_back((folder / fmt::format("frame_{:04}.png", i)).string());
-  checkOutputs({files.front()}, {".png"});
-  return files;
-}
-
-/// The frames asked for, one after the other: of steady sliding they divide a period, of other
-/// motions the duration.
-class Frames {
- public:
-  Frames(const Scene& scene, std::int64_t count, double framesPerSecond)
-      : count_(count), framesPerSecond_(framesPerSecond) {
-    const auto shared = std::make_shared<const Scene>(scene);
-    if (scene.sliding.kind == SlidingKind::Steady)
-      steady_.emplace(shared);
-    else
-      motion_.emplace(shared, 0, std::numeric_limits<double>::infinity());
-  }
-
-  Frame next() {
-    const std::int64_t index = made_++;
-    if (steady_) return steady_->frame(index, count_, framesPerSecond_);
-    // A single picture shows the end.
-    const auto steps = static_cast<double>(std::max<std::int64_t>(count_ - 1, 1));
-    if (index > 0 || count_ == 1) motion_->advance(1 / steps, 1 / framesPerSecond_);
-    return motion_->frame();
-  }
-
- private:
-  std::int64_t count_, made_ = 0;
-  double framesPerSecond_;
-  std::optional<SteadyFrames> steady_;
-  std::optional<Simulation> motion_;
-};
 
 double frictionOf(const Frame& frame) {
   return frame.transient ? frame.muMarch : frame.muSteady;
 }
 
-void printJson(const Scene& scene, const Frame& frame, const std::vector<std::string>& files) {
-  nlohmann::ordered_json answer = provenance("render", scene);
-  const double mu = frictionOf(frame);
-  answer["mu"] = std::isfinite(mu) ? nlohmann::ordered_json(mu) : nlohmann::ordered_json();
-  if (frame.muInterface > 0) answer["mu_interface"] = frame.muInterface;
-  answer["indentation"] = frame.indentation;
-  answer["contact_fraction"] = frame.contactFraction;
-  answer["files"] = files;
-  fmt::print("{}\n", answer.dump(2));
-}
+/// One run of the verb, from what was asked to what was written.
+class Rendering {
+ public:
+  explicit Rendering(const RenderCommand& command)
+      : command_(command),
+        scene_(sceneOf(command.common)),
+        kind_(kindOf(command.output)),
+        style_(styleOf(command.picture, {1280, 720, "light"})),
+        layout_(layoutFrom(command.layout)) {
+    checkUsage();
+    saidOfScene(command_.common, [&] {
+      checkLayout();
+      frames_.emplace(scene_, command_.time, kind_ == Kind::Picture);
+      if (layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both) computeCurve();
+    });
+    composer_.emplace(style_, layout_, curve_);
+  }
+
+  void run() {
+    const auto start = std::chrono::steady_clock::now();
+    if (kind_ == Kind::Picture)
+      writePicture();
+    else if (kind_ == Kind::Film)
+      writeFilm();
+    else
+      writeSequence();
+    elapsed_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  std::string summary() const {
+    std::string text = fmt::format("mu = {:.6g}\n", frictionOf(last_));
+    if (kind_ == Kind::Picture) return text + fmt::format("wrote {}\n", command_.output);
+    text += fmt::format("wrote {} frames{} {}\n", drawn_, kind_ == Kind::Film ? " to" : " in",
+                        command_.output);
+    if (drawn_ < count()) text += fmt::format("{} were there already\n", count() - drawn_);
+    return text;
+  }
+
+  Json json() const {
+    Json answer = origin();
+    const double mu = frictionOf(last_);
+    answer["mu"] = std::isfinite(mu) ? Json(mu) : Json();
+    if (last_.muInterface > 0) answer["mu_interface"] = last_.muInterface;
+    answer["indentation"] = last_.indentation;
+    answer["contact_fraction"] = last_.contactFraction;
+    answer["files"] = files_;
+    if (kind_ != Kind::Picture) answer["pipeline"] = pipelineJson();
+    return answer;
+  }
+
+ private:
+  std::int64_t count() const { return frames_->plan().count; }
+
+  void checkUsage() const {
+    const TimeChoice& time = command_.time;
+    if (!std::isfinite(time.framesPerSecond))
+      throw InputError("", "--fps", "is not a finite number");
+    if (kind_ == Kind::Picture && (time.frames > 1 || time.duration > 0))
+      throw InputError(command_.output, "", "is one picture; frames need a folder or a film");
+    if (kind_ != Kind::Sequence) checkWritable(command_.output);
+    if (kind_ == Kind::Film) checkFilm(command_.output, style_.transparent);
+    if (command_.resume && kind_ != Kind::Sequence)
+      throw InputError("", "--resume",
+                       "goes on with a folder of frames; a single file is made anew");
+  }
+
+  void checkLayout() const {
+    const bool isSteady = scene_.sliding.kind == SlidingKind::Steady;
+    if (layout_ == PictureLayout::Transient && isSteady)
+      throw InputError("", "sliding.kind",
+                       "is steady, where nothing changes in time; --layout transient shows start, "
+                       "step, oscillation and reversal");
+    if (layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both)
+      needSteadySliding(scene_, "--layout " + command_.layout);
+    if (layout_ == PictureLayout::Curve && kind_ != Kind::Picture)
+      throw InputError("", "--layout", "curve does not move; --layout both shows the contact too");
+  }
+
+  void computeCurve() {
+    ProgressBar bar("realizations", command_.common.quiet);
+    CurveOptions options;
+    options.threads = command_.common.threads;
+    options.progress = [&bar](const CurveProgress& progress) {
+      bar.show(progress.realizationsDone, progress.realizationsTotal);
+    };
+    curve_ = frictionCurve(scene_, options).points;
+  }
+
+  /// Of the whole run: scene, verb, version, seed and how it is shown.
+  Json origin() const {
+    Json origin = provenance("render", scene_);
+    Json& picture = origin["picture"] = style_.json();
+    picture["layout"] = command_.layout;
+    if (kind_ != Kind::Picture) {
+      picture["frames"] = count();
+      picture["frames_per_second"] = frames_->plan().framesPerSecond;
+      if (frames_->plan().periodsPerFrame > 0)
+        picture["periods_per_frame"] = frames_->plan().periodsPerFrame;
+    }
+    return origin;
+  }
+
+  DrawList compose(std::int64_t index) {
+    last_ = frames_->frame(index);
+    return composer_->compose(last_);
+  }
+
+  void writePicture() {
+    HeadlessPictures pictures(style_.backend);
+    pictures.write(command_.output, compose(0),
+                   {scene_.title, provenanceLine(origin()), style_.scale});
+    pictures.finish();
+    files_ = {command_.output};
+  }
+
+  void writeFilm() {
+    FilmOptions options{style_.width,       style_.height, command_.time.framesPerSecond,
+                        style_.transparent, scene_.title,  provenanceLine(origin())};
+    HeadlessPictures pictures(style_.backend);
+    FilmFile film(command_.output, options);
+    PipelineStages stages = stagesOf(pictures);
+    stages.sink = [&film](std::int64_t, const QImage& image, StageSeconds& seconds) {
+      const StageTimer timer(seconds.encode);
+      film.add(image);
+    };
+    runStages(allIndices(), stages);
+    const StageTimer timer(seconds_.write);
+    film.finish();
+    files_ = {command_.output};
+  }
+
+  void writeSequence() {
+    SequenceFiles sequence(command_.output, count(), origin());
+    files_ = sequence.files();
+    const std::vector<std::int64_t> missing = command_.resume ? sequence.missing() : allIndices();
+    HeadlessPictures pictures(style_.backend);
+    PipelineStages stages = stagesOf(pictures);
+    stages.workers = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 4U));
+    stages.sink = [&](std::int64_t index, const QImage& image, StageSeconds& seconds) {
+      std::string png;
+      {
+        const StageTimer timer(seconds.encode);
+        png = pngOf(image, {scene_.title, sequence.metadata(index), 96 * style_.scale});
+      }
+      const StageTimer timer(seconds.write);
+      writeFileAtomically(sequence.file(index), png);
+    };
+    runStages(missing, stages);
+    if (missing.empty()) last_ = frames_->frame(count() - 1);
+  }
+
+  std::vector<std::int64_t> allIndices() const {
+    std::vector<std::int64_t> indices(static_cast<std::size_t>(count()));
+    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = static_cast<std::int64_t>(i);
+    return indices;
+  }
+
+  PipelineStages stagesOf(HeadlessPictures& pictures) {
+    PipelineStages stages;
+    stages.compose = [this](std::int64_t index) { return compose(index); };
+    stages.draw = [&pictures](const DrawList& list) { return pictures.draw(list); };
+    return stages;
+  }
+
+  void runStages(const std::vector<std::int64_t>& indices, PipelineStages& stages) {
+    ProgressBar bar("frames", command_.common.quiet);
+    drawn_ = static_cast<std::int64_t>(indices.size());
+    stages.progress = [&](std::int64_t done) { bar.show(done, drawn_); };
+    seconds_ = runPipeline(indices, stages);
+  }
+
+  /// What the time went into; the only thing in an answer that is not the same in every run.
+  Json pipelineJson() const {
+    const double total = seconds_.simulate + seconds_.draw + seconds_.encode + seconds_.write;
+    const auto share = [total](double part) { return total > 0 ? part / total : 0; };
+    return {{"frames_drawn", drawn_},
+            {"frames_per_second", elapsed_ > 0 ? static_cast<double>(drawn_) / elapsed_ : 0},
+            {"share",
+             {{"simulate", share(seconds_.simulate)},
+              {"draw", share(seconds_.draw)},
+              {"encode", share(seconds_.encode)},
+              {"write", share(seconds_.write)}}}};
+  }
+
+  const RenderCommand& command_;
+  Scene scene_;
+  Kind kind_;
+  PictureStyle style_;
+  PictureLayout layout_;
+  std::vector<CurvePoint> curve_;
+  std::optional<FrameSource> frames_;
+  std::optional<PictureComposer> composer_;
+  Frame last_;  // touched by the composing thread only while it runs
+  std::vector<std::string> files_;
+  std::int64_t drawn_ = 0;
+  StageSeconds seconds_;
+  double elapsed_ = 0;
+};
 
 }  // namespace
 
 int runRender(const RenderCommand& command) {
-  const Scene scene = sceneOf(command.common);
-  const Size size = sizeFrom(command.size);
-  if (!std::isfinite(command.framesPerSecond))
-    throw InputError("", "--fps", "is not a finite number");
-  const std::int64_t count = frameCount(command);
-  Frames frames =
-      saidOfScene(command.common, [&] { return Frames(scene, count, command.framesPerSecond); });
-  const std::vector<std::string> files = filesFor(command);  // makes the folder: after all checks
-  Frame frame;
-  {
-    HeadlessPictures pictures;
-    ProgressBar bar("frames", command.common.quiet);
-    for (std::int64_t i = 0; i < count; ++i) {
-      ContactPictureOptions options;
-      options.width = size.width;
-      options.height = size.height;
-      frame = frames.next();
-      pictures.writePng(files[static_cast<std::size_t>(i)], composeContact(frame, options));
-      bar.show(i + 1, count);
-    }
-    pictures.finish();
-  }
-  const std::string what =
-      count == 1 ? files.front() : fmt::format("{} frames in {}", count, command.output);
-  printSummary(command.common.json, command.common.quiet,
-               fmt::format("mu = {:.6g}\nwrote {}\n", frictionOf(frame), what));
-  if (command.common.json) printJson(scene, frame, files);
+  Rendering rendering(command);
+  rendering.run();
+  printSummary(command.common.json, command.common.quiet, rendering.summary());
+  if (command.common.json) fmt::print("{}\n", rendering.json().dump(2));
   return kDone;
 }
 

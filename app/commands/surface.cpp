@@ -6,6 +6,7 @@
 #include "app/output.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "core/surface/surface_file.h"
 #include "ui/picture/surface_picture.h"
@@ -20,19 +21,20 @@ std::string summaryOf(const Line& line, const std::vector<std::string>& outputs)
   return text;
 }
 
-void writePicture(const std::string& output, const DrawList& list) {
+void writePicture(const std::string& output, const Scene& scene, const DrawList& list) {
   HeadlessPictures pictures;
-  pictures.writePng(output, list);
+  pictures.write(output, list, {scene.title, provenanceLine(provenance("surface", scene))});
   pictures.finish();
 }
 
 void writeSurface(const std::string& output, const Scene& scene, const LineSource& source,
                   const Line& line) {
   const std::string extension = extensionOf(output);
-  if (extension == ".csv") writeFileAtomically(output, lineCsv(line));
+  if (extension == ".csv")
+    writeFileAtomically(output, provenanceComment("surface", scene) + lineCsv(line));
   if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
   if (extension == ".png")
-    writePicture(output, composeSurface(scene, line, source.spectrum(0), {}));
+    writePicture(output, scene, composeSurface(scene, line, source.spectrum(0), {}));
 }
 
 }  // namespace

@@ -31,9 +31,7 @@ void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
 
 }  // namespace
 
-int runWindowCommand(const CommonOptions& command) {
-  const bool isDefault = command.scene.empty() && command.assignments.empty();
-  const std::optional<Scene> scene = isDefault ? std::nullopt : std::optional(sceneOf(command));
+int showWindow(const std::optional<Scene>& scene, const CommonOptions& command) {
   if (!hasDisplay())
     throw std::runtime_error(
         "there is no display for the window; 'asperity render SCENE -o DIR' needs none");
@@ -46,6 +44,11 @@ int runWindowCommand(const CommonOptions& command) {
   RunnerOptions options;
   options.threads = command.threads;
   return runWindow(application, scene, options);
+}
+
+int runWindowCommand(const CommonOptions& command) {
+  const bool isDefault = command.scene.empty() && command.assignments.empty();
+  return showWindow(isDefault ? std::nullopt : std::optional(sceneOf(command)), command);
 }
 
 }  // namespace asperity

@@ -25,9 +25,9 @@ double peakMemory() {
 }
 
 std::string timeText(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.2g} \u00B5s", 1e6 * seconds);
-  if (seconds < 1) return fmt::format("{:.2g} ms", 1e3 * seconds);
-  if (seconds < 120) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 1e-3) return fmt::format("{:.3g} \u00B5s", 1e6 * seconds);
+  if (seconds < 1) return fmt::format("{:.3g} ms", 1e3 * seconds);
+  if (seconds < 120) return fmt::format("{:.3g} s", seconds);
   return seconds < 7200 ? fmt::format("{:.0f} min", seconds / 60)
                         : fmt::format("{:.1f} h", seconds / 3600);
 }

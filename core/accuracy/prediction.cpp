@@ -10,6 +10,7 @@
 #include "core/friction/ensemble.h"
 #include "core/friction/running_mean.h"
 #include "core/friction/study.h"
+#include "core/scene/element_law.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::int64_t kErrorLines = 24;  // the spread of so many is known to 15 %
 constexpr std::int64_t kTimedLines = 3;
-constexpr std::int64_t kRefinedLines = 6;
+constexpr std::int64_t kRefinedLines = 12;
 constexpr std::int64_t kErrorVelocities = 9;
 
 /// One resolution of a scene's lines: slides them and takes the time.
@@ -87,6 +88,12 @@ double remainder(const Scene& scene, std::int64_t factor) {
   return 1 / (1 - std::pow(static_cast<double>(factor), -order));
 }
 
+/// An elastic body dissipates nothing: its friction is rounding, and an error relative to it has no
+/// meaning.
+bool isFrictionless(const Scene& scene) {
+  return lawOf(scene.elastomer).kind() == ElementKind::Elastic;
+}
+
 double rms(const std::vector<double>& values) {
   double squares = 0;
   for (const double value : values) squares += value * value;
@@ -141,6 +148,7 @@ ErrorBudget errorOf(const Scene& scene, Pilot& pilot, const std::vector<double>&
   ErrorBudget error;
   const auto means = meansOver(pilot, velocities.size(), pilotLines, stop);
   error.forceBalance = pilot.largestResidual();
+  if (isFrictionless(scene)) return error;
   if (lines > 1) {
     std::vector<double> errors;
     for (const RunningMean& mean : means)
@@ -221,6 +229,7 @@ ErrorBudget measureError(const Scene& scene, std::int64_t lines, int threads) {
   }
   const Curve curve = frictionCurve(scene, options);
   error.forceBalance = curve.largestResidual;
+  if (isFrictionless(scene)) return error;
   std::vector<double> standard;
   for (const CurvePoint& point : curve.points)
     if (std::isfinite(point.muStandardError) && point.mu != 0)

@@ -342,6 +342,8 @@ class Targeting {
     CurvePoint point = state.facts.point(state.velocity);
     point.mu = 0.5 * (achieved.low + achieved.high);
     point.muStandardError = isRandom_ ? achieved.standardError : kNotApplicable;
+    point.muLow = achieved.low;
+    point.muHigh = achieved.high;
     point.realizations = achieved.lines;
     columns_->addTo(point, state.facts.normalForce.mean());
     return point;
@@ -363,6 +365,8 @@ class Targeting {
     result.isReached &= result.worst <= 1.05 * scene_.accuracy.targetRelativeError;
     result.operations = operations_;
     result.curve.isComplete = isWhole;
+    result.curve.achievedError = result.worst;
+    result.curve.isTargetMet = result.isReached;
     result.curve.largestResidual = largestResidual_;
     result.curve.meanPasses =
         static_cast<double>(passes_) / static_cast<double>(std::max<std::int64_t>(1, solves_));

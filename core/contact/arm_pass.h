@@ -38,8 +38,19 @@ class ArmPass {
   const std::vector<double>& yieldChange() const { return yieldChange_; }
 
  private:
-  struct Inside;
-  struct Piece;
+  /// A segment to look inside: its rise over t in [0, 1], s = start + t along. The last one is
+  /// measured back from its end, the lowest point: contact there may be far shorter than it.
+  struct Inside {
+    Cubic rise;
+    double start, along;
+    double at(double t) const { return start + t * along; }
+  };
+
+  /// A part of it in contact: w over u in [0, 1], in the direction of travel.
+  struct Piece {
+    Cubic depth;
+    double length, start;
+  };
 
   template <bool Everything>
   void go(double depth, std::span<const double> yield, ArmShape* shape);
@@ -67,7 +78,6 @@ class ArmPass {
   void gatherArc(double position);
   double freeDepth(double distance) const;
   double gapAt(const Inside& inside, double from, double t, double& slope) const;
-  double entryBetween(const Inside& inside, double from, double to) const;
   double findEntry(const Inside& inside, double from, double to, double lowest) const;
   void refreshSums();
   void addYield(const Piece& piece, double u);

@@ -8,24 +8,29 @@
 
 namespace asperity {
 
+/// Whether invalid operations and divisions by zero trap, where somebody asked for that. Lanes
+/// compute both sides of every choice and keep one, so what the other raises (a root that is not
+/// there, a division by no slope) means nothing.
+enum class Traps { AsBefore, None };
+
 class FlushDenormals {
  public:
 #if defined(__SSE2__)
-  FlushDenormals() : before_(_mm_getcsr()) {
-    _mm_setcsr(before_ | kFlushToZero | kDenormalsAreZero);
+  explicit FlushDenormals(Traps traps = Traps::AsBefore) : before_(_mm_getcsr()) {
+    _mm_setcsr(before_ | kFlushToZero | kDenormalsAreZero | (traps == Traps::None ? kNoTraps : 0));
   }
   ~FlushDenormals() {
     _mm_setcsr(before_);
   }
 #else
-  FlushDenormals() = default;
+  explicit FlushDenormals(Traps = Traps::AsBefore) {}
 #endif
   FlushDenormals(const FlushDenormals&) = delete;
   FlushDenormals& operator=(const FlushDenormals&) = delete;
 
  private:
 #if defined(__SSE2__)
-  static constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
+  static constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040, kNoTraps = 0x1f80;
   unsigned before_;
 #endif
 };

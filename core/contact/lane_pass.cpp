@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "core/contact/flush_denormals.h"
 #include "core/contact/nodal_lane_pass-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -95,6 +96,7 @@ std::size_t laneCount() {
 
 void nodalLanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,
                    Wanted wanted, NodalLaneSums& sums) {
+  const FlushDenormals flush(Traps::None);
   alignas(64) LaneValues d = depth, c = memory;
   if (wanted == Wanted::Force)
     HWY_DYNAMIC_DISPATCH(passNodal)(line, d.data(), c.data(), sums);

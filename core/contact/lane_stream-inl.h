@@ -58,7 +58,7 @@ class LaneStream {
     PassSums sums;
     std::size_t parts = 0;  // not finished
     double inverse = 0;
-    double kept[kMostLevels][kWindow + 1];  // decay over 0, 1, ... blocks of each level
+    double lost[kMostLevels][kWindow + 1];  // part of a depth, over 0, 1, ... blocks of each level
   };
   /// A part of a pass: segments up to `last`.
   struct Place {
@@ -88,12 +88,12 @@ class LaneStream {
   void setMemory(Pass& pass, double memory) {
     // Without memory the free surface comes back at once.
     pass.inverse = memory > 0 ? std::min(1 / memory, 1e300) : 1e300;
-    double one = std::exp(std::max(-line_.spacing * pass.inverse, -700.0));
+    double one = -std::expm1(-line_.spacing * pass.inverse);
     for (std::size_t level = 0; level < levels_; ++level) {
-      double* kept = pass.kept[level];
-      kept[0] = 1;
-      for (std::size_t k = 0; k < kWindow; ++k) kept[k + 1] = kept[k] * one;
-      one = kept[4];
+      double* lost = pass.lost[level];
+      lost[0] = 0;
+      for (std::size_t k = 0; k < kWindow; ++k) lost[k + 1] = lost[k] + (1 - lost[k]) * one;
+      one = lost[4];
     }
   }
 
@@ -101,9 +101,9 @@ class LaneStream {
   /// further back within `clear` is not as deep, and anything from beyond has relaxed below it.
   bool touchesAt(const TravelLine::Cut& cut, const PassTask& task) const {
     const SegmentBounds before = line_.blocks[0][cut.segment - 2];
-    const double w = task.depth - line_.rise[cut.segment];
+    const double rise = line_.rise[cut.segment], w = task.depth - rise;
     return task.depth - before.highest - task.memory * before.steepest > 0 && w > 0 &&
-           cut.clear >= task.memory * std::log(task.depth / w);
+           cut.clear >= task.memory * std::log1p(rise / w);
   }
 
   void addPart(std::size_t stream, std::size_t from, std::size_t last) {
@@ -126,7 +126,7 @@ class LaneStream {
     lanes_.depth[lane] = pass.task.depth;
     lanes_.memory[lane] = pass.task.memory;
     lanes_.inverse[lane] = pass.inverse;
-    lanes_.arcDepth[lane] = lanes_.arcPosition[lane] = lanes_.here[lane] = 0;
+    lanes_.arcRise[lane] = lanes_.arcPosition[lane] = lanes_.surface[lane] = 0;
     lanes_.sumDepth[lane] = lanes_.freeStiffness[lane] = lanes_.freeLoss[lane] = 0;
     lanes_.contactLength[lane] = lanes_.slopeSquared[lane] = lanes_.sumPressure[lane] = 0;
     lanes_.busy[lane] = lanes_.touching[lane] = lanes_.limit[lane] = 1;
@@ -210,22 +210,23 @@ class LaneStream {
   HWY_INLINE void skipFree(std::size_t lane, Place& place) {
     const Pass& pass = passes_[place.pass];
     const One depth = One::all(lanes_.depth[lane]), memory = One::all(lanes_.memory[lane]);
-    double here = lanes_.here[lane];
+    double surface = lanes_.surface[lane];
     const auto isFree = [&](std::size_t level, std::size_t block) {
       const double* lowest = line_.blocks[level].lowest.data() + block;
-      const One start = One::all(here);
       const double* steepest = line_.blocks[0].steepest.data() + block;
-      const double* kept = pass.kept[level];
+      const double* lost = pass.lost[level];
+      const One start = One::all(surface), over = depth - start;
       return firstOther([&](std::size_t k) {
-        const OneMask below = depth - One::load(lowest + k) <= start * One::load(kept + k + 1);
-        if (!kLinear || level > 0) return below;
-        // A straight segment that rises faster than the free surface, from below it, stays there.
-        return below | (memory * One::load(steepest + k) >= start * One::load(kept + k));
+        const OneMask above = One::load(lowest + k) >= mulAdd(over, One::load(lost + k + 1), start);
+        if (!kLinear || level > 0) return above;
+        // A straight segment that rises faster than the free surface, from above it, stays there.
+        const One left = negMulAdd(over, One::load(lost + k), over);
+        return above | (memory * One::load(steepest + k) >= left);
       });
     };
     place.segment = skip(place.segment, place.last, isFree,
                          [&](std::size_t level, std::size_t, std::size_t count) {
-                           here *= pass.kept[level][count];
+                           surface += (lanes_.depth[lane] - surface) * pass.lost[level][count];
                          });
   }
 
@@ -266,29 +267,22 @@ class LaneStream {
     return hn::GetLane(hn::SumOfLanes(kTag, sum));
   }
 
-  /// Few stores, for the vectors read them at once. The last segment is measured back from its end,
-  /// as in the plain pass.
+  /// Few stores, for the vectors read them at once. Segments are measured from their lower end, as
+  /// in the plain pass.
   HWY_INLINE void load(std::size_t lane) {
     const std::size_t i = places_[lane].segment;
-    const double start = line_.position[i], end = line_.position[i + 1];
-    lanes_.height0[lane] = line_.rise[i];
-    lanes_.height1[lane] = line_.rise[i + 1];
-    lanes_.start[lane] = start;
-    lanes_.along[lane] = end - start;
+    const bool isBack = line_.isMeasuredBack(i);
+    const std::size_t first = isBack ? i + 1 : i, second = isBack ? i : i + 1;
+    const double length = line_.segmentLength(i);
+    lanes_.height0[lane] = line_.rise[first];
+    lanes_.height1[lane] = line_.rise[second];
+    lanes_.start[lane] = line_.position[first];
+    lanes_.along[lane] = isBack ? -length : length;
     if (!kLinear) {
-      lanes_.slope0[lane] = line_.slopeIn[i];
-      lanes_.slope1[lane] = line_.slopeOut[i];
+      lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
+      lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];
     }
-    if (i != places_[lane].last) return;
-    lanes_.closes[lane] = 1;
-    if (i != last_) return;
-    std::swap(lanes_.height0[lane], lanes_.height1[lane]);
-    lanes_.slope0[lane] = -line_.slopeOut[i];
-    lanes_.slope1[lane] = -line_.slopeIn[i];
-    lanes_.start[lane] = end;
-    lanes_.along[lane] = start - end;
-    lanes_.from[lane] = 1;
-    lanes_.limit[lane] = 0;
+    if (i == places_[lane].last) lanes_.closes[lane] = 1;
   }
 
   struct Waiting {

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "core/contact/flush_denormals.h"
 #include "core/contact/lane_stream-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -39,6 +40,7 @@ std::size_t streamCount() {
 }
 
 void passLanes(const TravelLine& line, PassQueue& queue) {
+  const FlushDenormals flush(Traps::None);
   if (line.scheme == Scheme::Linear)
     HWY_DYNAMIC_DISPATCH(streamLinear)(line, queue);
   else

@@ -14,6 +14,7 @@ class NodalPass {
         memory_(memory),
         spacing_(line.spacing),
         decay_(memory > 0 ? std::exp(-line.spacing / memory) : 0),
+        lost_(memory > 0 ? -std::expm1(-line.spacing / memory) : 1),
         shape_(shape) {}
 
   NodalState run() {
@@ -43,7 +44,7 @@ class NodalPass {
       closeArc(free_);
       if (pressure > 0) load(i, pressure);
       lastTouch_ = i;
-      decaySinceTouch_ = 1;
+      lostSinceTouch_ = 0;
     }
     const double here = touching ? deep : free_;
     state_.sums.depth += here * spacing_;
@@ -53,7 +54,7 @@ class NodalPass {
     }
     if (touching) arcStart_ = deep;
     free_ = here * decay_;
-    decaySinceTouch_ *= decay_;
+    lostSinceTouch_ += (1 - lostSinceTouch_) * lost_;
   }
 
   /// An element carries load: Eqs. (2) to (4).
@@ -75,9 +76,8 @@ class NodalPass {
   double thresholdOf(std::size_t i) const {
     const double pressed = line_.rise[i] + memory_ * line_.slopeIn[i];
     double reached = 0;
-    if (i > 0)
-      reached =
-          (line_.rise[i] - line_.rise[lastTouch_] * decaySinceTouch_) / (1 - decaySinceTouch_);
+    if (i > 0 && lostSinceTouch_ > 0)
+      reached = line_.rise[lastTouch_] + (line_.rise[i] - line_.rise[lastTouch_]) / lostSinceTouch_;
     return std::max({pressed, reached, 0.0});
   }
 
@@ -88,10 +88,10 @@ class NodalPass {
   }
 
   const TravelLine& line_;
-  double depth_, memory_, spacing_, decay_;
+  double depth_, memory_, spacing_, decay_, lost_;
   NodeShape* shape_;
   NodalState state_;
-  double free_ = 0, arcStart_ = 0, decaySinceTouch_ = 1;
+  double free_ = 0, arcStart_ = 0, lostSinceTouch_ = 0;
   std::size_t lastTouch_ = 0;
 };
 

@@ -8,6 +8,7 @@ namespace asperity {
 namespace {
 
 constexpr int kMostLooks = 400;
+constexpr int kLooksBeforeZero = 12;
 constexpr double kRounding = 1e-14;  // relative; depths closer than this are one edge
 
 /// share of `upper`, the rest of `lower`.
@@ -95,7 +96,9 @@ void NodalSearch::chooseNext() {
     return ask(Stage::Answer, upper_.depth - (upper_.force - load_) / stiffness(upper_));
   // Neighbouring numbers, but for rounding: what enters between them is on the edge.
   const bool neighbours = upper_.depth - lower_.depth <= kRounding * upper_.depth;
-  if (neighbours || passes_ >= kMostLooks) return askAround(upper_.depth);
+  if (neighbours || upper_.depth <= 0 || passes_ >= kMostLooks) return askAround(upper_.depth);
+  // Elements on the lowest level of the line are loaded at any depth: there is nothing to narrow.
+  if (lower_.depth < 0 && passes_ >= kLooksBeforeZero) return ask(Stage::Narrow, 0);
   if (halving_) return ask(Stage::Narrow, 0.5 * (lower_.depth + upper_.depth));
   if (differing == 1) return ask(Stage::Threshold, upper_.depth);
   ask(Stage::Narrow, pointInside());
@@ -156,6 +159,9 @@ void NodalSearch::takeBelow(const NodalLook& look) {
 void NodalSearch::takeAnswer(const NodalLook& look) {
   const double residual = std::abs(look.force - load_) / load_;
   if (residual > kAcceptedResidual && passes_ < kMostLooks) {
+    // On the straight piece it was looked for on, neighbouring depths are too far apart for this
+    // load: the answer lies between two of them.
+    if (look.loaded == upper_.loaded || look.loaded == lower_.loaded) return askAround(look.depth);
     (isEnough(look) ? upper_ : lower_) = look;
     return ask(Stage::Narrow, 0.5 * (lower_.depth + upper_.depth));
   }
@@ -166,13 +172,14 @@ void NodalSearch::takeAnswer(const NodalLook& look) {
 }
 
 void NodalSearch::finishBetween(const NodalLook& less, const NodalLook& more) {
-  const double share = (load_ - less.force) / (more.force - less.force);
-  const bool inside = share >= 0 && share <= 1;  // not so only where passes ran out
+  const bool rises = more.force > less.force;
+  const double share = rises ? (load_ - less.force) / (more.force - less.force) : 1;
+  const bool inside = rises && share >= 0 && share <= 1;  // not so only where passes ran out
   answer_.state.sums = blend(less.sums, more.sums, share);
   answer_.balance = {edge_, passes_,
                      inside ? std::abs(answer_.state.sums.pressure - load_) / load_
                             : std::numeric_limits<double>::infinity()};
-  answer_.marginalShare = share;
+  answer_.marginalShare = more.loaded > less.loaded ? share : 1;
   stage_ = Stage::Done;
 }
 

@@ -65,7 +65,7 @@ double zeroBetween(double low, double high, double valueLow, const Function& val
     const double f = value(t, derivative);
     if (f == 0) return t;
     (((f < 0) == rising) ? low : high) = t;
-    double next = t - f / derivative;
+    double next = derivative != 0 ? t - f / derivative : low;
     const bool inside = next > low && next < high;
     if (!inside || std::abs(next - t) > 0.5 * std::abs(lastStep)) next = 0.5 * (low + high);
     if (next == t || next == low || next == high) return next;

@@ -7,9 +7,10 @@
 namespace asperity {
 namespace {
 
-/// A free arc of the elastomer: it left the line `depth` deep at `position`.
+/// A free arc of the elastomer: it left the line `depth` deep at `position`, where the line is at
+/// height `rise`.
 struct FreeArc {
-  double depth, position;
+  double rise, depth, position;
 };
 
 /// Sums for the force balance only.
@@ -116,12 +117,12 @@ class Pass {
         memory_(memory),
         // Without memory the free surface comes back at once: exp(-s * large) is 0 for any s > 0.
         inverse_(memory > 0 ? std::min(1 / memory, 1e300) : 1e300),
-        decay_(std::exp(-line.spacing * inverse_)),
+        lost_(-std::expm1(-line.spacing * inverse_)),
         shape_(shape),
         gatherer(memory, inverse_) {}
 
   void run() {
-    here_ = depth_;
+    surface_ = 0;
     touching_ = true;
     for (std::size_t i = 0; i < line_.segments(); ++i) {
       record(i);
@@ -135,27 +136,30 @@ class Pass {
   void segment(std::size_t i) {
     const SegmentBounds bounds = line_.bounds(i);
     if (!touching_) {
-      const double far = here_ * decayOver(i);
-      if (depth_ - bounds.lowest <= far) {
-        here_ = far;
+      const double far = surface_ + (depth_ - surface_) * lostOver(i);
+      if (bounds.lowest >= far) {
+        surface_ = far;
         return;
       }
     } else if (depth_ - bounds.highest - memory_ * bounds.steepest > 0) {
       gatherer.wholeSegment(bounds, line_.segment(i), depth_, line_.segmentLength(i));
-      here_ = depth_ - line_.rise[i + 1];
       return;
     }
     lookInside(i);
   }
 
-  double decayOver(std::size_t i) const {
+  /// Part of its depth that the free surface loses over a segment.
+  double lostOver(std::size_t i) const {
     const bool whole = i > 0 && i + 1 < line_.segments();
-    return whole || !line_.startsInsideSegment ? decay_
-                                               : std::exp(-line_.segmentLength(i) * inverse_);
+    return whole || !line_.startsInsideSegment ? lost_
+                                               : -std::expm1(-line_.segmentLength(i) * inverse_);
   }
 
-  double freeDepth(double position) const {
-    return arc_.depth * std::exp(-(position - arc_.position) * inverse_);
+  /// Height of the free surface above the line's lowest point, y = depth - height: as a height it
+  /// is told from the line to the last digit even where the depth is far larger than all heights,
+  /// or hardly relaxes over a period.
+  double freeHeight(double position) const {
+    return arc_.rise - arc_.depth * std::expm1(-(position - arc_.position) * inverse_);
   }
 
   /// A segment to look inside: its rise over t in [0, 1], s = start + t along.
@@ -165,12 +169,10 @@ class Pass {
     double at(double t) const { return start + t * along; }
   };
 
-  /// The last segment is measured back from its end, the lowest point: contact there may be far
-  /// shorter than the segment, and 1 - t would have lost its digits.
   Inside insideOf(std::size_t i) const {
-    if (i + 1 < line_.segments())
-      return {line_.segment(i), line_.position[i], line_.segmentLength(i)};
-    return {line_.segmentBackwards(i), line_.length, -line_.segmentLength(i)};
+    if (line_.isMeasuredBack(i))
+      return {line_.segmentBackwards(i), line_.position[i + 1], -line_.segmentLength(i)};
+    return {line_.segment(i), line_.position[i], line_.segmentLength(i)};
   }
 
   /// Splits the segment where p changes sign; w e^(s/c) is monotone on each piece.
@@ -193,18 +195,19 @@ class Pass {
     for (int n = 0; n < zeros.count; ++n)
       piece(zeros.values[static_cast<std::size_t>(onwards ? n : zeros.count - 1 - n)]);
     piece(onwards ? 1 : 0);
-    here_ = touching_ ? depth_ - line_.rise[i + 1] : freeDepth(line_.position[i + 1]);
+    if (!touching_) surface_ = freeHeight(line_.position[i + 1]);
   }
 
   void leave(const Inside& inside, double t) {
-    arc_ = {depth_ - inside.rise(t), inside.at(t)};
+    const double rise = inside.rise(t);
+    arc_ = {rise, depth_ - rise, inside.at(t)};
     touching_ = false;
   }
 
   void pressedPiece(const Inside& inside, double from, double to) {
     double entry = from;
     if (!touching_) {
-      if (!(depth_ - inside.rise(to) > freeDepth(inside.at(to)))) return;
+      if (!(inside.rise(to) < freeHeight(inside.at(to)))) return;
       entry = entryBetween(inside, from, to);
       gatherer.arc(arc_, inside.at(entry));
       touching_ = true;
@@ -216,9 +219,9 @@ class Pass {
   /// Where the line catches up with the relaxing surface.
   double entryBetween(const Inside& inside, double from, double to) const {
     const auto gap = [&](double t, double& derivative) {
-      const double free = freeDepth(inside.at(t));
-      derivative = -inside.rise.derivative(t) + inside.along * inverse_ * free;
-      return depth_ - inside.rise(t) - free;
+      const double free = freeHeight(inside.at(t));
+      derivative = -inside.rise.derivative(t) + inside.along * inverse_ * (depth_ - free);
+      return free - inside.rise(t);
     };
     double ignored = 0;
     const double first = gap(from, ignored);
@@ -229,17 +232,18 @@ class Pass {
 
   void record(std::size_t i) {
     if (!shape_) return;
-    shape_->depth.push_back(here_);
+    const double height = touching_ ? line_.rise[i] : surface_;
+    shape_->depth.push_back(std::max(depth_ - height, 0.0));  // rounding may come out above
     const double slope = line_.slopeIn[i];
     const double p = touching_ ? depth_ - line_.rise[i] - memory_ * slope : 0;
     shape_->pressure.push_back(std::max(p, 0.0));
   }
 
   const TravelLine& line_;
-  double depth_, memory_, inverse_, decay_;
+  double depth_, memory_, inverse_, lost_;
   NodeShape* shape_;
   bool touching_ = true;
-  double here_ = 0;  // m, y at the start of the segment
+  double surface_ = 0;  // m, height of the free surface at the start of the segment
   FreeArc arc_{};
 
  public:

@@ -16,7 +16,7 @@ namespace asperity {
 namespace HWY_NAMESPACE {
 
 /// What the lanes know. Lengths in m, t runs over a segment: s = start + t along, and `along` is
-/// negative in the last segment, which is measured back from its end.
+/// negative where a segment is measured back from its end.
 struct alignas(64) Lanes {
   using Values = double[Wide::kLanes];
 
@@ -24,8 +24,8 @@ struct alignas(64) Lanes {
   Values height0, height1, slope0, slope1;  // rise and d rise / d|s| at t = 0 and t = 1
   Values start, along;
   Values from, limit;                               // t reached; t of the segment's end, or nearer
-  Values arcDepth, arcPosition;                     // where the elastomer left the line
-  Values here;                                      // y of free lanes at the segment's end
+  Values arcRise, arcPosition;                      // where the elastomer left the line
+  Values surface;                                   // height of free lanes at the segment's end
   Values sumDepth, freeStiffness, freeLoss;         // m^2, m, m^2
   Values contactLength, slopeSquared, sumPressure;  // m, m, m^2
   // Yes or no, as 1 or 0:
@@ -64,23 +64,28 @@ HWY_INLINE WideCubic select(WideMask m, const WideCubic& x, const WideCubic& y) 
           select(m, x.c3, y.c3)};
 }
 
-/// depth exp(-(offset + rate t)) from t to t; without denormal numbers at its far end.
+/// A free surface that was `depth` deep: what it has come up by, depth (1 - exp(-(offset + rate
+/// t))). As heights, line and surface are told apart to the last digit even where the depth is far
+/// larger, or hardly relaxes over a period.
 struct WideArc {
   Wide depth, offset, rate;
 
-  HWY_INLINE Wide exponentAt(Wide t) const { return -mulAdd(rate, t, offset); }
-  HWY_INLINE Wide at(Wide t) const { return depth * exp(max(exponentAt(t), Wide::all(-700))); }
+  HWY_INLINE Wide lostAt(Wide t) const {
+    return -expm1(max(-mulAdd(rate, t, offset), Wide::all(-350)));
+  }
 };
 
-/// A polynomial less an arc: one equation for all edges of contact.
+/// A polynomial and what an arc has come up by: one equation for all edges of contact.
 struct WideGap {
   WideCubic cubic;
   WideArc arc;
 
-  /// Halley's step from t, where the arc is `free` deep; far outside where the root lies beyond a
-  /// turning point, next to which such steps are short.
-  HWY_INLINE Wide step(Wide t, Wide value, Wide free) const {
-    const Wide fall = arc.rate * free;
+  HWY_INLINE Wide valueAt(Wide t, Wide lost) const { return mulAdd(arc.depth, lost, cubic.at(t)); }
+
+  /// Halley's step from t, where that part of the arc's depth is lost; far outside where the root
+  /// lies beyond a turning point, next to which such steps are short.
+  HWY_INLINE Wide step(Wide t, Wide value, Wide lost) const {
+    const Wide fall = arc.rate * negMulAdd(arc.depth, lost, arc.depth);
     const Wide slope = cubic.slopeAt(t) + fall;
     const Wide halfCurvature = negMulAdd(times(0.5, arc.rate), fall, cubic.halfCurvatureAt(t));
     const Wide squared = slope * slope, below = negMulAdd(value, halfCurvature, squared);
@@ -93,12 +98,12 @@ HWY_INLINE Wide rootBetween(const WideGap& gap, Wide low, Wide high, WideMask ne
                             Wide guess, WideMask wanted) {
   Wide t = guess;
   for (int step = 0; step < kMostRootSteps; ++step) {
-    const Wide free = gap.arc.at(t);
-    const Wide value = gap.cubic.at(t) - free;
+    const Wide lost = gap.arc.lostAt(t);
+    const Wide value = gap.valueAt(t, lost);
     const WideMask before = !((value < Wide::all(0)) ^ negativeAtLow);
     low = select(before, t, low);
     high = select(before, high, t);
-    const Wide next = gap.step(t, value, free);
+    const Wide next = gap.step(t, value, lost);
     const WideMask inside = (next >= low) & (next <= high);
     const Wide moved = abs(select(inside, next, times(0.5, low + high)) - t);
     t = select(inside, next, times(0.5, low + high));
@@ -135,11 +140,12 @@ class SegmentStep {
     onwards_ = along_ > Wide::all(0);
     perAlong_ = Wide::all(1) / along_;
     end_ = onlyIn(onwards_, Wide::all(1));
-    arcDepth_ = Wide::load(lanes_.arcDepth);
+    arcRise_ = Wide::load(lanes_.arcRise);
     arcPosition_ = Wide::load(lanes_.arcPosition);
-    const Wide low = Wide::load(lanes_.height0), fall = low - Wide::load(lanes_.height1);
+    low_ = Wide::load(lanes_.height0);
+    const Wide fall = low_ - Wide::load(lanes_.height1);
     const Wide k = memory_ * perAlong_, none = Wide::all(0);
-    inside_.c0 = depth_ - low;
+    inside_.c0 = depth_ - low_;
     if (kLinear) {
       inside_.c1 = fall, inside_.c2 = none, inside_.c3 = none;
       pressure_ = {mulAdd(k, fall, inside_.c0), fall, none, none};
@@ -158,8 +164,11 @@ class SegmentStep {
 
   /// From where the lane is to where p turns next, or to the segment's end.
   HWY_INLINE void findPiece() {
-    from_ = Wide::load(lanes_.from);
-    to_ = Wide::load(lanes_.limit);
+    // Lanes come to every segment from 0 to 1; one measured back is gone through from 1 to 0.
+    const Wide from = Wide::load(lanes_.from), limit = Wide::load(lanes_.limit);
+    const WideMask turns = (from < limit) & !onwards_;
+    from_ = select(turns, limit, from);
+    to_ = select(turns, from, limit);
     if (!kLinear) {
       // Zeros of c1 + 2 c2 t + 3 c3 t^2 without cancellation; NaN where there are none.
       const WideCubic& p = pressure_;
@@ -181,8 +190,13 @@ class SegmentStep {
 
   HWY_INLINE Wide placeOf(Wide t) const { return mulAdd(t, along_, start_); }
 
+  /// How far the line is below `height` as a polynomial.
+  HWY_INLINE WideCubic below(Wide height) const {
+    return {height - low_, inside_.c1, inside_.c2, inside_.c3};
+  }
+
   HWY_INLINE void leave(WideMask lanes, Wide t) {
-    arcDepth_ = select(lanes, inside_.at(t), arcDepth_);
+    arcRise_ = select(lanes, -below(Wide::all(0)).at(t), arcRise_);
     arcPosition_ = select(lanes, placeOf(t), arcPosition_);
     touching_ = touching_ & !lanes;
   }
@@ -191,31 +205,32 @@ class SegmentStep {
   /// the line catches up with the free surface, or, for a free lane, where p vanishes after a
   /// pressed stretch, which is where the line comes nearest to the free surface.
   HWY_INLINE void findEvents() {
-    arc_ = {arcDepth_, (start_ - arcPosition_) * inverse_, along_ * inverse_};
+    arc_ = {depth_ - arcRise_, (start_ - arcPosition_) * inverse_, along_ * inverse_};
+    const WideGap rising{below(arcRise_), arc_};
     const WideMask free = busy_ & !touching_;
     exits_ = touching_ & !upTo_;
     const WideMask bumps = free & upFrom_ & !upTo_, rises = free & upTo_;
     enters_ = WideMask::none();
     hits_ = WideMask::none();
     edge_ = to_;
-    Wide freeTo = to_, gapTo = to_;
+    Wide lostTo = to_, gapTo = to_;
     if (any(rises)) {
-      freeTo = arc_.at(to_);
-      gapTo = inside_.at(to_) - freeTo;
+      lostTo = arc_.lostAt(to_);
+      gapTo = rising.valueAt(to_, lostTo);
       enters_ = rises & (gapTo > Wide::all(0));
     }
     const WideMask wanted = exits_ | bumps | enters_;
     if (!any(wanted)) return;
-    WideGap gap{select(enters_, inside_, pressure_), arc_};
-    gap.arc.depth = onlyIn(enters_, arcDepth_);
+    WideGap gap{select(enters_, rising.cubic, pressure_), arc_};
+    gap.arc.depth = onlyIn(enters_, arc_.depth);
     const Wide low = min(from_, to_), high = max(from_, to_);
     const Wide secant = mulAdd(to_ - from_, pressureFrom_ / (pressureFrom_ - pressureTo_), from_);
-    Wide guess = select(enters_, gap.step(to_, gapTo, freeTo), secant);
+    Wide guess = select(enters_, gap.step(to_, gapTo, lostTo), secant);
     guess = select((guess >= low) & (guess <= high), guess, times(0.5, low + high));
     // Free surface above the line at the piece's start; pressure there positive.
     edge_ = select(wanted, rootBetween(gap, low, high, !(enters_ ^ onwards_), guess, wanted), to_);
-    lost_ = -expm1(max(arc_.exponentAt(edge_), Wide::all(-350)));  // 1 - e
-    hits_ = bumps & (inside_.at(edge_) > negMulAdd(arcDepth_, lost_, arcDepth_));
+    lost_ = arc_.lostAt(edge_);
+    hits_ = bumps & (rising.valueAt(edge_, lost_) > Wide::all(0));
   }
 
   /// Free arcs of the lanes that enter end at their edges.
@@ -227,10 +242,10 @@ class SegmentStep {
   }
 
   HWY_INLINE void closeArcs(WideMask lanes, Wide lost) {
-    const Wide forgotten = memory_ * lost;
+    const Wide forgotten = memory_ * lost, depth = depth_ - arcRise_;
     // 1 - e^2 = (1 - e)(1 + e)
-    const Wide energy = times(0.5, arcDepth_ * arcDepth_) * (lost * (Wide::all(2) - lost));
-    sumDepth_ = sumDepth_ + onlyIn(lanes, arcDepth_ * forgotten);
+    const Wide energy = times(0.5, depth * depth) * (lost * (Wide::all(2) - lost));
+    sumDepth_ = sumDepth_ + onlyIn(lanes, depth * forgotten);
     freeStiffness_ = freeStiffness_ + onlyIn(lanes, forgotten);
     freeLoss_ = freeLoss_ + onlyIn(lanes, energy);
   }
@@ -269,7 +284,7 @@ class SegmentStep {
     if (any(free)) {
       const Wide over = max((arcPosition_ - placeOf(end_)) * inverse_, Wide::all(-350));
       const Wide lost = -expm1(min(over, Wide::all(0)));
-      negMulAdd(arcDepth_, lost, arcDepth_).store(lanes_.here);
+      mulAdd(depth_ - arcRise_, lost, arcRise_).store(lanes_.surface);
       // A point takes over that is always in contact.
       const WideMask last = free & isSet(lanes_.closes);
       if (any(last)) closeArcs(last, lost);
@@ -277,7 +292,7 @@ class SegmentStep {
     sumDepth_.store(lanes_.sumDepth);
     freeStiffness_.store(lanes_.freeStiffness);
     freeLoss_.store(lanes_.freeLoss);
-    arcDepth_.store(lanes_.arcDepth);
+    arcRise_.store(lanes_.arcRise);
     arcPosition_.store(lanes_.arcPosition);
     setFlags(touching_, lanes_.touching);
     // Ready for the next segment where this one is finished.
@@ -293,7 +308,7 @@ class SegmentStep {
   Wide start_, along_, perAlong_, end_;  // end_: t where material leaves the segment
   WideCubic inside_, pressure_;          // w = d - rise and p, per 4G
   WideArc arc_;
-  Wide arcDepth_, arcPosition_;
+  Wide low_, arcRise_, arcPosition_;  // low_: rise at t = 0
   Wide from_, to_, pressureFrom_, pressureTo_;
   Wide edge_, lost_;
   Wide sumDepth_, freeStiffness_, freeLoss_;

@@ -39,7 +39,9 @@ SteadyResult steadyResultOf(const TravelLine& line, const SlidingConditions& con
   // Of the two ways to the tangential force the dissipation has only positive terms, so it keeps
   // its digits where friction is small. The paper's nodes have Eq. (4) alone.
   result.tangentialForce = stiffness * (nodal ? sums.work : sums.dissipation);
-  result.mu = result.tangentialForce / result.normalForce;
+  // Pressed by nothing there is no coefficient.
+  result.mu = result.normalForce != 0 ? result.tangentialForce / result.normalForce
+                                      : std::numeric_limits<double>::quiet_NaN();
   result.contactFraction = std::min(sums.contactLength / line.length, 1.0);
   result.rmsSlopeContact = sums.contactLength > 0
                                ? std::sqrt(sums.slopeSquared / sums.contactLength)

@@ -152,8 +152,9 @@ LaneValues guessesFor(std::span<const double> velocities, std::span<const double
   LaneValues guesses{};
   const std::size_t n = answers.size();
   const double last = answers[n - 1].indentation;
+  if (!(last > 0 && known[n - 1] > 0)) return guesses;
   double trend = 0;  // d ln depth / d ln v
-  if (n > 1 && known[n - 1] > known[n - 2])
+  if (n > 1 && known[n - 2] > 0 && known[n - 1] > known[n - 2] && answers[n - 2].indentation > 0)
     trend = std::log(last / answers[n - 2].indentation) / std::log(known[n - 1] / known[n - 2]);
   for (std::size_t lane = 0; lane < velocities.size(); ++lane) {
     const double ahead = std::log(velocities[lane] / known[n - 1]);

@@ -52,13 +52,17 @@ void TimeMarch::goOnFrom(const TimeMarch& other) {
   setPressure(other.pressure_);
   if (amplitude_.size() == other.amplitude_.size()) amplitude_ = other.amplitude_;
   setDistance(other.distance_);
+  if (line_->nodes() != other.line_->nodes() || line_->length != other.line_->length) return;
+  passedNodes_ = other.passedNodes_;
+  ahead_ = other.ahead_;
+  placeLine();
 }
 
 void TimeMarch::settleAtRest(const MarchLoad& load) {
   const double stiffness = 4 * law_.equilibriumModulus * line_->spacing;
   threshold_ = rise_;
-  indentation_ = 0;
-  indentation_ = load.kind == LoadKind::Force ? balance(load.normalForce / stiffness) : load.depth;
+  indentation_ =
+      load.kind == LoadKind::Force ? balance(load.normalForce / stiffness).whole() : load.depth;
   std::vector<double> depth(rise_.size());
   for (std::size_t i = 0; i < depth.size(); ++i) {
     depth[i] = std::max(indentation_ - rise_[i], 0.0);
@@ -68,24 +72,34 @@ void TimeMarch::settleAtRest(const MarchLoad& load) {
 }
 
 void TimeMarch::setDistance(double distance) {
-  distance_ = distance;
+  distance_ = 0;
+  passedNodes_ = 0;
+  ahead_ = 0;
+  moveLine(distance);
   placeLine();
+}
+
+/// The line's place is held in nodes and a part of one: sums of steps do not drift off the nodes.
+void TimeMarch::moveLine(double distance) {
+  distance_ += distance;
+  const double moved = std::fmod(distance, line_->length) / line_->spacing - ahead_;
+  const double whole = std::ceil(moved);
+  const auto count = static_cast<std::ptrdiff_t>(line_->nodes());
+  passedNodes_ = (passedNodes_ + static_cast<std::ptrdiff_t>(whole)) % count;
+  ahead_ = whole - moved;
 }
 
 void TimeMarch::setPressure(std::span<const double> pressure) {
   std::copy(pressure.begin(), pressure.end(), pressure_.begin());
 }
 
-/// The line over the elements, moved by distance_: on nodes exactly, between them by its cubics.
+/// The line over the elements: on nodes exactly, between them by its cubics.
 void TimeMarch::placeLine() {
   const std::size_t count = line_->nodes();
   const double h = line_->spacing;
-  const double shift = std::fmod(distance_, line_->length) / h;
-  const double whole = std::ceil(shift);
-  const double t = whole - shift;  // of the segment after node i - whole
-  const auto back = static_cast<std::ptrdiff_t>(whole);
+  const double t = ahead_;  // of the segment after node i - passedNodes_
   const auto size = static_cast<std::ptrdiff_t>(count);
-  std::size_t from = static_cast<std::size_t>(((-back) % size + size) % size);
+  std::size_t from = static_cast<std::size_t>((size - passedNodes_) % size);
   const double h01 = t * t * (3 - 2 * t), h00 = 1 - h01;
   const double h10 = h * t * (1 - t) * (1 - t), h11 = -h * t * t * (1 - t);
   for (std::size_t i = 0; i < count; ++i) {
@@ -98,24 +112,26 @@ void TimeMarch::placeLine() {
   }
 }
 
-/// The indentation d with sum max(0, d - threshold_i) = load (m). Newton's method on a convex,
-/// piecewise linear function: from the first step on it comes from the right and only falls, until
-/// the set of touched elements repeats; a step that does not fall any more is rounding.
-double TimeMarch::balance(double load) {
+/// The climb to the first threshold and further with sum max(0, further - threshold_i) = load (m);
+/// thresholds are counted from the first one on, for a load may press by far less than the line has
+/// to climb. Newton's method on a convex, piecewise linear function: from the first step on it
+/// comes from the right and only falls, until the set of touched elements repeats; a step that does
+/// not fall any more is rounding.
+TimeMarch::Climb TimeMarch::balance(double load) {
   const double lowest = *std::min_element(threshold_.begin(), threshold_.end());
-  double d = std::max(indentation_, lowest + load);
+  for (double& threshold : threshold_) threshold -= lowest;
+  double d = std::max(-lowest, load);
   for (bool first = true; true; first = false) {
     std::size_t count = 0;
     double sum = 0;
     for (const double threshold : threshold_) {
       const bool below = threshold < d;
       count += below ? 1 : 0;
-      sum += below ? threshold - lowest : 0;
+      sum += below ? threshold : 0;
     }
-    const double next =
-        count > 0 ? lowest + (load + sum) / static_cast<double>(count) : lowest + load;
-    if (!(next < d) && !first) return d;
-    if (next == d || count == 0) return next;
+    const double next = count > 0 ? (load + sum) / static_cast<double>(count) : load;
+    if (!(next < d) && !first) return {lowest, d};
+    if (next == d || count == 0) return {lowest, next};
     d = next;
   }
 }
@@ -130,6 +146,7 @@ void TimeMarch::prepareSteps(double dt) {
     const DrivenDecay decay = drivenDecay(z);
     Creep& creep = creep_[j];
     creep.kept = decay.kept;
+    creep.forgotten = -std::expm1(-z);
     creep.before = hasDashpot ? 0 : flow * (decay.driven[0] - decay.driven[1]);
     creep.after = flow * (hasDashpot ? decay.driven[0] : decay.driven[1]);
     creep.stiffness = modes_.rate[j] / modes_.fluidity[j];
@@ -138,38 +155,52 @@ void TimeMarch::prepareSteps(double dt) {
   }
 }
 
-/// Amplitudes and depths at the end of the step where nothing touches.
+/// Depths at the end of the step where nothing touches, and how far the line has to climb from
+/// where it is to reach them. With a dashpot a short step presses elements by far less than they
+/// are deep, so all is counted from the step's begin: a touched element has no gap, to the last
+/// bit.
 void TimeMarch::creepFreely() {
   const std::size_t count = depth_.size();
+  const bool hasDashpot = modes_.glassyCompliance == 0;
   std::fill(free_.begin(), free_.end(), 0);
+  std::fill(threshold_.begin(), threshold_.end(), 0);
   for (std::size_t j = 0; j < creep_.size(); ++j) {
     const Creep creep = creep_[j];
     double* amplitude = amplitude_.data() + j * count;
     if (creep.before == 0)
-      for (std::size_t i = 0; i < count; ++i) free_[i] += creep.kept * amplitude[i];
+      for (std::size_t i = 0; i < count; ++i) {
+        free_[i] += creep.kept * amplitude[i];
+        threshold_[i] -= creep.forgotten * amplitude[i];
+      }
     else
       for (std::size_t i = 0; i < count; ++i)
         free_[i] += creep.kept * amplitude[i] + creep.before * 0.25 * pressure_[i];
   }
-  for (std::size_t i = 0; i < count; ++i) threshold_[i] = rise_[i] + free_[i];
+  for (std::size_t i = 0; i < count; ++i) {
+    const double gap = depth_[i] - (indentation_ - lastRise_[i]);
+    threshold_[i] = hasDashpot ? threshold_[i] + gap + (rise_[i] - lastRise_[i])
+                               : free_[i] + rise_[i] - indentation_;
+  }
 }
 
 /// Presses the touched elements to the new indentation and sums up.
 template <bool HasDashpot>
-MarchStep TimeMarch::finishStep(double before) {
+MarchStep TimeMarch::finishStep(const Climb& climb) {
   const std::size_t count = depth_.size();
+  const double before = before_;
   const double h = 4 * line_->spacing;  // p is 4 times what the amplitudes are driven by
   double load = 0, work = 0, stored = 0, dissipated = 0, advance = 0, closing = 0;
   std::size_t touching = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const double pushed = std::max(indentation_ - threshold_[i], 0.0);
-    const double start = depth_[i], end = free_[i] + pushed;
+    const double pushed = std::max(climb.further - threshold_[i], 0.0);
+    const double start = depth_[i], end = pushed > 0 ? indentation_ - rise_[i] : free_[i];
     const double last = 0.25 * pressure_[i], now = pushed / compliance_;
     const double mean = HasDashpot ? now : 0.5 * (last + now);
+    const double gap = start - (before - lastRise_[i]);
     load += now;
-    work += mean * (end - start);
+    if (!HasDashpot) work += mean * (end - start);
     advance += mean * (lastRise_[i] - rise_[i]);
-    if (HasDashpot) closing += mean * (start - (before - lastRise_[i]));
+    if (HasDashpot) closing += mean * gap;
     if (!HasDashpot) stored += 0.5 * modes_.glassyCompliance * (now - last) * (now + last);
     touching += pushed > 0 ? 1 : 0;
     depth_[i] = end;
@@ -183,8 +214,13 @@ MarchStep TimeMarch::finishStep(double before) {
     for (std::size_t i = 0; i < count; ++i) {
       const double start = amplitude[i], now = 0.25 * pressure_[i];
       double end = creep.kept * start + creep.after * now;
-      if constexpr (!HasDashpot) end += creep.before * threshold_[i];
-      stored += 0.5 * creep.stiffness * (end - start) * (end + start);
+      double change = creep.after * now - creep.forgotten * start;
+      if constexpr (!HasDashpot) {
+        end += creep.before * threshold_[i];
+        change += creep.before * threshold_[i];
+      }
+      if constexpr (HasDashpot) work += now * change;
+      stored += 0.5 * creep.stiffness * change * (end + start);
       if constexpr (HasDashpot)
         dissipated += creep.stiffness > 0 ? 0.5 * creep.stiffness * creep.lost *
                                                 (start - softness * now) * (start - softness * now)
@@ -198,7 +234,7 @@ MarchStep TimeMarch::finishStep(double before) {
   result.work = h * work;
   result.stored = h * stored;
   result.dissipated = HasDashpot ? h * dissipated : h * (work - stored);
-  result.slidingWork = result.work - result.normalForce * (indentation_ - before);
+  result.slidingWork = result.work - result.normalForce * climb.whole();
   result.lineWork = h * advance;
   result.gapWork = h * closing;
   result.contactLength = line_->spacing * static_cast<double>(touching);
@@ -216,16 +252,17 @@ void TimeMarch::countContacts(MarchStep& step) const {
 
 MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
   prepareSteps(dt);
-  distance_ += distance;
+  moveLine(distance);
   std::swap(rise_, lastRise_);
   placeLine();
   creepFreely();
-  const double before = indentation_;
-  indentation_ = load.kind == LoadKind::Force
-                     ? balance(load.normalForce * compliance_ / (4 * line_->spacing))
-                     : load.depth;
+  before_ = indentation_;
+  const Climb climb = load.kind == LoadKind::Force
+                          ? balance(load.normalForce * compliance_ / (4 * line_->spacing))
+                          : Climb{0, load.depth - indentation_};
+  indentation_ += climb.whole();
   MarchStep result =
-      modes_.glassyCompliance == 0 ? finishStep<true>(before) : finishStep<false>(before);
+      modes_.glassyCompliance == 0 ? finishStep<true>(climb) : finishStep<false>(climb);
   countContacts(result);
   return result;
 }

@@ -91,18 +91,26 @@ class TimeMarch {
   /// What a step of dt does to an amplitude.
   struct Creep {
     double kept;       // of the amplitude
+    double forgotten;  // 1 - kept
     double before;     // m / Pa, of p/4 at the step's begin
     double after;      // m / Pa, of p/4 at its end, or throughout
     double stiffness;  // Pa, of its spring; 0 for one that only flows
     double lost;       // part of the energy between amplitude and rest that is dissipated
   };
 
+  /// m, of the line in a step.
+  struct Climb {
+    double toTouch, further;
+    double whole() const { return toTouch + further; }
+  };
+
   void prepareSteps(double dt);
+  void moveLine(double distance);
   void placeLine();
-  double balance(double load);
+  Climb balance(double load);
   void creepFreely();
   template <bool HasDashpot>
-  MarchStep finishStep(double before);
+  MarchStep finishStep(const Climb& climb);
   void countContacts(MarchStep& step) const;
 
   std::shared_ptr<const Line> line_;
@@ -110,11 +118,14 @@ class TimeMarch {
   ElementLaw law_;
   RetardationModes modes_;
   double distance_ = 0, indentation_ = 0;
+  double before_ = 0;               // m, indentation at the step's begin
+  std::ptrdiff_t passedNodes_ = 0;  // by which the line has moved, of one period
+  double ahead_ = 0;                // less this part of a node
   std::vector<double> depth_, pressure_, rise_;
   std::vector<double> amplitude_;  // m, [mode][element]
   std::vector<double> lastRise_;   // m, before the step
   std::vector<double> free_;       // m, depths at the end of the step if nothing touches
-  std::vector<double> threshold_;  // m, indentation at which each element is touched in this step
+  std::vector<double> threshold_;  // m, climb of the line at which each element is touched
   std::vector<Creep> creep_;
   double preparedFor_ = -1;  // s, dt of creep_
   double compliance_ = 0;    // m / Pa, y over p/4 pressed on at the end of the step

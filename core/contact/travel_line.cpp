@@ -176,15 +176,20 @@ void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
   const double h = line.spacing, t = lowest.fraction;
   const std::size_t count = line.nodes(), split = t > 0 ? 1 : 0;
   travel.startsInsideSegment = t > 0;
+  travel.firstLength = (1 - t) * h;
+  travel.lastLength = t > 0 ? t * h : h;
   resizeFor(travel, count + split);
   std::size_t node = lowest.node;
   if (split > 0) node = traveller.next(node);
   node = setWholeSegments(travel, line, traveller, node, split, count - split);
   if (split > 0) {
-    // The segment of the lowest point: its two parts, level at that point.
-    const Cubic whole = traveller.cubicAfter(node, lowest.height);
-    setSegment(travel, 0, 0, 0, whole.derivative(1) / h);
-    setSegment(travel, count, whole(0), whole.derivative(0) / h, 0);
+    // The segment of the lowest point: its two parts, level at that point. About it, because the
+    // difference of two heights would lose what rises next to it.
+    const Cubic whole = traveller.cubicAfter(node, lowest.height).about(t);
+    const Cubic level{0, 0, whole.c2, whole.c3};
+    setSegment(travel, 0, 0, 0, level.derivative(1 - t) / h);
+    setSegment(travel, count, level(-t), level.derivative(-t) / h, 0);
+    travel.rise[1] = level(1 - t);
   }
   travel.rise.back() = 0;
   for (std::size_t i = 0; i <= travel.segments(); ++i)
@@ -202,6 +207,7 @@ void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
   travel.slopeIn.resize(count);
   travel.slopeOut.clear();
   travel.startsInsideSegment = false;
+  travel.firstLength = travel.lastLength = line.spacing;
   travel.meanRise = 0;
   std::size_t node = lowest.node;
   for (std::size_t i = 0; i < count; ++i) {

@@ -20,10 +20,11 @@ enum class Direction { Forward, Backward };  // sliding towards +x or -x
 
 struct TravelLine {
   Scheme scheme = Scheme::Cubic;
-  double length = 0;             // m, period
-  double spacing = 0;            // m, of all segments but perhaps the first and the last
-  std::vector<double> position;  // m, s of the nodes, n + 1
-  std::vector<double> rise;      // m, n + 1; first and last are the lowest point: 0
+  double length = 0;                       // m, period
+  double spacing = 0;                      // m, of all segments but perhaps the first and the last
+  double firstLength = 0, lastLength = 0;  // m, of those two
+  std::vector<double> position;            // m, s of the nodes, n + 1
+  std::vector<double> rise;                // m, n + 1; first and last are the lowest point: 0
   std::vector<double> slopeIn;   // d rise / ds at the start of each segment, n (nodal: at nodes)
   std::vector<double> slopeOut;  // at its end, n; empty for nodal
   double lowestHeight = 0;       // m, z of the lowest point, where rise is 0
@@ -45,7 +46,14 @@ struct TravelLine {
   bool startsInsideSegment = false;  // the lowest point is not a node: first and last are parts
 
   std::size_t segments() const { return slopeIn.size(); }
-  double segmentLength(std::size_t i) const { return position[i + 1] - position[i]; }
+  /// Not the difference of two positions, which has lost digits where segments are many.
+  double segmentLength(std::size_t i) const {
+    if (i == 0) return firstLength;
+    return i + 1 == segments() ? lastLength : spacing;
+  }
+  /// Whether its end is the lower one. Contact there may be far shorter than the segment and far
+  /// lower than its start; measured from that, both would have lost their digits.
+  bool isMeasuredBack(std::size_t i) const { return rise[i + 1] < rise[i] || i + 1 == segments(); }
   SegmentBounds bounds(std::size_t i) const {
     if (i == 0) return firstBounds;
     return i + 1 == segments() ? lastBounds : blocks[0][i - 1];

@@ -28,11 +28,24 @@ constexpr std::array<Column, 10> kColumns{{
     {"dimensionless_force", &CurvePoint::dimensionlessForce},
 }};
 constexpr const char* kRealizations = "realizations";
-// Only where a scene has local friction.
-constexpr const char *kInterface = "mu_interface", *kTotal = "mu_total";
 
-bool hasInterface(const std::vector<CurvePoint>& points) {
-  return !points.empty() && std::isfinite(points.front().muInterface);
+/// Further columns, each where its first row applies: local friction, a target accuracy.
+struct ExtraColumn {
+  const char* name;
+  double (*value)(const CurvePoint& point);
+};
+constexpr std::array<ExtraColumn, 4> kExtraColumns{{
+    {"mu_interface", [](const CurvePoint& point) { return point.muInterface; }},
+    {"mu_total", [](const CurvePoint& point) { return point.mu + point.muInterface; }},
+    {"mu_low", [](const CurvePoint& point) { return point.muLow; }},
+    {"mu_high", [](const CurvePoint& point) { return point.muHigh; }},
+}};
+
+std::vector<ExtraColumn> extraColumnsOf(const std::vector<CurvePoint>& points) {
+  std::vector<ExtraColumn> columns;
+  for (const ExtraColumn& column : kExtraColumns)
+    if (!points.empty() && std::isfinite(column.value(points.front()))) columns.push_back(column);
+  return columns;
 }
 
 std::string withoutLineEnd(std::string row) {
@@ -59,20 +72,21 @@ std::string curveRow(const CurvePoint& point) {
 }
 
 std::string curveCsv(const std::vector<CurvePoint>& points) {
-  if (!hasInterface(points)) {
-    std::string text = curveHeader();
-    for (const CurvePoint& point : points) text += curveRow(point);
-    return text;
+  const std::vector<ExtraColumn> extra = extraColumnsOf(points);
+  std::string text = withoutLineEnd(curveHeader());
+  for (const ExtraColumn& column : extra) text += fmt::format(",{}", column.name);
+  text += "\n";
+  for (const CurvePoint& point : points) {
+    text += withoutLineEnd(curveRow(point));
+    for (const ExtraColumn& column : extra) text += "," + csvNumber(column.value(point));
+    text += "\n";
   }
-  std::string text = fmt::format("{},{},{}\n", withoutLineEnd(curveHeader()), kInterface, kTotal);
-  for (const CurvePoint& point : points)
-    text += fmt::format("{},{},{}\n", withoutLineEnd(curveRow(point)), csvNumber(point.muInterface),
-                        csvNumber(point.mu + point.muInterface));
   return text;
 }
 
 std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene) {
   using Json = nlohmann::ordered_json;
+  const std::vector<ExtraColumn> extra = extraColumnsOf(points);
   Json rows = Json::array();
   for (const CurvePoint& point : points) {
     Json row;
@@ -81,9 +95,9 @@ std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene)
       row[column.name] = std::isfinite(value) ? Json(value) : Json(nullptr);
     }
     row[kRealizations] = point.realizations;
-    if (hasInterface(points)) {
-      row[kInterface] = point.muInterface;
-      row[kTotal] = point.mu + point.muInterface;
+    for (const ExtraColumn& column : extra) {
+      const double value = column.value(point);
+      row[column.name] = std::isfinite(value) ? Json(value) : Json(nullptr);
     }
     rows.push_back(std::move(row));
   }

@@ -21,6 +21,8 @@ struct CurvePoint {
   double dimensionlessVelocity = kNotApplicable;  // Eq. (13)
   double dimensionlessForce = kNotApplicable;     // Eq. (14)
   std::int64_t realizations = 0;
+  double muLow = kNotApplicable;   // 95 % confidence interval of mu, resolution included; of curves
+  double muHigh = kNotApplicable;  // to a target accuracy
   double muInterface = kNotApplicable;  // of local friction, where the scene has some; beside mu
 };
 

@@ -79,7 +79,7 @@ struct DiagramSheet {
   std::string subtitle{};  // the parameters, one line
   std::string note{};      // below, small: what to know when reading it
   std::vector<Diagram> diagrams;
-  int columns = 0;  // diagrams in a row; 0: all of them
+  int columns = 0;  // diagrams in a row; 0: up to three in one row, more in a square
 };
 
 }  // namespace asperity

@@ -33,6 +33,9 @@ struct Curve {
   double largestResidual = 0;   // of all force balances
   double meanPasses = 0;        // over the line, per force balance
   double marginalFraction = 0;  // nodal: part of the solves with a partly loaded element
+  /// Of curves to a target: the largest relative error of all velocities, and whether it is met.
+  double achievedError = kNotApplicable;
+  bool isTargetMet = true;
 };
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options = {});

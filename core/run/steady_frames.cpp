@@ -67,17 +67,25 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene) : scene_(std::mov
 }
 
 Frame SteadyFrames::frame(std::int64_t index, std::int64_t count, double framesPerSecond) const {
+  const double velocity = scene_->sliding.velocity;
+  const bool moves = count > 1 && velocity > 0;
+  const double timeScale =
+      moves ? still_.length / velocity / static_cast<double>(count) * framesPerSecond : 0;
+  return frameAt(static_cast<double>(index) / static_cast<double>(count), timeScale,
+                 static_cast<std::uint64_t>(index));
+}
+
+Frame SteadyFrames::frameAt(double periods, double timeScale, std::uint64_t step) const {
   Frame frame = still_;
   const double velocity = scene_->sliding.velocity;
-  const double part = static_cast<double>(index) / static_cast<double>(count);
   const auto points = static_cast<double>(frame.lineHeight.size());
+  const double part = periods - std::floor(periods);
   const auto shift =
       static_cast<std::int64_t>(std::llround(part * points)) % static_cast<std::int64_t>(points);
-  frame.step = static_cast<std::uint64_t>(index);
-  frame.distance = part * frame.length;
+  frame.step = step;
+  frame.distance = periods * frame.length;
   frame.time = velocity > 0 ? frame.distance / velocity : 0;
-  if (count > 1 && velocity > 0)
-    frame.timeScale = frame.length / velocity / static_cast<double>(count) * framesPerSecond;
+  frame.timeScale = timeScale;
   frame.lineHeight = rotated(std::move(frame.lineHeight), shift);
   frame.surfaceHeight = rotated(std::move(frame.surfaceHeight), shift);
   frame.pressure = rotated(std::move(frame.pressure), shift);

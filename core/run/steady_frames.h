@@ -19,6 +19,10 @@ class SteadyFrames {
   /// Frame `index` of `count` that divide one period; framesPerSecond states the time scale.
   Frame frame(std::int64_t index, std::int64_t count, double framesPerSecond) const;
 
+  /// After so many periods; timeScale: simulated seconds per second on screen, 0 where it stands.
+  Frame frameAt(double periods, double timeScale, std::uint64_t step) const;
+
+  double length() const { return still_.length; }         // m, of the period
   const SteadyResult& result() const { return result_; }  // at the scene's own accuracy
 
  private:

@@ -122,7 +122,7 @@ TransientSample Transient::marchTo(double time) {
     sample.muInterface = localFriction(interface_, sample.normalForce,
                                        sample.contactFraction * rigid_->line->length);
   }
-  if (sample.contactLength > 0 && relaxation_ > 0)
+  if (sample.contactLength > 0 && std::isfinite(relaxation_) && relaxation_ > 0)
     sample.predictedRate = 1 / relaxation_ + std::abs(sample.velocity) / sample.contactLength;
   return sample;
 }

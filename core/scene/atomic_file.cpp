@@ -17,61 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file without a name in the folder of the final one: killed, it leaves nothing behind. Where
-/// the file system knows no such files it has a hidden name, removed again unless it is renamed.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const fs::path& target) : target_(target) {
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    static std::atomic<unsigned> number{0};
-    name_ = (folder / fmt::format(".asperity.{}_{}.part", ::getpid(), number++)).string();
-    descriptor_ = ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0) return;
-    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) fail();
-    hasName_ = true;
-  }
-  ~TemporaryFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (hasName_) ::unlink(name_.c_str());
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  void write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail();
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
-
-  void finish() {
-    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail();
-    if (!hasName_) {
-      // A link cannot replace a file, a renaming can.
-      const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
-      if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail();
-      hasName_ = true;
-    }
-    const int closed = ::close(descriptor_);
-    descriptor_ = -1;
-    if (closed != 0 || ::rename(name_.c_str(), target_.c_str()) != 0) fail();
-    hasName_ = false;
-  }
-
- private:
-  [[noreturn]] void fail() {
-    throw std::runtime_error(
-        fmt::format("{}: cannot be written: {}", target_.string(), std::strerror(errno)));
-  }
-
-  fs::path target_;
-  std::string name_;
-  int descriptor_ = -1;
-  bool hasName_ = false;
-};
+/// Through a link the file it points to is written, and the link stays.
+fs::path targetOf(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_symlink(file, ignored) ? fs::canonical(file) : file;
+}
 
 }  // namespace
 
@@ -90,14 +40,74 @@ void checkWritable(const fs::path& file) {
                      fmt::format("folder {} cannot be written to", folder.string()));
 }
 
-void writeFileAtomically(const fs::path& file, std::string_view bytes) {
+AtomicFile::AtomicFile(const fs::path& file) {
   checkWritable(file);
-  std::error_code ignored;
-  // Through a link the file it points to is written, and the link stays.
-  const fs::path target = fs::is_symlink(file, ignored) ? fs::canonical(file) : file;
-  TemporaryFile temporary(target);
-  temporary.write(bytes);
-  temporary.finish();
+  target_ = targetOf(file);
+  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+  static std::atomic<unsigned> number{0};
+  name_ = (folder / fmt::format(".asperity.{}_{}.part", ::getpid(), number++)).string();
+  descriptor_ = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
+  if (descriptor_ >= 0) return;
+  descriptor_ = ::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail();
+  hasName_ = true;
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (hasName_) ::unlink(name_.c_str());
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail();
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+std::string AtomicFile::content() const {
+  std::string bytes;
+  char buffer[1 << 16];
+  for (off_t at = 0;;) {
+    const ssize_t count = ::pread(descriptor_, buffer, sizeof buffer, at);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail();
+    if (count == 0) return bytes;
+    bytes.append(buffer, static_cast<std::size_t>(count));
+    at += count;
+  }
+}
+
+void AtomicFile::replace(std::string_view bytes) {
+  if (::ftruncate(descriptor_, 0) != 0 || ::lseek(descriptor_, 0, SEEK_SET) != 0) fail();
+  write(bytes);
+}
+
+void AtomicFile::commit() {
+  if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail();
+  if (!hasName_) {
+    // A link cannot replace a file, a renaming can.
+    const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
+    if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail();
+    hasName_ = true;
+  }
+  const int closed = ::close(descriptor_);
+  descriptor_ = -1;
+  if (closed != 0 || ::rename(name_.c_str(), target_.c_str()) != 0) fail();
+  hasName_ = false;
+}
+
+void AtomicFile::fail() const {
+  throw std::runtime_error(
+      fmt::format("{}: cannot be written: {}", target_.string(), std::strerror(errno)));
+}
+
+void writeFileAtomically(const fs::path& file, std::string_view bytes) {
+  AtomicFile whole(file);
+  whole.write(bytes);
+  whole.commit();
 }
 
 std::string readWholeFile(const fs::path& file, std::size_t limit) {

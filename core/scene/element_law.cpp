@@ -72,7 +72,9 @@ ElementLaw lawOf(const Elastomer& elastomer) {
   law.equilibriumModulus = elastomer.equilibriumModulus;
   law.arms = withStrength(elastomer.arms, shift);
   if (elastomer.rheology == Rheology::Prony) law.viscosity = elastomer.viscosity * shift;
-  if (law.viscosity > 0) law.relaxationTime = law.viscosity / law.equilibriumModulus;
+  if (law.viscosity > 0)
+    law.relaxationTime = law.equilibriumModulus > 0 ? law.viscosity / law.equilibriumModulus
+                                                    : std::numeric_limits<double>::infinity();
   if (law.equilibriumModulus == 0 && law.arms.empty() && law.viscosity == 0)
     throw InputError("", "elastomer.equilibrium_modulus",
                      "is 0, and so is everything else: the elastomer is empty");

@@ -1,9 +1,13 @@
-// How a result came about, in every machine-readable answer: schema, verb, version, the canonical
-// scene and its seed; never a date, the threads or a file's name. Pure; any thread.
+// How a result came about, in every machine-readable answer and inside every file: schema, verb,
+// version, the canonical scene and its seed; never a date, the threads or a file's name. And the
+// way back: the scene out of a file that the program wrote. Pure but for readProvenance, which
+// reads one file; any thread.
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "core/scene/scene.h"
 
@@ -12,5 +16,21 @@ namespace asperity {
 /// {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random),
 /// "scene"}.
 nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);
+
+/// A provenance as it stands inside pictures and films: one line of ASCII in which XML has nothing
+/// to escape but quotes.
+std::string provenanceLine(const nlohmann::ordered_json& provenance);
+
+/// The first line of a table in a file: "# asperity: {...}" and its line end.
+std::string provenanceComment(const std::string& verb, const Scene& scene);
+
+/// The JSON that provenanceLine wrote into these bytes of a picture, film or table, plain or with
+/// XML's entity for quotes; empty where there is none.
+std::string_view findProvenance(std::string_view bytes);
+
+/// The scene in a file written by the program (picture, film, table, JSON answer), or of a scene
+/// file. What the scene names relative to itself is looked for beside the file. Throws InputError
+/// where the file does not read or holds no scene.
+Scene readProvenance(const std::filesystem::path& file);
 
 }  // namespace asperity

@@ -27,7 +27,7 @@ TEST_F(FigureCommandTest, WritesDataPicturesAndClaims) {
   EXPECT_THAT(program.folder.names("out"),
               UnorderedElementsAre("figure_1.csv", "figure_1.png", "figure_1.svg", "figure_5.csv",
                                    "figure_5.png", "figure_5.svg", "claims.json"));
-  EXPECT_THAT(read("out/figure_5.csv"), StartsWith("hurst,alpha,"));
+  EXPECT_THAT(read("out/figure_5.csv"), HasSubstr("\nhurst,alpha,"));
   EXPECT_THAT(read("out/figure_5.png"), StartsWith("\x89PNG"));
   EXPECT_THAT(read("out/figure_5.svg"), HasSubstr("<svg"));
   EXPECT_THAT(read("out/figure_1.svg"), HasSubstr("<path"));

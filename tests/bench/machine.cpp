@@ -1,5 +1,6 @@
 #include "tests/bench/machine.h"
 
+#include <cstdlib>
 #include <ctime>
 
 #include <algorithm>
@@ -25,6 +26,11 @@ std::string cpuFileName() {
   }
   while (!name.empty() && name.back() == '_') name.pop_back();
   return name;
+}
+
+double loadAverage() {
+  double averages[2];
+  return getloadavg(averages, 2) == 2 ? averages[1] : -1;
 }
 
 double threadSeconds() {

@@ -14,6 +14,9 @@ std::string cpuFileName();
 /// Clock (Hz) under load, from a chain of additions of one cycle each; the fastest of several runs.
 double measuredClock();
 
+/// Programs that wanted to run in the last five minutes, on average; negative where not known.
+double loadAverage();
+
 /// CPU time of this thread (s).
 double threadSeconds();
 

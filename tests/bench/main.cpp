@@ -1,6 +1,7 @@
-// asperity_bench [--quick] [--output FOLDER] [Google Benchmark's options]
+// asperity_bench [--quick] [--accuracy] [--output FOLDER] [Google Benchmark's options]
 // Measures, prints the tables, and writes them to FOLDER/<CPU name>.md. With a filter only what ran
-// is printed and nothing is written. Exit: 0 done, 1 failed, 2 bad usage.
+// is printed and nothing is written. --accuracy: only the page on accuracy. Exit: 0 done, 1 failed,
+// 2 bad usage.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "core/contact/lane_pass.h"
+#include "tests/bench/accuracy_report.h"
 #include "tests/bench/cancel.h"
 #include "tests/bench/fields.h"
 #include "tests/bench/line_store.h"
@@ -20,7 +22,7 @@ namespace asperity::bench {
 namespace {
 
 struct Options {
-  bool isQuick = false, isFiltered = false;
+  bool isQuick = false, isFiltered = false, isAccuracy = false;
   std::string output, memoryChild;
   std::vector<char*> rest;  // for Google Benchmark
 };
@@ -32,6 +34,8 @@ Options readOptions(int count, char** arguments) {
     const bool hasValue = i + 1 < count;
     if (argument == "--quick")
       options.isQuick = true;
+    else if (argument == "--accuracy")
+      options.isAccuracy = true;
     else if (argument == "--output" && hasValue)
       options.output = arguments[++i];
     else if (argument == "--memory-child" && hasValue)
@@ -70,8 +74,8 @@ void measureRest(const Options& options, Measured& measured) {
   chooseInstructionSet(InstructionSet::Best);
 }
 
-bool write(const std::string& folder, const std::string& page) {
-  const std::string file = folder + "/" + cpuFileName() + ".md";
+bool write(const std::string& folder, const char* what, const std::string& page) {
+  const std::string file = folder + "/" + cpuFileName() + what + ".md";
   std::ofstream out(file);
   out << page;
   out.close();
@@ -85,9 +89,16 @@ int run(int count, char** arguments) {
   int left = static_cast<int>(options.rest.size());
   ::benchmark::Initialize(&left, options.rest.data());
   if (::benchmark::ReportUnrecognizedArguments(left, options.rest.data())) return 2;
+  if (!options.isFiltered) {
+    const std::string page = accuracyReport(options.isQuick);
+    std::printf("\n%s", page.c_str());
+    if (!options.output.empty() && !write(options.output, "_accuracy", page)) return 1;
+    if (options.isAccuracy) return 0;
+  }
   Measured measured;
   measured.instructionSets = instructionSets();
   measured.isQuick = options.isQuick;
+  measured.loadBefore = loadAverage();
   addCases(options.isQuick);
   CollectingReporter reporter(measured.samples);
   ::benchmark::RunSpecifiedBenchmarks(&reporter);
@@ -95,7 +106,7 @@ int run(int count, char** arguments) {
   const std::string page = report(measured);
   std::printf("\n%s", page.c_str());
   if (options.output.empty() || options.isFiltered) return 0;
-  return write(options.output, page) ? 0 : 1;
+  return write(options.output, "", page) ? 0 : 1;
 }
 
 }  // namespace

@@ -10,6 +10,16 @@
 namespace asperity::bench {
 namespace {
 
+/// A page made beside other work says so.
+std::string sharedMachine(double load) {
+  if (load < 0.5) return "";
+  return fmt::format(
+      "Other work shared the machine (load average {:.1f} before the run): times are too long, "
+      "those of whole curves and of cancelling, by the wall clock, by far; ratios within a table "
+      "hold better.\n",
+      load);
+}
+
 using Find = std::optional<Sample>;
 
 std::string timesOf(std::optional<double> ratio) {
@@ -23,8 +33,10 @@ std::string headOf(const Measured& measured) {
       "# {}\n\nInstruction sets: {}; in use: {}. Clock: {:.2f} GHz (a chain of dependent "
       "additions).\nCPU time of one core, medians of repeated runs in one process; whole curves "
       "are wall-clock time on 2 threads.\nA simulation is one line at one velocity and one force, "
-      "its balance solved; lines and their block minima are given unless it says otherwise.\n{}\n",
+      "its balance solved; lines and their block minima are given unless it says "
+      "otherwise.\n{}{}\n",
       cpuName(), sets, measured.instructionSets.back(), measured.clock / 1e9,
+      sharedMachine(measured.loadBefore),
       measured.isQuick ? "Quick run: few repetitions, 9 velocities for the literal algorithm, 3 "
                          "Hurst exponents; not to be quoted.\n"
                        : "");
@@ -118,7 +130,10 @@ std::string studySection(const Measured& measured) {
   return "## The paper's study\nA stratified sample (one line in 200 of every parameter set, all "
          "20 "
          "velocities) scaled up, not a run of the whole; one core's time, halved for two. The "
-         "paper's 50 h are those of its own machine.\n\n" +
+         "paper's 50 h are those of its own machine. Moduli and rms heights are other forces on "
+         "the same line (exact scaling), so no lines are made for them; numbers of elements are "
+         "those next to the spacings (within 1 %) whose prime factors are small, for which "
+         "transforms are several times as fast.\n\n" +
          table.text() + "\n" + notes;
 }
 

@@ -15,6 +15,7 @@ struct Measured {
   Samples samples;
   std::vector<std::string> instructionSets;  // narrowest first
   double clock = 0;                          // Hz
+  double loadBefore = 0;                     // of the machine by others, before the run
   bool isQuick = false;
   std::optional<double> peakMemory;       // bytes, cubic x2
   std::optional<double> peakMemoryNodal;  // bytes

@@ -85,16 +85,18 @@ std::size_t linesIn(float height, float size, std::size_t most) {
 
 }  // namespace
 
-SheetGrid gridFor(std::size_t diagrams) {
-  const int count = std::max(1, static_cast<int>(std::min<std::size_t>(diagrams, 100)));
-  if (count <= 3) return {count, 1};
-  const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
+SheetGrid gridFor(const DiagramSheet& sheet) {
+  const int count =
+      std::max(1, static_cast<int>(std::min<std::size_t>(sheet.diagrams.size(), 100)));
+  if (count <= 3 && sheet.columns <= 0) return {count, 1};
+  const int columns = sheet.columns > 0 ? std::min(sheet.columns, count)
+                                        : static_cast<int>(std::ceil(std::sqrt(count)));
   return {columns, (count + columns - 1) / columns};
 }
 
 DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) {
   const float scale = options.scale > 0 ? options.scale : 1;
-  const SheetGrid grid = gridFor(sheet.diagrams.size());
+  const SheetGrid grid = gridFor(sheet);
   const float width = static_cast<float>(options.width) / static_cast<float>(grid.columns);
   const float height = static_cast<float>(options.height) / static_cast<float>(grid.rows);
   const float room = std::min(width / (900 * scale), height / (620 * scale));
@@ -116,7 +118,7 @@ float sheetMargin(const DiagramSizes& sizes) {
 
 std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& options, float top,
                           float bottom, const DiagramSizes& sizes) {
-  const SheetGrid grid = gridFor(sheet.diagrams.size());
+  const SheetGrid grid = gridFor(sheet);
   const float side = sheetMargin(sizes), gap = std::round(14 * sizes.unit);
   const auto columns = static_cast<float>(grid.columns), rows = static_cast<float>(grid.rows);
   const float width =

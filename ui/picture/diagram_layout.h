@@ -18,7 +18,7 @@ struct DiagramSizes {
 struct SheetGrid {
   int columns = 1, rows = 1;
 };
-SheetGrid gridFor(std::size_t diagrams);
+SheetGrid gridFor(const DiagramSheet& sheet);
 
 /// Fonts grow with the picture, more slowly than it, and never beyond what leaves room for curves.
 DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options);

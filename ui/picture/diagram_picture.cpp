@@ -140,7 +140,7 @@ float aboveFrames(const DiagramSheet& sheet, const DiagramSizes& sizes) {
 }  // namespace
 
 DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
-  const SheetGrid grid = gridFor(sheet.diagrams.size());
+  const SheetGrid grid = gridFor(sheet);
   DiagramOptions options;
   options.width = grid.columns == 1 ? 2400 : 1200 * grid.columns;
   options.height = sheet.diagrams.size() <= 1 ? 1600 : 1100 * grid.rows;

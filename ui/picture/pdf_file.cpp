@@ -1,6 +1,7 @@
 #include "ui/picture/pdf_file.h"
 
 #include <QBuffer>
+#include <QHashFunctions>
 #include <QImage>
 #include <QPageSize>
 #include <QPainter>
@@ -123,23 +124,6 @@ void paintList(QPainter& painter, const DrawList& list) {
   paintTexts(painter, list);
 }
 
-/// The XMP packet: title and metadata, no date, no identifier.
-std::string xmpOf(const PdfOptions& options) {
-  std::string packet =
-      "<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
-      "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF "
-      "xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\"><rdf:Description rdf:about=\"\" "
-      "xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n";
-  const auto add = [&](const char* name, const std::string& text) {
-    if (text.empty()) return;
-    packet += "<dc:" + std::string(name) + "><rdf:Alt><rdf:li xml:lang=\"x-default\">" +
-              xmlText(text) + "</rdf:li></rdf:Alt></dc:" + name + ">\n";
-  };
-  add("title", options.title);
-  add("description", options.metadata);
-  return packet + "</rdf:Description></rdf:RDF></x:xmpmeta>\n<?xpacket end=\"w\"?>";
-}
-
 /// Blanks over the date of creation, so that offsets stay right; it is the only thing in the file
 /// that does not follow from the picture.
 void blankDate(QByteArray& bytes) {
@@ -152,6 +136,8 @@ void blankDate(QByteArray& bytes) {
 }  // namespace
 
 std::string pdfOf(const DrawList& list, const PdfOptions& options) {
+  // Qt lists the fonts in the order of a hash, which is another one in every process otherwise.
+  QHashSeed::setDeterministicGlobalSeed();
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -163,7 +149,8 @@ std::string pdfOf(const DrawList& list, const PdfOptions& options) {
     writer.setResolution(kResolution);
     writer.setTitle(QString::fromStdString(options.title));
     writer.setCreator(QStringLiteral("Asperity"));
-    writer.setDocumentXmpMetadata(QByteArray::fromStdString(xmpOf(options)));
+    writer.setDocumentXmpMetadata(
+        QByteArray::fromStdString(xmpPacket(options.title, options.metadata)));
     QPainter painter;
     if (!painter.begin(&writer)) throw std::runtime_error("The picture cannot be written as PDF.");
     const double scale = options.pointsPerPixel * kResolution / kPointsPerInch;

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "ui/picture/font_subset.h"
-#include "ui/render/osmesa_context.h"
+#include "ui/render/pixel_context.h"
 
 namespace asperity {
 namespace {
@@ -68,12 +68,13 @@ void paintTexts(QPainter& painter, const DrawList& list) {
   painter.restore();
 }
 
-QImage renderImage(OsmesaContext& context, const DrawList& list) {
-  const Pixels pixels = context.draw(list);
-  QImage image(pixels.width, pixels.height, QImage::Format_RGBA8888_Premultiplied);
-  const auto row = static_cast<std::size_t>(pixels.width) * 4;
-  for (int y = 0; y < pixels.height; ++y)
-    std::copy_n(pixels.rgba.data() + static_cast<std::size_t>(y) * row, row, image.scanLine(y));
+QImage renderImage(PixelContext& context, const DrawList& list) {
+  // The image takes the pixels over instead of copying them.
+  auto* pixels = new Pixels(context.draw(list));
+  QImage image(
+      pixels->rgba.data(), pixels->width, pixels->height, qsizetype{4} * pixels->width,
+      QImage::Format_RGBA8888_Premultiplied, [](void* p) { delete static_cast<Pixels*>(p); },
+      pixels);
   QPainter painter(&image);
   paintTexts(painter, list);
   painter.end();

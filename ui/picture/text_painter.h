@@ -12,7 +12,7 @@ class QPainter;
 
 namespace asperity {
 
-class OsmesaContext;
+class PixelContext;
 
 /// Adds the embedded fonts (resources/fonts) to the application; once is enough. Throws
 /// std::runtime_error if Qt refuses them.
@@ -27,6 +27,6 @@ QFont fontOf(const DrawText& text);
 void paintTexts(QPainter& painter, const DrawList& list);
 
 /// Shapes and texts as one picture. Throws std::runtime_error where the context cannot draw.
-QImage renderImage(OsmesaContext& context, const DrawList& list);
+QImage renderImage(PixelContext& context, const DrawList& list);
 
 }  // namespace asperity

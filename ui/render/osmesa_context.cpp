@@ -1,34 +1,18 @@
 #include "ui/render/osmesa_context.h"
 
-#include <dlfcn.h>
-
-#include <cstdlib>
-#include <mutex>
 #include <stdexcept>
 #include <string>
 
 #include "ui/render/renderer.h"
+#include "ui/render/shared_library.h"
 
 #include <GL/osmesa.h>
 
 namespace asperity {
 namespace {
 
-std::string libraryName() {
-  const char* name = std::getenv("ASPERITY_OSMESA_LIBRARY");
-  return name != nullptr && *name != '\0' ? name : "libOSMesa.so.8";
-}
-
-/// The library, opened once in the process and never closed: its threads outlive any context.
-struct Library {
-  explicit Library(const std::string& libraryFile) : name(libraryFile) {
-    // RTLD_LOCAL: its gl* names must not become visible to the window's libraries.
-    handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (handle == nullptr) {
-      const char* reason = dlerror();
-      throw std::runtime_error("Pictures need the library " + name + " (package libosmesa6): " +
-                               (reason != nullptr ? reason : "it cannot be opened") + ".");
-    }
+struct Library : SharedLibrary {
+  Library() : SharedLibrary("libOSMesa.so.8", "ASPERITY_OSMESA_LIBRARY", "libosmesa6") {
     find(createContext, "OSMesaCreateContextAttribs");
     find(destroyContext, "OSMesaDestroyContext");
     find(makeCurrent, "OSMesaMakeCurrent");
@@ -36,24 +20,12 @@ struct Library {
     find(getProcAddress, "OSMesaGetProcAddress");
   }
 
-  template <typename Function>
-  void find(Function& function, const char* symbol) {
-    function = reinterpret_cast<Function>(dlsym(handle, symbol));
-    if (function == nullptr)
-      throw std::runtime_error("The library " + name + " is too old for pictures: it has no " +
-                               symbol + ".");
-  }
-
-  std::string name;
-  void* handle = nullptr;
   decltype(&OSMesaCreateContextAttribs) createContext = nullptr;
   decltype(&OSMesaDestroyContext) destroyContext = nullptr;
   decltype(&OSMesaMakeCurrent) makeCurrent = nullptr;
   decltype(&OSMesaPixelStore) pixelStore = nullptr;
   decltype(&OSMesaGetProcAddress) getProcAddress = nullptr;
 };
-
-constexpr int kLargest = 16384;  // pixels a side, the limit of the software rasterizer
 
 constexpr int kAttributes[] = {OSMESA_FORMAT,
                                OSMESA_RGBA,
@@ -70,9 +42,9 @@ constexpr int kAttributes[] = {OSMESA_FORMAT,
 }  // namespace
 
 struct OsmesaContext::Body {
-  Body() : library(libraryName()), context(library.createContext(kAttributes, nullptr)) {
+  Body() : context(library.createContext(kAttributes, nullptr)) {
     if (context == nullptr)
-      throw std::runtime_error("The library " + library.name +
+      throw std::runtime_error("The library " + library.name() +
                                " is too old for pictures: it offers no OpenGL 3.3 core context.");
     try {
       makeCurrent(1, 1);
@@ -103,7 +75,7 @@ struct OsmesaContext::Body {
     if (!library.makeCurrent(context, pixels.rgba.data(), GL_UNSIGNED_BYTE, width, height))
       throw std::runtime_error("A picture of " + std::to_string(width) + " x " +
                                std::to_string(height) + " pixels cannot be drawn by " +
-                               library.name + ".");
+                               library.name() + ".");
   }
 
   void release(bool destroy = true) {
@@ -123,11 +95,7 @@ OsmesaContext::OsmesaContext() : body_(std::make_unique<Body>()) {}
 OsmesaContext::~OsmesaContext() = default;
 
 Pixels OsmesaContext::draw(const DrawList& list) {
-  if (list.width <= 0 || list.height <= 0)
-    throw std::runtime_error("A picture needs a width and a height of at least one pixel.");
-  if (list.width > kLargest || list.height > kLargest)
-    throw std::runtime_error("A picture may be at most " + std::to_string(kLargest) +
-                             " pixels wide and high.");
+  checkPictureSize(list);
   body_->makeCurrent(list.width, list.height);
   body_->renderer->draw(list, 0);
   body_->finish();

@@ -53,7 +53,8 @@ QString detailsOf(const Claim& claim) {
   return lines.join('\n');
 }
 
-/// Cells with air around their texts; the selected row is tinted, and its verdict keeps its colour.
+/// Cells with air around their texts, which keep their colours in the selected row: the table tints
+/// it.
 class ClaimDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -67,11 +68,6 @@ class ClaimDelegate : public QStyledItemDelegate {
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
              const QModelIndex& index) const override {
     QStyleOptionViewItem inside = option;
-    if (option.state & QStyle::State_Selected) {
-      QColor tint = option.palette.color(QPalette::Highlight);
-      tint.setAlphaF(0.18F);
-      painter->fillRect(option.rect, tint);
-    }
     inside.state &= ~(QStyle::State_Selected | QStyle::State_HasFocus | QStyle::State_MouseOver);
     inside.rect.adjust(kAside, kAbove, -kAside, -kAbove);
     QStyledItemDelegate::paint(painter, inside, index);

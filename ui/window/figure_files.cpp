@@ -5,7 +5,7 @@
 
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
-#include "core/scene/scene_file.h"
+#include "core/scene/provenance.h"
 #include "ui/panels/number_text.h"
 #include "ui/picture/pdf_file.h"
 #include "ui/picture/png_file.h"
@@ -19,6 +19,11 @@ namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const char* known) {
   throw InputError(file.string(), "", "'" + file.extension().string() + "' is not one of " + known);
+}
+
+/// As asperity figure says it, so that the file opens as its scene.
+std::string originOf(const Figure& figure) {
+  return provenanceLine(provenance("figure", figure.scene));
 }
 
 }  // namespace
@@ -44,11 +49,11 @@ void writeFigurePicture(const std::filesystem::path& file, const MadeFigure& mad
   if (extension == ".png") {
     checkWritable(file);
     OsmesaContext context;
-    writePng(file, renderImage(context, picture));
+    writePng(file, renderImage(context, picture), {figure.sheet.title, originOf(figure)});
   } else if (extension == ".svg") {
-    writeSvg(file, picture, {figure.sheet.title, writeScene(figure.scene)});
+    writeSvg(file, picture, {figure.sheet.title, originOf(figure)});
   } else if (extension == ".pdf") {
-    writePdf(file, picture, {figure.sheet.title, writeScene(figure.scene)});
+    writePdf(file, picture, {figure.sheet.title, originOf(figure)});
   } else {
     refuse(file, ".png, .svg, .pdf");
   }
@@ -57,7 +62,7 @@ void writeFigurePicture(const std::filesystem::path& file, const MadeFigure& mad
 void writeFigureData(const std::filesystem::path& file, const MadeFigure& made) {
   const std::string extension = file.extension().string();
   if (extension == ".csv")
-    writeFileAtomically(file, made.figure.csv);
+    writeFileAtomically(file, provenanceComment("figure", made.figure.scene) + made.figure.csv);
   else if (extension == ".json")
     writeFileAtomically(file, claimsJson({&made.figure, 1}));
   else

@@ -18,6 +18,7 @@
 
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/charts/plot_view.h"
 #include "ui/charts/transient_strips.h"
@@ -80,6 +81,7 @@ Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
 MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* parent)
     : QMainWindow(parent), session_(new Session(scene, options, this)) {
   setObjectName("mainWindow");
+  setAcceptDrops(true);
   buildViews();
   buildPanel();
   buildActions();
@@ -265,12 +267,13 @@ void MainWindow::showDescription() {
 
 bool MainWindow::openScene(const QString& file) {
   try {
-    showScene(readSceneFile(file.toStdString()));
+    showScene(readProvenance(file.toStdString()));
   } catch (const InputError& error) {
     messages_->showMessage(QString::fromUtf8(error.what()));
     return false;
   }
-  file_ = file;
+  // What was opened from a picture is not saved over it.
+  file_ = file.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) ? file : QString();
   showTitle();
   return true;
 }

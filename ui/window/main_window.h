@@ -48,7 +48,8 @@ class MainWindow : public QMainWindow {
   /// Another scene for controls and runner.
   void showScene(const Scene& scene);
 
-  /// False, with the reason in the message bar, where the file does not read or write.
+  /// A scene file, or any file that the program wrote from one. False, with the reason in the
+  /// message bar, where the file does not read or write.
   bool openScene(const QString& file);
   bool saveScene(const QString& file);
 
@@ -60,6 +61,11 @@ class MainWindow : public QMainWindow {
 
   void setDark(bool dark);
   bool isDark() const { return dark_; }
+
+ protected:
+  /// A scene, or a picture or table made from one, dropped on the window is opened.
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void buildViews();

@@ -1,12 +1,15 @@
 // The main window's commands: actions with their keys, menus, tool bar, dialogs.
 #include <QAction>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUrl>
 #include <string>
 #include <utility>
 
@@ -153,9 +156,23 @@ void MainWindow::paintIcons() {
 }
 
 void MainWindow::askOpen() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open scene"), file_, tr("Scenes (*.json)"));
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Open scene"), file_,
+      tr("Scenes (*.json);;Pictures and tables (*.png *.svg *.pdf *.csv *.mp4 "
+         "*.webm *.gif *.webp)"));
   if (!file.isEmpty()) openScene(file);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() != 1 || !urls.front().isLocalFile()) return;
+  event->acceptProposedAction();
+  openScene(urls.front().toLocalFile());
 }
 
 void MainWindow::askSave() {

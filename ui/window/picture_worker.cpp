@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ui/picture/text_painter.h"
-#include "ui/render/osmesa_context.h"
+#include "ui/render/pixel_context.h"
 
 namespace asperity {
 
@@ -45,9 +45,9 @@ void PictureWorker::run() {
 }
 
 void PictureWorker::drawAll() {
-  OsmesaContext context;
+  const std::unique_ptr<PixelContext> context = makePixelContext();
   while (const std::unique_ptr<PictureJob> job = next()) {
-    QImage image = renderImage(context, job->compose());
+    QImage image = renderImage(*context, job->compose());
     image.setDevicePixelRatio(job->scale);
     events_.finished(std::move(image));
   }

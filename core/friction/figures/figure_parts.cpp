@@ -95,15 +95,6 @@ std::string tableRows(const Study& study, std::size_t j, const std::string& lead
   return text;
 }
 
-std::string withUnit(double value, const char* unit) {
-  if (value == 0) return fmt::format("0 {}", unit);
-  constexpr const char* prefixes[] = {"p", "n", "\u00B5", "m", "", "k", "M", "G", "T"};
-  const int thousands =
-      std::clamp(static_cast<int>(std::floor(std::log10(std::abs(value) * 1.0000001) / 3)), -4, 4);
-  return fmt::format("{:.3g} {}{}", value * std::pow(1000.0, -thousands), prefixes[thousands + 4],
-                     unit);
-}
-
 std::string parameterLine(const Scene& scene, const FigureEntry& entry) {
   const auto isVaried = [&](std::string_view key) {
     return entry.ownKeys.find(key) != std::string_view::npos;

@@ -10,6 +10,7 @@
 #include "core/friction/figures/figure.h"
 #include "core/friction/figures/readings.h"
 #include "core/friction/study.h"
+#include "core/friction/with_unit.h"
 
 namespace asperity {
 
@@ -51,8 +52,5 @@ std::string parameterLine(const Scene& scene, const FigureEntry& entry);
 
 /// Eq. (8) in complete contact, over all the studies.
 Claim fullContactClaim(std::span<const Study> studies);
-
-/// "3.4 mN": three digits and a prefix.
-std::string withUnit(double value, const char* unit);
 
 }  // namespace asperity

@@ -95,8 +95,8 @@ double integral(const Function& function) {
              (function(middle - half * place[i]) + function(middle + half * place[i]));
     from = to;
   };
-  for (int k = 40; k > 0; --k) piece(0.5 * std::pow(0.6, k));
-  for (int k = 0; k <= 40; ++k) piece(1 - 0.5 * std::pow(0.6, k));
+  for (int k = 120; k > 0; --k) piece(0.5 * std::pow(0.85, k));
+  for (int k = 0; k <= 120; ++k) piece(1 - 0.5 * std::pow(0.85, k));
   piece(1);
   return sum;
 }

@@ -87,6 +87,28 @@ TEST_F(PngFile, IsReadBackAsItWas) {
   EXPECT_EQ(filesInFolder(), 1);
 }
 
+TEST_F(PngFile, KeepsTransparencyTextsAndDensity) {
+  QImage image = picture(30);
+  image.setPixel(3, 4, 0x80402010U);
+  const std::string metadata = "{\"title\": \"\u00B5 of a line\"}";
+  const std::string bytes = pngOf(image, {"A title", metadata, 192});
+  EXPECT_EQ(pngMetadata(bytes), metadata);
+  const QImage back = QImage::fromData(QByteArray::fromStdString(bytes), "PNG");
+  EXPECT_EQ(back.convertToFormat(QImage::Format_ARGB32),
+            image.convertToFormat(QImage::Format_ARGB32));
+  EXPECT_EQ(back.text("asperity").toStdString(), metadata);
+  EXPECT_EQ(back.text("Title"), "A title");
+  EXPECT_NEAR(back.dotsPerMeterX() * 0.0254, 192, 0.02);
+}
+
+TEST_F(PngFile, MetadataIsEmptyWhereThereIsNone) {
+  EXPECT_EQ(pngMetadata(pngOf(picture(3))), "");
+  EXPECT_EQ(pngMetadata("no picture"), "");
+  const std::string whole = pngOf(picture(3), {"t", "text"});
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_THAT(pngMetadata(whole.substr(0, size)), testing::AnyOf("", "text"));
+}
+
 TEST_F(PngFile, ReplacesAnExistingFileAndRepeatsItsBytes) {
   const fs::path path = folder_ / "p.png";
   writePng(path, picture(10));

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "ui/render/osmesa_context.h"
+#include "ui/render/pixel_context.h"
 
 namespace asperity {
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "drawing.h"
+#include "ui/render/osmesa_context.h"
 
 namespace asperity {
 namespace {

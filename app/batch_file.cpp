@@ -1,0 +1,232 @@
+#include "app/batch_file.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/friction/ensemble.h"
+#include "core/scene/atomic_file.h"
+#include "core/scene/input_error.h"
+#include "core/scene/scene_file.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLargest = std::size_t{1} << 24;  // bytes
+constexpr std::size_t kMostItems = 1000;
+
+struct Sweep {
+  std::string key;
+  std::vector<std::string> values;
+};
+
+[[noreturn]] void refuse(const std::string& key, const std::string& why) {
+  throw InputError("", key, why);
+}
+
+void checkKeys(const Json& object, const std::string& where, std::set<std::string> known) {
+  if (!object.is_object()) refuse(where, "needs an object");
+  for (const auto& [key, value] : object.items())
+    if (!known.contains(key)) refuse(where, fmt::format("'{}' is unknown", key.substr(0, 60)));
+}
+
+std::string textOf(const Json& object, const char* key, const std::string& otherwise) {
+  const auto found = object.find(key);
+  if (found == object.end()) return otherwise;
+  if (!found->is_string()) refuse(key, "needs a text");
+  return found->get<std::string>();
+}
+
+/// As --set takes it.
+std::string assigned(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+double numberOf(const Json& range, const std::string& key, const char* member) {
+  const auto found = range.find(member);
+  if (found == range.end() || !found->is_number())
+    refuse(key, fmt::format("a range needs the number '{}'", member));
+  return found->get<double>();
+}
+
+std::vector<std::string> rangeOf(const std::string& key, const Json& range) {
+  checkKeys(range, key, {"from", "to", "points", "spacing"});
+  const double from = numberOf(range, key, "from"), to = numberOf(range, key, "to");
+  const double points = numberOf(range, key, "points");
+  const std::string spacing = textOf(range, "spacing", "logarithmic");
+  if (!(points >= 2 && points <= kMostItems && points == std::floor(points)))
+    refuse(key, fmt::format("points has to be a whole number from 2 to {}", kMostItems));
+  const bool linear = spacing == "linear";
+  if (!linear && spacing != "logarithmic") refuse(key, "spacing is logarithmic or linear");
+  if (!linear && !(from > 0 && to > 0)) refuse(key, "a logarithmic range needs numbers above 0");
+  std::vector<std::string> texts;
+  const auto count = static_cast<std::int64_t>(points);
+  if (!linear)
+    for (const double value : logSpaced(from, to, count)) texts.push_back(fmt::format("{}", value));
+  else
+    for (std::int64_t i = 0; i < count; ++i)
+      texts.push_back(
+          fmt::format("{}", from + (to - from) * static_cast<double>(i) / (points - 1)));
+  return texts;
+}
+
+std::vector<Sweep> sweepsOf(const Json& entry) {
+  std::vector<Sweep> sweeps;
+  const auto found = entry.find("sweep");
+  if (found == entry.end()) return sweeps;
+  if (!found->is_object()) refuse("sweep", "needs an object of keys");
+  for (const auto& [key, values] : found->items()) {
+    Sweep sweep{key, {}};
+    if (values.is_array())
+      for (const Json& value : values) sweep.values.push_back(assigned(value));
+    else
+      sweep.values = rangeOf(key, values);
+    if (sweep.values.empty()) refuse(key, "has no value");
+    sweeps.push_back(std::move(sweep));
+  }
+  return sweeps;
+}
+
+std::string fileName(const std::string& name) {
+  std::string clean;
+  for (const unsigned char letter : name)
+    clean +=
+        std::isalnum(letter) || letter == '-' || letter == '_' ? static_cast<char>(letter) : '_';
+  return clean.substr(0, 60);
+}
+
+/// Spreads one entry out into its items.
+class Entry {
+ public:
+  Entry(const Json& json, std::string name, const std::filesystem::path& folder)
+      : json_(json), name_(std::move(name)), folder_(folder) {}
+
+  std::vector<BatchItem> items() {
+    checkKeys(json_, "entry", {"name", "scene", "set", "sweep", "show"});
+    show_ = textOf(json_, "show", "");
+    if (!std::set<std::string>{"", "contact", "curve", "both", "transient"}.contains(show_))
+      refuse("show", "is not one of contact, curve, both, transient");
+    readSet();
+    sweeps_ = sweepsOf(json_);
+    std::size_t count = 1;
+    for (const Sweep& sweep : sweeps_) {
+      count *= sweep.values.size();
+      if (count > kMostItems) refuse("sweep", fmt::format("gives more than {} scenes", kMostItems));
+    }
+    std::vector<BatchItem> items;
+    for (std::size_t i = 0; i < count; ++i) items.push_back(item(i, count));
+    return items;
+  }
+
+ private:
+  void readSet() {
+    const auto set = json_.find("set");
+    if (set == json_.end()) return;
+    if (!set->is_object()) refuse("set", "needs an object of keys");
+    for (const auto& [key, value] : set->items()) set_.push_back(key + "=" + assigned(value));
+  }
+
+  /// Of the grid of all sweeps; the last key runs fastest.
+  BatchItem item(std::size_t number, std::size_t count) {
+    BatchItem item;
+    item.name = count == 1 ? name_ : fmt::format("{}_{:0{}}", name_, number + 1, digits(count));
+    std::vector<std::string> assignments = set_;
+    for (std::size_t left = count; const Sweep& sweep : sweeps_) {
+      left /= sweep.values.size();
+      const std::string& value = sweep.values[number / left % sweep.values.size()];
+      item.varied.emplace_back(sweep.key, value);
+      assignments.push_back(sweep.key + "=" + value);
+    }
+    try {
+      item.scene = sceneWith(assignments);
+      if (item.scene.title.empty()) item.scene.title = name_;
+      for (const auto& [key, value] : item.varied)
+        item.scene.title += fmt::format(", {} = {}", key, value.substr(0, 40));
+      const bool isSteady = item.scene.sliding.kind == SlidingKind::Steady;
+      item.show = !show_.empty() ? show_ : isSteady ? "both" : "transient";
+    } catch (const InputError& error) {
+      item.error = error.what();
+    }
+    return item;
+  }
+
+  static std::size_t digits(std::size_t count) {
+    return std::max<std::size_t>(2, std::to_string(count).size());
+  }
+
+  Scene sceneWith(const std::vector<std::string>& assignments) const {
+    const auto scene = json_.find("scene");
+    if (scene == json_.end()) return readScene("{}", "scene", folder_, assignments);
+    if (scene->is_string()) return readSceneFile(folder_ / scene->get<std::string>(), assignments);
+    return readScene(scene->dump(), "scene", folder_, assignments);
+  }
+
+  const Json& json_;
+  std::string name_;
+  std::filesystem::path folder_;
+  std::string show_;
+  std::vector<std::string> set_;
+  std::vector<Sweep> sweeps_;
+};
+
+void addEntry(Batch& batch, const Json& json, std::size_t number,
+              const std::filesystem::path& folder, std::set<std::string>& names) {
+  std::string name = fmt::format("entry_{}", number);
+  try {
+    if (json.is_object()) name = fileName(textOf(json, "name", name));
+    if (name.empty() || !names.insert(name).second) refuse("name", "is empty or stands twice");
+    std::vector<BatchItem> items = Entry(json, name, folder).items();
+    if (batch.items.size() + items.size() > kMostItems)
+      refuse("", fmt::format("a batch may have {} scenes", kMostItems));
+    std::move(items.begin(), items.end(), std::back_inserter(batch.items));
+  } catch (const InputError& error) {
+    BatchItem item;
+    item.name = name;
+    item.error = error.what();
+    batch.items.push_back(std::move(item));
+  }
+}
+
+}  // namespace
+
+const char* const kBatchFormat =
+    R"(FILE.json:
+  {"schema": "asperity-batch/1", "title": "Forces and exponents", "size": "960x900",
+   "entries": [
+     {"name": "paper", "scene": "figure_2.json", "show": "both",
+      "set": {"ensemble.realizations": 20},
+      "sweep": {"load.normal_force": {"from": 1e-3, "to": 10, "points": 5},
+                "surface.hurst": [0.3, 0.7, 1]}}]}
+An entry's scene is a file (relative to the batch's) or a scene itself; set and sweep take any scene
+key. A sweep is a list, or a range, logarithmic unless "spacing": "linear"; several keys make a
+grid. show: contact, curve, both, or transient. DIR gets index.html, contact_sheet.png, results.csv
+and for each scene NAME.png, NAME.csv (its curve) and NAME.json (the scene).)";
+
+Batch readBatch(const std::filesystem::path& file) {
+  try {
+    const Json root = Json::parse(readWholeFile(file, kLargest), nullptr, false);
+    if (root.is_discarded()) refuse("", "is not valid JSON");
+    checkKeys(root, "", {"schema", "title", "size", "entries"});
+    if (textOf(root, "schema", "") != "asperity-batch/1")
+      refuse("schema", "is not asperity-batch/1");
+    Batch batch;
+    batch.title = textOf(root, "title", "Batch");
+    batch.size = textOf(root, "size", batch.size);
+    const auto entries = root.find("entries");
+    if (entries == root.end() || !entries->is_array() || entries->empty())
+      refuse("entries", "needs a list of entries");
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < entries->size(); ++i)
+      addEntry(batch, (*entries)[i], i + 1, file.parent_path(), names);
+    return batch;
+  } catch (const InputError& error) {
+    throw error.file().empty() ? error.in(file.string()) : error;
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,36 @@
+// The file of `asperity batch`: entries, each a scene with sweeps of its keys, spread out into the
+// single scenes to be run. Pure but for reading; any thread.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// One scene to run, or why it cannot be.
+struct BatchItem {
+  std::string name;                                         // of its files
+  std::vector<std::pair<std::string, std::string>> varied;  // key and value, of the sweep
+  std::string show;                                         // layout of its picture
+  Scene scene;
+  std::string error;  // one sentence; empty: the scene is good
+};
+
+struct Batch {
+  std::string title;
+  std::string size = "960x900";  // of each picture
+  std::vector<BatchItem> items;
+};
+
+/// What the file may hold, for people.
+extern const char* const kBatchFormat;
+
+/// An entry that is wrong becomes an item with an error. Throws InputError where the file as a
+/// whole does not read.
+Batch readBatch(const std::filesystem::path& file);
+
+}  // namespace asperity

@@ -1,0 +1,103 @@
+#include "app/batch_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/friction/curve_diagram.h"
+#include "core/friction/curve_file.h"
+#include "ui/picture/xml_text.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char* kHead = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<style>
+  body { font: 16px/1.45 "DejaVu Sans", system-ui, sans-serif; margin: 2rem auto; max-width: 90rem;
+         padding: 0 1.5rem; color: #18212b; background: #fff; }
+  main { display: grid; grid-template-columns: repeat(auto-fill, minmax(24rem, 1fr)); gap: 1.5rem; }
+  article { border: 1px solid #d5dde5; border-radius: 8px; padding: 1rem; }
+  article.bad { border-color: #b83a06; }
+  h2 { font-size: 1.05rem; margin: 0 0 .5rem; overflow-wrap: anywhere; }
+  img { width: 100%; height: auto; }
+  table { border-collapse: collapse; margin: .5rem 0; width: 100%; }
+  td { padding: .15rem 0; border-top: 1px solid #eef2f5; overflow-wrap: anywhere; }
+  td + td { text-align: right; font-variant-numeric: tabular-nums; }
+  .bad p { color: #b83a06; }
+  .quiet { color: #5a6876; font-size: .85rem; }
+</style>
+)";
+
+std::string row(const std::string& name, const std::string& value) {
+  return fmt::format("<tr><td>{}</td><td>{}</td></tr>", xmlText(name), xmlText(value));
+}
+
+std::string article(const BatchResult& result) {
+  const BatchItem& item = result.item;
+  if (!item.error.empty())
+    return fmt::format("<article class=\"bad\"><h2>{}</h2><p>{}</p></article>\n",
+                       xmlText(item.name), xmlText(item.error));
+  std::string html = fmt::format(
+      "<article><h2>{0}</h2><a href=\"{1}\"><img src=\"{1}\" alt=\"{0}\" loading=\"lazy\"></a>"
+      "<table>",
+      xmlText(item.scene.title), result.files.front());
+  for (const auto& [key, value] : item.varied) html += row(key, value);
+  html += row("coefficient of friction", fmt::format("{:.4g}", result.mu));
+  html += row("in contact", fmt::format("{:.3g} %", 100 * result.contactFraction));
+  html += row("indentation", fmt::format("{:.4g} m", result.indentation));
+  html += "</table><p class=\"quiet\">" + xmlText(parametersInWords(item.scene)) + "</p><p>";
+  for (const std::string& file : result.files)
+    html += fmt::format("<a href=\"{0}\">{0}</a> ", file);
+  return html + "</p></article>\n";
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char letter : text) cell += letter == '"' ? std::string("\"\"") : std::string{letter};
+  return cell + "\"";
+}
+
+}  // namespace
+
+std::string batchPage(const Batch& batch, const std::vector<BatchResult>& results) {
+  const auto bad = std::count_if(results.begin(), results.end(),
+                                 [](const BatchResult& r) { return !r.item.error.empty(); });
+  std::string html = kHead + fmt::format("<title>{0}</title>\n</head>\n<body>\n<h1>{0}</h1>\n",
+                                         xmlText(batch.title));
+  html += fmt::format("<p>{} scenes", results.size());
+  if (bad > 0) html += fmt::format(", {} of them failed", bad);
+  html +=
+      ". <a href=\"contact_sheet.png\">All on one sheet</a>, "
+      "<a href=\"results.csv\">all results as a table</a>.</p>\n<main>\n";
+  for (const BatchResult& result : results) html += article(result);
+  return html + "</main>\n<p class=\"quiet\">Made by Asperity " ASPERITY_VERSION
+                ".</p>\n</body>\n</html>\n";
+}
+
+std::string batchTable(const std::vector<BatchResult>& results) {
+  std::vector<std::string> keys;
+  for (const BatchResult& result : results)
+    for (const auto& [key, value] : result.item.varied)
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  std::string text = "name,";
+  for (const std::string& key : keys) text += quoted(key) + ",";
+  text += "mu,indentation,contact_fraction,error\n";
+  for (const BatchResult& result : results) {
+    text += result.item.name + ",";
+    for (const std::string& key : keys) {
+      for (const auto& [own, value] : result.item.varied)
+        if (own == key) text += quoted(value);
+      text += ",";
+    }
+    text += fmt::format("{},{},{},{}\n", csvNumber(result.mu), csvNumber(result.indentation),
+                        csvNumber(result.contactFraction), quoted(result.item.error));
+  }
+  return text;
+}
+
+}  // namespace asperity

@@ -1,0 +1,173 @@
+// asperity batch: many scenes and sweeps into pictures, data and a page to look through.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/batch_file.h"
+#include "app/batch_page.h"
+#include "app/command_line.h"
+#include "app/frame_source.h"
+#include "app/headless_pictures.h"
+#include "app/output.h"
+#include "app/picture_composer.h"
+#include "app/progress_bar.h"
+#include "core/friction/curve_file.h"
+#include "core/friction/ensemble.h"
+#include "core/scene/atomic_file.h"
+#include "core/scene/effects.h"
+#include "core/scene/input_error.h"
+#include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
+#include "ui/picture/shapes.h"
+#include "ui/picture/stacked.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kThumbnail = 480;  // pixels wide
+
+class BatchRun {
+ public:
+  explicit BatchRun(const BatchCommand& command)
+      : command_(command), batch_(readBatch(command.common.scene)) {
+    PictureChoice choice = command.picture;
+    if (choice.size.empty()) choice.size = batch_.size;
+    style_ = styleOf(choice, {960, 900, "light"});
+    small_ = style_;
+    small_.width = kThumbnail;
+    small_.height = kThumbnail * style_.height / style_.width;
+    small_.scale = 0.5F;
+    columns_ = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(batch_.items.size()))));
+    const auto rows = (static_cast<int>(batch_.items.size()) + columns_ - 1) / columns_;
+    sheet_.width = columns_ * small_.width;
+    sheet_.height = rows * small_.height;
+    sheet_.background = style_.theme.background;
+    makeFolder(command.output);
+    checkWritable(fileIn("index.html"));
+  }
+
+  int run() {
+    HeadlessPictures pictures(style_.backend);
+    {
+      ProgressBar bar("scenes", command_.common.quiet);
+      const auto total = static_cast<std::int64_t>(batch_.items.size());
+      for (const BatchItem& item : batch_.items) {
+        results_.push_back(resultOf(item, pictures));
+        bar.show(static_cast<std::int64_t>(results_.size()), total);
+      }
+    }
+    pictures.write(fileIn("contact_sheet.png"), sheet_, {batch_.title, "", style_.scale});
+    pictures.finish();
+    writeFileAtomically(fileIn("results.csv"), batchTable(results_));
+    writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_));
+    return report();
+  }
+
+ private:
+  std::string fileIn(const std::string& name) const {
+    return (std::filesystem::path(command_.output) / name).string();
+  }
+
+  /// What goes wrong with one scene is said of it, and the rest go on.
+  BatchResult resultOf(const BatchItem& item, HeadlessPictures& pictures) {
+    BatchResult result;
+    result.item = item;
+    try {
+      if (item.error.empty()) fill(result, pictures);
+    } catch (const InputError& error) {
+      result.item.error = error.what();
+    } catch (const std::runtime_error& error) {
+      result.item.error = error.what();
+    }
+    if (!result.item.error.empty()) {
+      const auto [x, y] = cell();
+      addLabel(sheet_, item.name + " failed", {x + 16, y + 32}, 16, TextAnchor::Left,
+               style_.theme.text);
+    }
+    return result;
+  }
+
+  /// Where the next scene stands on the sheet.
+  Place cell() const {
+    const int place = static_cast<int>(results_.size());
+    return {static_cast<float>(place % columns_ * small_.width),
+            static_cast<float>(place / columns_ * small_.height)};
+  }
+
+  void fill(BatchResult& result, HeadlessPictures& pictures) {
+    const Scene& scene = result.item.scene;
+    const PictureLayout layout = layoutFrom(result.item.show);
+    std::vector<CurvePoint> curve;
+    if (layout == PictureLayout::Curve || layout == PictureLayout::Both) {
+      needSteadySliding(scene, "\"show\": \"" + result.item.show + "\"");
+      CurveOptions options;
+      options.threads = command_.common.threads;
+      curve = frictionCurve(scene, options).points;
+    }
+    FrameSource source(scene, {}, true);
+    const Frame frame = source.frame(0);
+    result.mu = frame.transient ? frame.muMarch : frame.muSteady;
+    result.indentation = frame.indentation;
+    result.contactFraction = frame.contactFraction;
+
+    const std::string& name = result.item.name;
+    pictures.write(fileIn(name + ".png"), PictureComposer(style_, layout, curve).compose(frame),
+                   {scene.title, provenanceLine(provenance("batch", scene)), style_.scale});
+    result.files = {name + ".png"};
+    if (!curve.empty()) {
+      writeFileAtomically(fileIn(name + ".csv"),
+                          provenanceComment("batch", scene) + curveCsv(curve));
+      result.files.push_back(name + ".csv");
+    }
+    writeFileAtomically(fileIn(name + ".json"), writeScene(scene));
+    result.files.push_back(name + ".json");
+
+    const auto [x, y] = cell();
+    addPicture(sheet_, PictureComposer(small_, layout, curve).compose(frame), x, y);
+  }
+
+  int report() const {
+    int bad = 0;
+    nlohmann::ordered_json answer = {
+        {"schema", "asperity-batch-results/1"}, {"verb", "batch"}, {"version", ASPERITY_VERSION}};
+    auto& list = answer["scenes"] = nlohmann::ordered_json::array();
+    for (const BatchResult& result : results_) {
+      nlohmann::ordered_json entry = {{"name", result.item.name}, {"files", result.files}};
+      if (!result.item.error.empty()) {
+        ++bad;
+        entry["error"] = result.item.error;
+        std::fputs("asperity: ", stderr);
+        std::fputs(InputError(command_.common.scene, result.item.name, result.item.error).what(),
+                   stderr);
+        std::fputs("\n", stderr);
+      } else {
+        entry["mu"] =
+            std::isfinite(result.mu) ? nlohmann::ordered_json(result.mu) : nlohmann::ordered_json();
+        entry["provenance"] = provenance("batch", result.item.scene);
+      }
+      list.push_back(std::move(entry));
+    }
+    printSummary(command_.common.json, command_.common.quiet,
+                 fmt::format("{} scenes, {} failed\nwrote {}\n", results_.size(), bad,
+                             fileIn("index.html")));
+    if (command_.common.json) fmt::print("{}\n", answer.dump(2));
+    return bad > 0 ? kRunFailed : kDone;
+  }
+
+  const BatchCommand& command_;
+  Batch batch_;
+  PictureStyle style_, small_;
+  int columns_ = 1;
+  DrawList sheet_;
+  std::vector<BatchResult> results_;
+};
+
+}  // namespace
+
+int runBatch(const BatchCommand& command) {
+  return BatchRun(command).run();
+}
+
+}  // namespace asperity

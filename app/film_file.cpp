@@ -1,0 +1,337 @@
+#include "app/film_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "app/output.h"
+#include "core/scene/atomic_file.h"
+#include "core/scene/input_error.h"
+#include "ui/picture/xml_text.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+constexpr int kOutput = 3;  // descriptor of the film in ffmpeg
+
+/// The program in PATH; empty where it is not there.
+std::string findFfmpeg() {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin";
+  while (!rest.empty()) {
+    const std::size_t end = rest.find(':');
+    const fs::path program = fs::path(rest.substr(0, end)) / "ffmpeg";
+    if (::access(program.c_str(), X_OK) == 0) return program.string();
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  }
+  return {};
+}
+
+/// One thread and no date anywhere, so that the bytes follow from the pictures.
+Words encodingFor(const std::string& extension, bool transparent) {
+  if (extension == ".mp4")
+    return {"-vf",
+            "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,"
+            "format=yuv420p",
+            "-c:v",
+            "libx264",
+            "-preset",
+            "medium",
+            "-crf",
+            "18",
+            "-colorspace",
+            "bt709",
+            "-color_primaries",
+            "bt709",
+            "-color_trc",
+            "bt709",
+            "-movflags",
+            "+faststart",
+            "-f",
+            "mp4"};
+  if (extension == ".webm")
+    return {"-vf",
+            std::string("scale=out_color_matrix=bt709:out_range=tv,format=") +
+                (transparent ? "yuva420p" : "yuv420p"),
+            "-c:v",
+            "libvpx-vp9",
+            "-crf",
+            "24",
+            "-b:v",
+            "0",
+            "-deadline",
+            "good",
+            "-cpu-used",
+            "5",
+            "-auto-alt-ref",
+            "0",
+            "-colorspace",
+            "bt709",
+            "-f",
+            "webm"};
+  if (extension == ".gif")
+    // The colours of the first pictures are those of all: no need to hold the whole film.
+    return {"-filter_complex",
+            std::string("[0:v]split[a][b];[a]trim=end_frame=8,palettegen=reserve_transparent=") +
+                (transparent ? "1" : "0") + "[p];[b][p]paletteuse=dither=sierra2_4a",
+            "-c:v",
+            "gif",
+            "-loop",
+            "0",
+            "-f",
+            "gif"};
+  return {"-c:v",
+          "libwebp_anim",
+          "-lossless",
+          "0",
+          "-quality",
+          "88",
+          "-compression_level",
+          "3",
+          "-loop",
+          "0",
+          "-pix_fmt",
+          transparent ? "yuva420p" : "yuv420p",
+          "-f",
+          "webp"};
+}
+
+Words argumentsFor(const std::string& extension, const FilmOptions& options) {
+  Words words{"ffmpeg",    "-hide_banner",
+              "-nostdin",  "-xerror",
+              "-loglevel", "error",
+              "-y",        "-threads",
+              "1",         "-filter_threads",
+              "1",         "-filter_complex_threads",
+              "1",         "-f",
+              "rawvideo",  "-pix_fmt",
+              "rgba"};
+  const auto add = [&words](const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+  };
+  add({"-s", fmt::format("{}x{}", options.width, options.height), "-r",
+       fmt::format("{}", options.framesPerSecond), "-i", "pipe:0", "-map_metadata", "-1", "-fflags",
+       "+bitexact", "-flags:v", "+bitexact"});
+  add(encodingFor(extension, options.transparent));
+  if (!options.title.empty()) add({"-metadata", "title=" + options.title});
+  if (!options.metadata.empty()) add({"-metadata", "comment=" + options.metadata});
+  add({"-threads", "1", fmt::format("file:/proc/self/fd/{}", kOutput)});
+  return words;
+}
+
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  void close() {
+    if (number_ >= 0) ::close(number_);
+    number_ = -1;
+  }
+  int number() const { return number_; }
+  int& slot() { return number_; }
+
+ private:
+  int number_ = -1;
+};
+
+/// While it lives, a reader that went away is an error of the write and no signal.
+class NoPipeSignal {
+ public:
+  NoPipeSignal() { before_ = ::signal(SIGPIPE, SIG_IGN); }
+  ~NoPipeSignal() { ::signal(SIGPIPE, before_); }
+  NoPipeSignal(const NoPipeSignal&) = delete;
+  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
+
+ private:
+  void (*before_)(int);
+};
+
+void putLittleEndian(std::string& bytes, std::size_t at, std::size_t number) {
+  for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(number >> (8 * i) & 255U);
+}
+
+}  // namespace
+
+bool isFilm(const std::string& extension) {
+  return extension == ".mp4" || extension == ".webm" || extension == ".gif" || extension == ".webp";
+}
+
+void checkFilm(const std::string& file, bool transparent) {
+  if (transparent && extensionOf(file) == ".mp4")
+    throw InputError(file, "", "mp4 knows no transparency; webm, gif and webp do");
+  if (findFfmpeg().empty())
+    throw std::runtime_error(
+        "films need the program ffmpeg (package ffmpeg), which is not in PATH; "
+        "-o FOLDER writes the frames as PNG without it");
+}
+
+struct FilmFile::Body {
+  Body(const std::string& file, const FilmOptions& given)
+      : name(file), extension(extensionOf(file)), options(given), film(file) {
+    checkFilm(file, options.transparent);
+    complaints.slot() = ::memfd_create("ffmpeg", MFD_CLOEXEC);
+    int ends[2] = {-1, -1};
+    if (complaints.number() < 0 || ::pipe2(ends, O_CLOEXEC) != 0) fail(std::strerror(errno));
+    const Descriptor reading(ends[0]);
+    pictures.slot() = ends[1];
+    start(reading.number());
+  }
+
+  ~Body() {
+    pictures.close();
+    if (process <= 0) return;
+    ::kill(process, SIGKILL);
+    wait();
+  }
+
+  void start(int reading) {
+    Words words = argumentsFor(extension, options);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    // Above all that is assigned below: nothing is overwritten before it is used.
+    const Descriptor copy(::fcntl(film.descriptor(), F_DUPFD_CLOEXEC, 10));
+    posix_spawn_file_actions_adddup2(&actions, reading, 0);
+    posix_spawn_file_actions_adddup2(&actions, complaints.number(), 1);
+    posix_spawn_file_actions_adddup2(&actions, complaints.number(), 2);
+    posix_spawn_file_actions_adddup2(&actions, copy.number(), kOutput);
+    const int error =
+        ::posix_spawn(&process, findFfmpeg().c_str(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) {
+      process = 0;
+      fail(std::string("ffmpeg cannot be started: ") + std::strerror(error));
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& why) const {
+    throw std::runtime_error(name + ": cannot be written: " + why);
+  }
+
+  int wait() {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    process = 0;
+    return status;
+  }
+
+  /// The last line of what ffmpeg had to say.
+  std::string lastComplaint() const {
+    std::string text(4096, '\0');
+    const off_t size = ::lseek(complaints.number(), 0, SEEK_END);
+    const off_t from = std::max<off_t>(0, size - static_cast<off_t>(text.size()));
+    const ssize_t count = ::pread(complaints.number(), text.data(), text.size(), from);
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text.substr(text.rfind('\n') + 1);
+  }
+
+  /// Waits for ffmpeg; throws what it complained about.
+  void end() {
+    pictures.close();
+    const int status = wait();
+    // With a full disk it complains, and may still end as if all were well.
+    const std::string complaint = lastComplaint();
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && complaint.empty()) return;
+    fail("ffmpeg failed" + (complaint.empty() ? std::string() : ": " + complaint));
+  }
+
+  void write(const char* bytes, std::size_t size) {
+    while (size > 0) {
+      const ssize_t written = ::write(pictures.number(), bytes, size);
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) {
+        end();
+        fail("ffmpeg ended before the film");
+      }
+      bytes += written;
+      size -= static_cast<std::size_t>(written);
+    }
+  }
+
+  /// gif and webp have a place for metadata that ffmpeg does not fill.
+  void addMetadata() {
+    if (options.metadata.empty() || (extension != ".gif" && extension != ".webp")) return;
+    const std::string packet = xmpPacket(options.title, options.metadata);
+    const std::string bytes = film.content();
+    film.replace(extension == ".gif" ? gifWithXmp(bytes, packet) : webpWithXmp(bytes, packet));
+  }
+
+  std::string name, extension;
+  FilmOptions options;
+  AtomicFile film;
+  Descriptor pictures, complaints;
+  NoPipeSignal noSignal;
+  pid_t process = 0;
+};
+
+FilmFile::FilmFile(const std::string& file, const FilmOptions& options)
+    : body_(std::make_unique<Body>(file, options)) {}
+
+FilmFile::~FilmFile() = default;
+
+void FilmFile::add(const QImage& given) {
+  // Where all is opaque, premultiplied colours are the colours.
+  const QImage image =
+      body_->options.transparent ? given.convertToFormat(QImage::Format_RGBA8888) : given;
+  const auto row = static_cast<std::size_t>(image.width()) * 4;
+  for (int y = 0; y < image.height(); ++y)
+    body_->write(reinterpret_cast<const char*>(image.constScanLine(y)), row);
+}
+
+void FilmFile::finish() {
+  body_->end();
+  body_->addMetadata();
+  body_->film.commit();
+}
+
+std::string gifWithXmp(const std::string& gif, const std::string& packet) {
+  if (!gif.starts_with("GIF89a") || gif.size() < 13)
+    throw std::runtime_error("ffmpeg wrote no GIF");
+  const auto flags = static_cast<unsigned char>(gif[10]);
+  const std::size_t palette = (flags & 0x80U) != 0 ? std::size_t{3} << ((flags & 7U) + 1) : 0;
+  // The packet stands as it is; who skips it by its lengths ends up in the trailer.
+  std::string extension = "\x21\xFF\x0BXMP DataXMP" + packet + '\x01';
+  for (int length = 255; length >= 0; --length) extension += static_cast<char>(length);
+  extension += '\0';
+  return std::string(gif).insert(13 + palette, extension);
+}
+
+std::string webpWithXmp(const std::string& webp, const std::string& packet) {
+  constexpr std::size_t kFlags = 20;  // of VP8X, the first chunk of an animation
+  constexpr char kHasXmp = 4;
+  if (!webp.starts_with("RIFF") || webp.size() < 30 || webp.substr(12, 4) != "VP8X")
+    throw std::runtime_error("ffmpeg wrote no animated WebP");
+  std::string bytes = webp;
+  bytes[kFlags] = static_cast<char>(bytes[kFlags] | kHasXmp);
+  bytes += "XMP " + std::string(4, '\0');
+  putLittleEndian(bytes, bytes.size() - 4, packet.size());
+  bytes += packet;
+  if (bytes.size() % 2 != 0) bytes += '\0';
+  putLittleEndian(bytes, 4, bytes.size() - 8);
+  return bytes;
+}
+
+}  // namespace asperity

@@ -1,0 +1,52 @@
+// The frames of a sequence, one after the other: how many, how far apart, and each of them. Of
+// steady sliding they divide a number of periods, of other motions the duration.
+// Ownership: one thread at a time. Failure: InputError for what does not go together or a scene
+// that cannot run; std::runtime_error where a force balance is not met.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/run/frame.h"
+#include "core/run/simulation.h"
+#include "core/run/steady_frames.h"
+
+namespace asperity {
+
+/// As written on the command line; 0: not said.
+struct TimeChoice {
+  std::int64_t frames = 0;
+  double framesPerSecond = 25;
+  double duration = 0;    // s of film
+  double cycles = 0;      // periods of the line that pass
+  double slowMotion = 0;  // seconds of film to a simulated one
+};
+
+struct FramePlan {
+  std::int64_t count = 1;
+  double framesPerSecond = 25;
+  double periodsPerFrame = 0;  // of steady sliding
+  double timeScale = 0;        // simulated seconds to one of film; 0: nothing moves
+};
+
+/// `single`: one picture is asked for. length: of the period, m. Throws InputError.
+FramePlan planFrames(const Scene& scene, double length, const TimeChoice& choice, bool single);
+
+class FrameSource {
+ public:
+  FrameSource(const Scene& scene, const TimeChoice& choice, bool single);
+
+  const FramePlan& plan() const { return plan_; }
+
+  /// In rising order. A single picture of a motion shows its end.
+  Frame frame(std::int64_t index);
+
+ private:
+  std::optional<SteadyFrames> steady_;
+  std::optional<Simulation> motion_;
+  FramePlan plan_;
+  double duration_;  // s, of a motion
+  std::int64_t advanced_ = 0;
+};
+
+}  // namespace asperity

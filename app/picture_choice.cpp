@@ -1,0 +1,106 @@
+#include "app/picture_choice.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+#include "core/scene/input_error.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kSmallest = 160, kLargest = 16384;  // pixels
+constexpr double kPixelsPerInch = 96;
+
+std::string shortened(const std::string& text) {
+  return text.substr(0, 60);
+}
+
+bool readNumber(std::string_view text, auto& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+void readSize(const std::string& text, PictureStyle& style) {
+  const std::size_t cross = text.find('x');
+  const std::string_view all = text;
+  const bool good = cross != std::string::npos && readNumber(all.substr(0, cross), style.width) &&
+                    readNumber(all.substr(cross + 1), style.height);
+  const auto fits = [](int pixels) { return pixels >= kSmallest && pixels <= kLargest; };
+  if (!good || !fits(style.width) || !fits(style.height))
+    throw InputError("", "--size",
+                     fmt::format("{} is not WIDTHxHEIGHT with {} to {} pixels each",
+                                 shortened(text), kSmallest, kLargest));
+}
+
+float scaleFrom(const std::string& text) {
+  const bool isDensity = text.ends_with("dpi");
+  double number = 0;
+  const bool good =
+      readNumber(std::string_view(text).substr(0, text.size() - (isDensity ? 3 : 0)), number) &&
+      std::isfinite(number);
+  const double scale = isDensity ? number / kPixelsPerInch : number;
+  if (!good || scale < 0.25 || scale > 16)
+    throw InputError("", "--scale",
+                     fmt::format("{} is neither 0.25 to 16 nor 24dpi to 1536dpi", shortened(text)));
+  return static_cast<float>(scale);
+}
+
+const Theme& themeFrom(const std::string& name) {
+  if (name == "light") return lightTheme();
+  if (name == "dark") return darkTheme();
+  if (name == "print") return printTheme();
+  throw InputError("", "--theme", shortened(name) + " is not one of light, dark, print");
+}
+
+PixelBackend backendFrom(const std::string& name) {
+  if (name == "auto") return PixelBackend::Automatic;
+  if (name == "osmesa") return PixelBackend::Osmesa;
+  if (name == "egl") return PixelBackend::Egl;
+  throw InputError("", "--backend", shortened(name) + " is not one of auto, osmesa, egl");
+}
+
+}  // namespace
+
+nlohmann::ordered_json PictureStyle::json() const {
+  return {{"size", fmt::format("{}x{}", width, height)},
+          {"scale", scale},
+          {"theme", themeName},
+          {"transparent", transparent}};
+}
+
+void addPictureOptions(CLI::App& verb, PictureChoice& choice, const std::string& defaultSize,
+                       const std::string& defaultTheme) {
+  verb.add_option("--size", choice.size,
+                  "Width and height in pixels; else " + defaultSize + " times the scale")
+      ->type_name("WxH");
+  verb.add_option("--scale", choice.scale,
+                  "Density: 2 doubles texts and line widths; or 300dpi (1 is 96dpi)")
+      ->capture_default_str();
+  verb.add_option("--theme", choice.theme, "light, dark or print; else " + defaultTheme);
+  verb.add_flag("--transparent", choice.transparent, "No background");
+  verb.add_option("--language", choice.language, "Of the texts; en so far")->capture_default_str();
+  verb.add_option("--backend", choice.backend,
+                  "What draws: osmesa, egl, or auto: the first that is there")
+      ->capture_default_str();
+}
+
+PictureStyle styleOf(const PictureChoice& choice, const PictureDefaults& defaults) {
+  PictureStyle style;
+  style.scale = scaleFrom(choice.scale);
+  style.width = static_cast<int>(std::lround(static_cast<float>(defaults.width) * style.scale));
+  style.height = static_cast<int>(std::lround(static_cast<float>(defaults.height) * style.scale));
+  readSize(choice.size.empty() ? fmt::format("{}x{}", style.width, style.height) : choice.size,
+           style);
+  style.themeName = choice.theme.empty() ? defaults.theme : choice.theme;
+  style.theme = themeFrom(style.themeName);
+  style.transparent = choice.transparent;
+  style.backend = backendFrom(choice.backend);
+  if (choice.language != "en")
+    throw InputError("", "--language", shortened(choice.language) + " is not one of en");
+  return style;
+}
+
+}  // namespace asperity

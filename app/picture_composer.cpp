@@ -1,0 +1,84 @@
+#include "app/picture_composer.h"
+
+#include <cmath>
+
+#include "core/friction/curve_diagram.h"
+#include "core/run/transient_diagram.h"
+#include "core/scene/input_error.h"
+#include "ui/picture/diagram_picture.h"
+#include "ui/picture/stacked.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kContactPart = 0.54;  // of the height, where a diagram stands below
+
+constexpr float kStripScale = 1.5F;  // strips are low, which would make their texts small
+
+}  // namespace
+
+PictureLayout layoutFrom(const std::string& name) {
+  if (name == "contact") return PictureLayout::Contact;
+  if (name == "curve") return PictureLayout::Curve;
+  if (name == "both") return PictureLayout::Both;
+  if (name == "transient") return PictureLayout::Transient;
+  throw InputError("", "--layout",
+                   name.substr(0, 60) + " is not one of contact, curve, both, transient");
+}
+
+PictureComposer::PictureComposer(const PictureStyle& style, PictureLayout layout,
+                                 std::vector<CurvePoint> curve)
+    : style_(style), layout_(layout), curve_(std::move(curve)) {
+  if (style_.transparent) style_.theme.background.a = 0;
+}
+
+DrawList PictureComposer::compose(const Frame& frame) {
+  if (layout_ == PictureLayout::Contact) return contact(frame, style_.height);
+  if (layout_ == PictureLayout::Curve) return diagram(curveWithPresent(frame), style_.height);
+  const int above = static_cast<int>(std::lround(kContactPart * style_.height));
+  if (layout_ == PictureLayout::Both) {
+    if (!below_) {
+      DiagramSheet sheet = curveWithPresent(frame);
+      sheet.title.clear();  // it stands above
+      below_ = diagram(sheet, style_.height - above);
+    }
+    return stacked(contact(frame, above), *below_);
+  }
+  const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
+  return stacked(contact(frame, above), diagram(transientSheet(*frame.scene, samples),
+                                                style_.height - above, kStripScale));
+}
+
+DrawList PictureComposer::contact(const Frame& frame, int height) {
+  ContactPictureOptions options;
+  options.width = style_.width;
+  options.height = height;
+  options.scale = style_.scale;
+  options.theme = style_.theme;
+  view_ = fittedView(frame, view_);
+  options.view = *view_;
+  return composeContact(frame, options);
+}
+
+DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float scale) const {
+  DiagramOptions options;
+  options.width = style_.width;
+  options.height = height;
+  options.scale = style_.scale * scale;
+  options.theme = style_.theme;
+  return composeDiagrams(sheet, options);
+}
+
+/// The curve and on it the line and the velocity of the frame.
+DiagramSheet PictureComposer::curveWithPresent(const Frame& frame) const {
+  DiagramSheet sheet = curveSheet(*frame.scene, curve_);
+  DiagramSeries present;
+  present.name = "the line shown, at its velocity";
+  present.mark = SeriesMark::Diamond;
+  present.stroke = SeriesStroke::None;
+  present.points = {{frame.scene->sliding.velocity, frame.muSteady}};
+  sheet.diagrams.front().series.push_back(std::move(present));
+  return sheet;
+}
+
+}  // namespace asperity

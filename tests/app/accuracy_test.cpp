@@ -1,0 +1,118 @@
+// asperity accuracy and explain: files, plans, refusals.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/app/program_test.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing::UnorderedElementsAre;
+using Json = nlohmann::json;
+
+class AccuracyCommandTest : public ProgramTest {
+ protected:
+  std::string read(const std::string& name) const {
+    return TemporaryFolder::read(program.folder / name);
+  }
+};
+
+TEST_F(AccuracyCommandTest, WritesTablesAndDiagrams) {
+  const Said said = program.run("accuracy s.json -o out --json");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(
+      program.folder.names("out"),
+      UnorderedElementsAre("accuracy.csv", "accuracy.json", "work_precision.png",
+                           "work_precision.svg", "standard_error.png", "standard_error.svg"));
+  EXPECT_EQ(said.out, read("out/accuracy.json"));
+  const Json json = Json::parse(said.out);
+  EXPECT_EQ(json["present_choice"], "cubic x2");
+  ASSERT_FALSE(json["regions"].empty());
+  for (const Json& region : json["regions"]) {
+    ASSERT_EQ(region["methods"].size(), 12U);
+    // Fourth order against second, and the reference beyond both.
+    const Json& methods = region["methods"];
+    EXPECT_LT(methods[11]["relative_error"], 0.01 * methods[7]["relative_error"].get<double>());
+    EXPECT_LT(region["reference_error"], methods[11]["relative_error"]);
+  }
+}
+
+/// What the shipped default is for: at equal error or better, far faster than the literal march.
+TEST_F(AccuracyCommandTest, TheDefaultBeatsTheLiteralMarchByFar) {
+  const Said said = program.run("accuracy s.json -o out --json --set surface.elements=2000");
+  ASSERT_EQ(said.status, 0) << said.err;
+  for (const Json& region : Json::parse(said.out)["regions"]) {
+    const Json& methods = region["methods"];
+    ASSERT_EQ(methods[0]["method"], "literal march");
+    ASSERT_EQ(methods[8]["method"], "cubic x2");
+    EXPECT_LT(methods[8]["relative_error"], methods[0]["relative_error"]);
+    EXPECT_GT(methods[0]["seconds"].get<double>() / methods[8]["seconds"].get<double>(), 100);
+  }
+}
+
+TEST_F(AccuracyCommandTest, ExplainsThePlan) {
+  const Said said = program.run("explain s.json");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(said.out,
+              HasSubstr("no time march: steady sliding is stationary in the line's frame"));
+  EXPECT_THAT(said.out, HasSubstr("predicted"));
+  EXPECT_THAT(said.out, HasSubstr("resolution"));
+}
+
+TEST_F(AccuracyCommandTest, ExplainsForMachinesAndMeasures) {
+  const Said said = program.run("explain s.json --analyze --json --set ensemble.realizations=40");
+  EXPECT_EQ(said.status, 0) << said.err;
+  const Json json = Json::parse(said.out);
+  EXPECT_EQ(json["of_verb"], "curve");
+  bool march = true, balance = false;
+  for (const Json& stage : json["stages"]) {
+    EXPECT_FALSE(stage["reason"].get<std::string>().empty());
+    if (stage["name"] == "time march") march = stage["runs"];
+    if (stage["name"] == "force balance") balance = stage["runs"];
+  }
+  EXPECT_FALSE(march);
+  EXPECT_TRUE(balance);
+  const Json &predicted = json["predicted"]["relative_error"],
+             &measured = json["measured"]["relative_error"];
+  for (const char* part : {"standard_error", "resolution", "total"})
+    EXPECT_NEAR(std::log(predicted[part].get<double>() / measured[part].get<double>()), 0,
+                std::log(1.6))
+        << part;
+}
+
+TEST_F(AccuracyCommandTest, ExplainsAMotion) {
+  const Said said =
+      program.run("explain s.json --set sliding.kind=start --set sliding.duration=0.01");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("asperity render runs"));
+  EXPECT_THAT(said.out, HasSubstr("not predicted"));
+}
+
+TEST_F(AccuracyCommandTest, ACurveToATarget) {
+  const Said said = program.run("curve s.json -o c.json --set accuracy.target_relative_error=0.05");
+  EXPECT_EQ(said.status, 0) << said.err;
+  const Json json = Json::parse(read("c.json"));
+  EXPECT_EQ(json["scene"]["accuracy"]["target_relative_error"], 0.05);
+  EXPECT_FALSE(json["scene"]["accuracy"].contains("scheme"));
+  for (const Json& point : json["points"])
+    EXPECT_LE(point["mu_standard_error"], 0.0501 * point["mu"].get<double>());
+  EXPECT_THAT(said.out, HasSubstr("target"));
+}
+
+TEST_F(AccuracyCommandTest, TargetOrScheme) {
+  program.folder.write("both.json",
+                       R"({"accuracy":{"scheme":"cubic","target_relative_error":0.01}})");
+  expectRefused("check both.json", 2, "chooses scheme and oversampling itself");
+  expectRefused("check s.json --set accuracy.target_relative_error=2", 2, "outside 0 to 0.5");
+  expectRefused("accuracy s.json", 2, "--output");
+  expectRefused("accuracy s.json -o s.json", 2, "is not a folder");
+  expectRefused("accuracy s.json -o out --set sliding.kind=start", 2, "steady");
+}
+
+}  // namespace
+}  // namespace asperity

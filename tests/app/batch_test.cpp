@@ -1,0 +1,93 @@
+// asperity batch: a page, a sheet, a table; bad entries told and passed over.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program_test.h"
+
+namespace asperity {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::Not;
+
+class BatchTest : public ProgramTest {
+ protected:
+  void write(const std::string& entries) {
+    program.folder.write("b.json", R"({"schema": "asperity-batch/1", "title": "Two & more",
+                                       "size": "400x400", "entries": [)" +
+                                       entries + "]}");
+  }
+  std::string read(const std::string& name) const {
+    return TemporaryFolder::read(program.folder / name);
+  }
+};
+
+TEST_F(BatchTest, SweepsMakeAGridWithPicturesDataAndAPage) {
+  write(R"({"name": "grid", "scene": "s.json", "set": {"sweep.points": 3},
+            "sweep": {"load.normal_force": {"from": 0.01, "to": 1, "points": 3},
+                      "surface.hurst": [0.4, 0.8]}},
+           {"scene": {"surface": {"kind": "sine"}}, "show": "contact"})");
+  const Said said = program.run("batch b.json -o out --json");
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(program.folder.names("out"),
+              IsSupersetOf({"index.html", "contact_sheet.png", "results.csv", "grid_01.png",
+                            "grid_06.csv", "grid_06.json", "entry_2.png", "entry_2.json"}));
+  const auto scenes = nlohmann::json::parse(said.out)["scenes"];
+  ASSERT_EQ(scenes.size(), 7U);
+  // The last key runs fastest; the range is logarithmic.
+  const auto& fourth = scenes[3]["provenance"]["scene"];
+  EXPECT_EQ(fourth["load"]["normal_force"], 0.1);
+  EXPECT_EQ(fourth["surface"]["hurst"], 0.8);
+  const std::string page = read("out/index.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("Two &amp; more"), HasSubstr("href=\"grid_03.csv\""),
+                          HasSubstr("src=\"entry_2.png\""), Not(HasSubstr("http"))));
+  EXPECT_THAT(read("out/results.csv"),
+              HasSubstr("name,load.normal_force,surface.hurst,mu,indentation"));
+  EXPECT_EQ(program.run("open out/grid_04.png --json").out, read("out/grid_04.json"));
+}
+
+TEST_F(BatchTest, ABadEntryIsToldAndTheOthersGoOn) {
+  write(R"({"name": "good", "scene": "s.json", "show": "contact"},
+           {"name": "gone", "scene": "gone.json"},
+           {"name": "partly", "scene": "s.json", "show": "contact",
+            "sweep": {"surface.hurst": [0.5, 1.5]}},
+           {"name": "odd", "swoop": 1}, {"name": "good"}, 7)");
+  const Said said = program.run("batch b.json -o out");
+  EXPECT_EQ(said.status, 1);
+  EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 5) << said.err;
+  EXPECT_THAT(said.err, AllOf(HasSubstr("asperity: b.json: gone: "), HasSubstr("gone.json"),
+                              HasSubstr("1.5 is outside 0 to 1"), HasSubstr("'swoop' is unknown"),
+                              HasSubstr("stands twice")));
+  EXPECT_THAT(program.folder.names("out"), IsSupersetOf({"good.png", "partly_01.png"}));
+  EXPECT_THAT(read("out/index.html"), HasSubstr("5 of them failed"));
+}
+
+TEST_F(BatchTest, TheSameBatchGivesTheSameBytes) {
+  write(R"({"name": "a", "scene": "s.json", "sweep": {"surface.seed": [1, 2]}})");
+  ASSERT_EQ(program.run("batch b.json -o x --threads 1").status, 0);
+  ASSERT_EQ(program.run("batch b.json -o y --threads 2").status, 0);
+  for (const std::string& name : program.folder.names("x"))
+    EXPECT_EQ(read("x/" + name), read("y/" + name)) << name;
+}
+
+TEST_F(BatchTest, AFileThatIsNoBatchIsRefused) {
+  program.folder.write("broken.json", "{");
+  write("");
+  expectRefused("batch b.json -o out", 2, "b.json: entries: needs a list");
+  expectRefused("batch broken.json -o out", 2, "broken.json: is not valid JSON");
+  expectRefused("batch s.json -o out", 2, "s.json: ");
+  expectRefused("batch gone.json -o out", 2, "gone.json: cannot be opened");
+  write(R"({"scene": "s.json", "sweep": {"surface.seed": {"from": 0, "to": 1, "points": 3}}})");
+  EXPECT_THAT(program.run("batch b.json -o out").err, HasSubstr("logarithmic range needs"));
+}
+
+TEST_F(BatchTest, HelpShowsTheFormat) {
+  EXPECT_THAT(program.run("batch --help").out, HasSubstr("asperity-batch/1"));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,14 @@
+// Pictures put together from others. Pure; any thread.
+#pragma once
+
+#include "ui/render/draw_list.h"
+
+namespace asperity {
+
+/// All of `part`, with its background, this far right and down on `list`.
+void addPicture(DrawList& list, DrawList part, float right, float down);
+
+/// One above the other; as wide as the wider one.
+DrawList stacked(DrawList above, DrawList below);
+
+}  // namespace asperity
