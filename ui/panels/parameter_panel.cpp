@@ -13,6 +13,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/panel_style.h"
 #include "ui/panels/parameter_row.h"
+#include "ui/panels/unit_text.h"
 
 namespace asperity {
 
@@ -159,8 +160,8 @@ void ParameterPanel::addRow(QVBoxLayout& column, const Parameter& parameter,
     edit(*row, [&](Scene& scene) { giveValue(row->parameter(), scene, value); });
   });
   connect(row, &ParameterRow::textGiven, this, [this, row](const QString& text) {
-    edit(*row,
-         [&](Scene& scene) { giveText(row->parameter(), scene, text.trimmed().toStdString()); });
+    const QString plain = inPlainUnit(text.trimmed(), fromUtf8(row->parameter().unit));
+    edit(*row, [&](Scene& scene) { giveText(row->parameter(), scene, plain.toStdString()); });
   });
   connect(row, &ParameterRow::fileWanted, this, [this, row] { chooseFile(*row); });
 }

@@ -104,6 +104,15 @@ QString windowStyleSheet(const Theme& theme) {
     #messageBar { background: %7; border: none; }
     #messageBar QLabel { color: %8; }
     #messageBar QToolButton { border: none; color: %8; }
+    #descriptionBar { background: %1; border: none; border-bottom: 1px solid %3; }
+    #descriptionBar QLabel { color: %2; }
+    #descriptionBar QToolButton { border: none; color: %6; }
+    QTabWidget::pane { border: none; }
+    QTabWidget QTabBar::tab { background: transparent; color: %6; padding: 6px 14px; border: none;
+      border-bottom: 2px solid transparent; }
+    QTabWidget QTabBar::tab:hover { color: %2; }
+    QTabWidget QTabBar::tab:selected { color: %2; border-bottom: 2px solid %5; }
+    #planList QHeaderView::section { background: %1; color: %6; border: none; padding: 4px 6px; }
     #dockTitle { background: %1; border-bottom: 1px solid %3; }
     #dockTitle QLabel { color: %6; }
     #dockTitle QToolButton { border: none; border-radius: 4px; color: %6; padding: 2px 6px; }

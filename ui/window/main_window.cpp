@@ -8,8 +8,11 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTimer>
 #include <QToolButton>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 
@@ -18,11 +21,14 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/charts/plot_view.h"
+#include "ui/charts/transient_strips.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/window/accuracy_panel.h"
 #include "ui/window/appearance.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/plan_list.h"
 #include "ui/window/session.h"
 #include "ui/window/status_line.h"
 
@@ -32,7 +38,8 @@ namespace {
 
 constexpr int kPollInterval = 16;     // ms, 60 times a second
 constexpr int kStatusInterval = 500;  // ms
-constexpr int kPlotPause = 80;        // ms; painting a diagram costs as much as several pictures
+constexpr int kMotionTab = 1;
+constexpr int kPlotPause = 80;  // ms; painting a diagram costs as much as several pictures
 
 /// A dock's title in the window's own look.
 QWidget* dockTitle(QDockWidget& dock) {
@@ -80,6 +87,8 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   buildActions();
   connectSession();
   setDark(palette().color(QPalette::Window).lightness() < 128);
+  showAboutScene();
+  showDescription();
   showTitle();
   resize(1280, 800);
 
@@ -102,7 +111,7 @@ void MainWindow::buildViews() {
   splitter->setHandleWidth(1);
   splitter->setChildrenCollapsible(false);
   splitter->addWidget(canvas_);
-  splitter->addWidget(plot_);
+  splitter->addWidget(buildTabs());
   splitter->setStretchFactor(0, 58);
   splitter->setStretchFactor(1, 42);
   splitter->setSizes({580, 420});
@@ -113,11 +122,14 @@ void MainWindow::buildViews() {
   pages_->addWidget(gallery_);
 
   messages_ = new MessageBar;
+  description_ = new MessageBar;
+  description_->setObjectName("descriptionBar");
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(messages_);
+  column->addWidget(description_);
   column->addWidget(pages_, 1);
   setCentralWidget(centre);
 
@@ -131,6 +143,39 @@ void MainWindow::buildViews() {
   timer->start(kStatusInterval);
 }
 
+/// What is known of the scene, under the contact; the motion's strips only where it has one.
+QTabWidget* MainWindow::buildTabs() {
+  strips_ = new TransientStrips;
+  plan_ = new PlanList;
+  tabs_ = new QTabWidget;
+  tabs_->setObjectName("tabs");
+  tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setFocusPolicy(Qt::NoFocus);  // Space is the run's
+  tabs_->tabBar()->setDrawBase(false);
+  tabs_->addTab(plot_, tr("Friction curve"));
+  tabs_->addTab(strips_, tr("Motion in time"));
+  accuracy_ = new AccuracyPanel;
+  tabs_->addTab(accuracy_, tr("Accuracy"));
+  tabs_->addTab(plan_, tr("Plan"));
+  tabs_->setTabVisible(kMotionTab, false);
+  return tabs_;
+}
+
+/// The tabs for this scene; the motion comes to the front where it is new, and goes with it.
+void MainWindow::showAboutScene() {
+  const Sliding& sliding = session_->scene().sliding;
+  const bool moves = sliding.kind != SlidingKind::Steady;
+  const bool moved = tabs_->isTabVisible(kMotionTab);
+  // Left before it goes: the next tab would come to the front, which is not the curve's.
+  if (!moves && tabs_->currentWidget() == strips_) tabs_->setCurrentWidget(plot_);
+  tabs_->setTabVisible(kMotionTab, moves);
+  if (moves && !moved) tabs_->setCurrentIndex(kMotionTab);
+  if (moves) strips_->show(sliding, nullptr);
+  plan_->showScene(session_->scene());
+  accuracy_->showScene(session_->scene());
+  curveTime_.start();
+}
+
 void MainWindow::buildPanel() {
   panel_ = new ParameterPanel(session_->scene());
   dock_ = new QDockWidget(tr("Parameters"));
@@ -141,6 +186,7 @@ void MainWindow::buildPanel() {
   resizeDocks({dock_}, {panel_->sizeHint().width()}, Qt::Horizontal);
   connect(panel_, &ParameterPanel::sceneEdited, session_, &Session::setScene);
   connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::showTitle);
+  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::showAboutScene);
 }
 
 void MainWindow::connectSession() {
@@ -148,8 +194,16 @@ void MainWindow::connectSession() {
     const std::shared_ptr<const Frame> frame = session_->frame();
     if (!isShowingFigures()) canvas_->setFrame(frame);
     status_->showFrame(*frame);
+    if (frame->transient && frame->sceneNumber == session_->sceneNumber())
+      strips_->show(frame->scene->sliding, frame->transient);
     if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
   });
+  connect(accuracy_, &AccuracyPanel::sceneEdited, this, [this](const Scene& scene) {
+    panel_->setScene(scene);
+    session_->setScene(scene);
+    curveTime_.start();
+  });
+  connect(session_, &Session::plotChanged, this, &MainWindow::showMeasuredCurve);
   plotPause_ = new QTimer(this);
   plotPause_->setSingleShot(true);
   plotPause_->setInterval(kPlotPause);
@@ -166,6 +220,23 @@ void MainWindow::connectSession() {
   connect(session_, &Session::playingChanged, this, &MainWindow::showPlaying);
   connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
   showPlot();
+}
+
+/// Once, when the present scene's curve is complete.
+void MainWindow::showMeasuredCurve() {
+  const Plot plot = session_->plot();
+  if (!curveTime_.isValid() || plot.progress < 1) return;
+  double squares = 0;
+  int count = 0;
+  for (const PlotSeries& series : plot.series)
+    for (const PlotPoint& point : series.points)
+      if (series.style == PlotStyle::Points && std::isfinite(point.error)) {
+        squares += std::pow(point.error / point.y, 2);
+        ++count;
+      }
+  accuracy_->showMeasured(1e-3 * static_cast<double>(curveTime_.elapsed()),
+                          count > 0 ? std::sqrt(squares / count) : kNotApplicable);
+  curveTime_.invalidate();
 }
 
 void MainWindow::showPlotSoon() {
@@ -185,6 +256,13 @@ void MainWindow::showScene(const Scene& scene) {
   panel_->setScene(scene);
   session_->setScene(scene);
   showTitle();
+  showAboutScene();
+  showDescription();
+}
+
+void MainWindow::showDescription() {
+  const QString text = QString::fromStdString(session_->scene().description);
+  text.isEmpty() ? description_->hide() : description_->showMessage(text);
 }
 
 bool MainWindow::openScene(const QString& file) {
@@ -223,6 +301,8 @@ void MainWindow::setDark(bool dark) {
   setStyleSheet(windowStyleSheet(theme));
   canvas_->setTheme(theme);
   plot_->setColours(plotColoursOf(theme));
+  strips_->setColours(plotColoursOf(theme));
+  accuracy_->setTheme(theme);
   gallery_->setTheme(theme);
   paintIcons();
 }

@@ -4,6 +4,7 @@
 // thread. Failure: complaints appear in a bar over the views and the window goes on.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <functional>
 
@@ -13,17 +14,21 @@
 
 class QMenu;
 class QStackedWidget;
+class QTabWidget;
 class QTimer;
 
 namespace asperity {
 
+class AccuracyPanel;
 class ContactCanvas;
 class GalleryPage;
 class MessageBar;
 class ParameterPanel;
+class PlanList;
 class PlotView;
 class Session;
 class StatusLine;
+class TransientStrips;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -37,6 +42,7 @@ class MainWindow : public QMainWindow {
   PlotView& plotView() { return *plot_; }
   ContactCanvas& canvas() { return *canvas_; }
   MessageBar& messages() { return *messages_; }
+  MessageBar& description() { return *description_; }
   GalleryPage& gallery() { return *gallery_; }
 
   /// Another scene for controls and runner.
@@ -64,7 +70,11 @@ class MainWindow : public QMainWindow {
  private:
   void buildViews();
   void buildPanel();
+  QTabWidget* buildTabs();
   void connectSession();
+  void showAboutScene();
+  void showDescription();
+  void showMeasuredCurve();
   void showPlotSoon();
   void showPlot();
   void showTitle();
@@ -90,7 +100,13 @@ class MainWindow : public QMainWindow {
   ContactCanvas* canvas_ = nullptr;
   PlotView* plot_ = nullptr;
   ParameterPanel* panel_ = nullptr;
+  QTabWidget* tabs_ = nullptr;  // under the contact
+  TransientStrips* strips_ = nullptr;
+  PlanList* plan_ = nullptr;
+  AccuracyPanel* accuracy_ = nullptr;
+  QElapsedTimer curveTime_;  // since the present curve was wanted
   MessageBar* messages_ = nullptr;
+  MessageBar* description_ = nullptr;  // what to look for in the scene that was opened
   StatusLine* status_ = nullptr;
   QStackedWidget* pages_ = nullptr;  // the views, and the figures
   GalleryPage* gallery_ = nullptr;

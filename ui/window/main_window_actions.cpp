@@ -10,8 +10,10 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUrl>
+#include <string>
 #include <utility>
 
+#include "ui/panels/number_text.h"
 #include "ui/window/appearance.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_library.h"
@@ -24,6 +26,11 @@ namespace {
 /// On buttons without dots, and with air between icon and text.
 QString buttonText(QString text) {
   return QChar(0x2002) + text.remove(u'…');
+}
+
+/// Rich text is broken into lines where plain text is not.
+QString wrappedTip(const QString& text) {
+  return text.isEmpty() ? QString() : "<p>" + text.toHtmlEscaped() + "</p>";
 }
 
 void setCommandText(QAction& action, const QString& text) {
@@ -87,11 +94,20 @@ void MainWindow::buildMenus() {
   menuBar()->addMenu(tr("&Help"))->addAction(tr("About Asperity"), this, &MainWindow::showAbout);
 }
 
+/// A submenu for each chapter; what has none stands in the menu itself.
 void MainWindow::fillScenes(QMenu& menu) {
+  std::string chapter;
+  QMenu* part = &menu;
   for (const LibraryScene& entry : libraryScenes()) {
+    if (entry.scene.chapter != chapter) {
+      chapter = entry.scene.chapter;
+      part = chapter.empty() ? &menu : menu.addMenu(fromUtf8(chapter));
+      part->setToolTipsVisible(true);
+    }
     const QString title = QString::fromStdString(entry.scene.title);
-    QAction* action = menu.addAction(title.isEmpty() ? entry.name : title, this,
-                                     [this, scene = entry.scene] { showScene(scene); });
+    QAction* action = part->addAction(title.isEmpty() ? entry.name : title, this,
+                                      [this, scene = entry.scene] { showScene(scene); });
+    action->setToolTip(wrappedTip(fromUtf8(entry.scene.description)));
     action->setObjectName("scene:" + entry.name);
   }
 }

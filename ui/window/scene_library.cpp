@@ -2,6 +2,10 @@
 
 #include <QDir>
 #include <QFile>
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/scene/input_error.h"
 #include "core/scene/scene_file.h"
@@ -12,6 +16,18 @@ static void openResources() {
 }
 
 namespace asperity {
+
+namespace {
+
+/// Chapters that the list does not know come last.
+std::size_t rankOf(const std::string& chapter) {
+  static const std::string_view order[] = {
+      "Regions I to IV", "Full contact", "Single asperities",   "Rheology",
+      "Temperature",     "Transients",   "Correlated roughness"};
+  return static_cast<std::size_t>(std::ranges::find(order, chapter) - std::begin(order));
+}
+
+}  // namespace
 
 std::vector<LibraryScene> libraryScenes() {
   openResources();
@@ -27,6 +43,9 @@ std::vector<LibraryScene> libraryScenes() {
       qWarning("%s", error.what());
     }
   }
+  std::ranges::stable_sort(scenes, {}, [](const LibraryScene& entry) {
+    return std::pair(rankOf(entry.scene.chapter), entry.scene.chapter);
+  });
   return scenes;
 }
 

@@ -13,7 +13,8 @@ struct LibraryScene {
   Scene scene;
 };
 
-/// In alphabetical order of their files. A scene that does not read is left out.
+/// By chapter, from the paper to what goes beyond it, then in alphabetical order of their files. A
+/// scene that does not read is left out.
 std::vector<LibraryScene> libraryScenes();
 
 }  // namespace asperity

@@ -12,21 +12,27 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QSignalSpy>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeWidget>
 #include <algorithm>
 #include <set>
 #include <vector>
 
+#include "core/scene/plan.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/charts/plot_view.h"
+#include "ui/charts/transient_strips.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
+#include "ui/window/appearance.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/scene_library.h"
 #include "ui/window/session.h"
 
 namespace asperity {
@@ -370,6 +376,79 @@ TEST_F(MainWindowTest, TheLibraryIsInTheMenu) {
     EXPECT_EQ(session().sceneNumber(), before + 1);
     EXPECT_EQ(window_.panel().scene(), session().scene());
   }
+}
+
+TEST_F(MainWindowTest, EveryChapterIsASubmenuWithEverySceneExplained) {
+  const auto* action = window_.findChild<QAction*>("scene:velocity_step");
+  ASSERT_TRUE(action);
+  const auto* chapter = qobject_cast<QMenu*>(action->associatedObjects().constFirst());
+  ASSERT_TRUE(chapter);
+  EXPECT_EQ(chapter->title(), "Transients");
+  EXPECT_TRUE(chapter->toolTipsVisible());
+  QStringList titles;
+  for (const LibraryScene& entry : libraryScenes()) {
+    const auto* item = window_.findChild<QAction*>("scene:" + entry.name);
+    ASSERT_TRUE(item) << entry.name.toStdString();
+    EXPECT_FALSE(item->toolTip().isEmpty()) << entry.name.toStdString();
+    const QString title = QString::fromStdString(entry.scene.chapter);
+    if (titles.isEmpty() || titles.last() != title) titles += title;
+  }
+  EXPECT_EQ(titles.first(), "Regions I to IV");
+  EXPECT_EQ(titles.removeDuplicates(), 0);  // each chapter in one piece
+  EXPECT_GE(titles.size(), 7);
+}
+
+TEST_F(MainWindowTest, AnOpenedSceneSaysWhatToLookFor) {
+  EXPECT_FALSE(window_.description().isVisible());  // the small scene has nothing to say
+  window_.findChild<QAction*>("scene:region_2")->trigger();
+  EXPECT_TRUE(window_.description().isVisible());
+  EXPECT_EQ(window_.description().text().toStdString(), session().scene().description);
+  window_.showScene(smallScene());
+  EXPECT_FALSE(window_.description().isVisible());
+}
+
+TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
+  auto& tabs = control<QTabWidget>("tabs");
+  auto& strips = control<TransientStrips>("transientStrips");
+  EXPECT_FALSE(tabs.isTabVisible(1));
+  Scene moving = smallScene();
+  moving.sliding.kind = SlidingKind::Step;
+  window_.showScene(moving);
+  EXPECT_TRUE(tabs.isTabVisible(1));
+  EXPECT_EQ(tabs.currentWidget(), &strips);
+  ASSERT_TRUE(waitFor([&] { return strips.sampleCount() > 3; }));
+  EXPECT_TRUE(strips.note().contains("predicted rate"));
+  const QImage image = strips.grab().toImage();
+  const QColor line = plotColoursOf(window_.isDark() ? darkTheme() : lightTheme()).points;
+  int drawn = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (image.pixelColor(x, y) == line) ++drawn;
+  EXPECT_GT(drawn, 3);
+  window_.showScene(smallScene());
+  EXPECT_FALSE(tabs.isTabVisible(1));
+  EXPECT_EQ(tabs.currentWidget(), &window_.plotView());
+}
+
+TEST_F(MainWindowTest, ThePlanFollowsTheScene) {
+  auto& plan = control<QTreeWidget>("planList");
+  const auto runs = [&](const QString& stage) {
+    const auto found = plan.findItems(stage, Qt::MatchExactly);
+    return found.isEmpty() ? QString() : found.first()->text(1);
+  };
+  ASSERT_EQ(plan.topLevelItemCount(), static_cast<int>(kStages));
+  EXPECT_EQ(runs(QString::fromStdString(std::string(nameOf(Stage::Interface)))), "no");
+  type("interface.friction_coefficient", "0.2");
+  EXPECT_EQ(runs(QString::fromStdString(std::string(nameOf(Stage::Interface)))), "yes");
+}
+
+TEST_F(MainWindowTest, AValueIsTypedWithItsUnit) {
+  type("elastomer.shear_modulus", "25 MPa");
+  EXPECT_EQ(session().scene().elastomer.shearModulus, 2.5e7);
+  type("load.normal_force", "3.4 mN");
+  EXPECT_EQ(session().scene().load.normalForce, 0.0034);
+  type("surface.length", "20 MPa");
+  EXPECT_TRUE(control<ValueEntry>("entry:surface.length").hasError());
 }
 
 TEST_F(MainWindowTest, TheContactIsPainted) {

@@ -1,6 +1,6 @@
 // Shows the window on a real display, waits until it is alive, and saves a picture of the screen.
 // Usage: window_screenshot FILE.png [--dark] [--size WxH] [--scene FILE [--set KEY=VALUE]...]
-//        [--wait MS] [--expect-message] [--figure WORD]
+//        [--wait MS] [--expect-message] [--figure WORD] [--tab NUMBER]
 // Exit: 0 when the window was exposed, animated and showed a curve (or, with --expect-message, a
 // message); 1 with the reason otherwise.
 #include <QAction>
@@ -8,6 +8,7 @@
 #include <QCommandLineParser>
 #include <QPixmap>
 #include <QScreen>
+#include <QTabWidget>
 #include <QTest>
 #include <cstdio>
 #include <string>
@@ -32,6 +33,7 @@ struct Wish {
   QString picture, scene, figure;
   QSize size{1280, 800};
   std::vector<std::string> assignments;
+  int tab = -1;  // as it comes
   bool dark = false;
   bool message = false;
   int wait = 1500;  // ms
@@ -45,6 +47,7 @@ Wish readWish(const QApplication& application) {
                      {"scene", "scene file", "FILE"},
                      {"set", "over the scene file", "KEY=VALUE"},
                      {"figure", "of the paper, on its page", "WORD"},
+                     {"tab", "under the contact, from 0", "NUMBER"},
                      {"expect-message", "the scene cannot run"},
                      {"wait", "milliseconds to run before the picture", "MS"}});
   parser.process(application);
@@ -54,6 +57,7 @@ Wish readWish(const QApplication& application) {
   wish.scene = parser.value("scene");
   wish.figure = parser.value("figure");
   for (const QString& text : parser.values("set")) wish.assignments.push_back(text.toStdString());
+  if (parser.isSet("tab")) wish.tab = parser.value("tab").toInt();
   wish.dark = parser.isSet("dark");
   wish.message = parser.isSet("expect-message");
   if (parser.isSet("wait")) wish.wait = parser.value("wait").toInt();
@@ -99,7 +103,7 @@ int main(int argc, char** argv) {
   const Scene scene = !wish.scene.isEmpty()
                           ? readSceneFile(wish.scene.toStdString(), wish.assignments)
                       : library.empty() ? Scene{}
-                                        : library.back().scene;
+                                        : library.front().scene;
   MainWindow window(scene);
   window.setDark(wish.dark);
   window.resize(wish.size);
@@ -107,6 +111,7 @@ int main(int argc, char** argv) {
   QObject::connect(&window.canvas(), &ContactCanvas::painted, [&] { ++pictures; });
   window.show();
   if (!QTest::qWaitForWindowExposed(&window)) return std::fputs("never exposed\n", stderr), 1;
+  if (wish.tab >= 0) window.findChild<QTabWidget*>("tabs")->setCurrentIndex(wish.tab);
   QTest::qWait(wish.wait);
   if (const char* reason = complaint(window, wish, pictures)) {
     std::fprintf(stderr, "window_screenshot: %s\n", reason);

@@ -1,0 +1,118 @@
+// The accuracy panel as a person uses it; predictions are real.
+#include "ui/window/accuracy_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+#include <mutex>
+#include <vector>
+
+#include "tests/ui/window/qt_application.h"
+#include "ui/window/figure_picture.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kPatience = 60000;  // ms, far more than anything here takes
+
+Scene smallScene() {
+  Scene scene;
+  scene.surface.elements = 64;
+  scene.sweep.points = 9;
+  scene.ensemble.realizations = 4;
+  return scene;
+}
+
+class AccuracyPanelTest : public testing::Test {
+ protected:
+  AccuracyPanelTest() {
+    panel_.resize(900, 260);
+    panel_.show();
+    panel_.showScene(smallScene());
+  }
+  template <class Control>
+  Control& control(const QString& name) {
+    return *panel_.findChild<Control*>(name);
+  }
+  QString text(const QString& name) { return control<QLabel>(name).text(); }
+
+  AccuracyPanel panel_;
+};
+
+TEST(AccuracyScale, GoesFromQuickToExactAndBack) {
+  EXPECT_EQ(targetAt(0), 0.2);
+  EXPECT_EQ(targetAt(kAccuracySteps), 0.002);
+  for (int place = 0; place <= kAccuracySteps; ++place) EXPECT_EQ(placeOf(targetAt(place)), place);
+  for (int place = 1; place <= kAccuracySteps; ++place)
+    EXPECT_LT(targetAt(place), targetAt(place - 1));
+}
+
+TEST_F(AccuracyPanelTest, TimeAndErrorArePredicted) {
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text("accuracyPredicted").startsWith("predicted:"); },
+                              kPatience));
+  EXPECT_TRUE(text("accuracyPredicted").contains("error"));
+}
+
+TEST_F(AccuracyPanelTest, TheSliderSetsTheTargetAndTheButtonTakesItAway) {
+  Scene edited;
+  QObject::connect(&panel_, &AccuracyPanel::sceneEdited, [&](const Scene& s) { edited = s; });
+  QTest::keyClick(&control<QSlider>("accuracySlider"), Qt::Key_Right);
+  EXPECT_EQ(edited.accuracy.targetRelativeError, targetAt(1));
+  EXPECT_EQ(edited.accuracy.scheme, Scheme::Cubic);
+  EXPECT_TRUE(text("accuracyTarget").startsWith("target:"));
+  QTest::mouseClick(&control<QPushButton>("accuracyFree"), Qt::LeftButton);
+  EXPECT_EQ(edited.accuracy.targetRelativeError, 0);
+  EXPECT_FALSE(control<QPushButton>("accuracyFree").isEnabled());
+}
+
+TEST_F(AccuracyPanelTest, WhatCannotBePredictedIsExplained) {
+  Scene moving = smallScene();
+  moving.sliding.kind = SlidingKind::Step;
+  panel_.showScene(moving);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text("accuracyPredicted").contains("sliding.kind"); },
+                              kPatience))
+      << text("accuracyPredicted").toStdString();
+}
+
+TEST_F(AccuracyPanelTest, AComparisonCanBeCancelled) {
+  auto& button = control<QPushButton>("accuracyCompare");
+  QTest::mouseClick(&button, Qt::LeftButton);
+  EXPECT_TRUE(button.text().startsWith("Cancel"));
+  QTest::mouseClick(&button, Qt::LeftButton);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button.text() == "Compare methods"; }, kPatience));
+}
+
+TEST_F(AccuracyPanelTest, MeasuredNumbersGoWithTheirScene) {
+  panel_.showMeasured(2, 0.015);
+  EXPECT_EQ(text("accuracyMeasured"), "measured: 2 s, standard error 1.5 %");
+  panel_.showScene(smallScene());
+  EXPECT_EQ(text("accuracyMeasured"), "");
+}
+
+TEST(PredictionWorkerTest, TheNewestSceneWins) {
+  std::mutex mutex;
+  std::vector<std::uint64_t> answered;
+  std::uint64_t last = 0;
+  {
+    PredictionWorker worker([&](const PredictionAnswer& answer) {
+      const std::lock_guard lock(mutex);
+      answered.push_back(answer.number);
+    });
+    for (int i = 0; i < 20; ++i) last = worker.request(smallScene());
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          const std::lock_guard lock(mutex);
+          return !answered.empty() && answered.back() == last;
+        },
+        kPatience));
+  }
+  EXPECT_EQ(last, 20U);
+  EXPECT_LT(answered.size(), 20U);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,169 @@
+#include "ui/charts/transient_strips.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/charts/decade_range.h"
+#include "ui/charts/relaxation_guide.h"
+#include "ui/picture/ticks.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kLeft = 78, kRight = 34;  // margins of the strips, pixels
+constexpr double kGap = 8;                 // between strips
+constexpr double kTickRoom = 19;           // height that a tick's label needs
+constexpr double kTickWidth = 90;
+
+/// Where a strip begins and ends, with some air; never empty.
+std::pair<double, double> rangeOf(const std::vector<QPointF>& line) {
+  if (line.empty()) return {0, 1};
+  const auto [low, high] = std::ranges::minmax_element(line, {}, &QPointF::y);
+  const double size = std::max(high->y() - low->y(), 0.02 * std::abs(high->y()));
+  const double air = size > 0 ? 0.12 * size : 1;
+  return {low->y() - air, high->y() + air};
+}
+
+/// "5 ms"; a power of ten is multiplied.
+QString labelOf(const Tick& tick, const AxisTicks& axis) {
+  const QString gap = axis.unit.starts_with("10") ? QStringLiteral("·") : QStringLiteral(" ");
+  const QString unit = QString::fromStdString(axis.unit);
+  return (QString::fromStdString(tick.label) + gap + unit).trimmed();
+}
+
+QPainterPath pathOf(const std::vector<QPointF>& line, auto&& place) {
+  QPainterPath path;
+  for (const QPointF& point : line)
+    path.elementCount() == 0 ? path.moveTo(place(point)) : path.lineTo(place(point));
+  return path;
+}
+
+}  // namespace
+
+TransientStrips::TransientStrips(QWidget* parent) : QWidget(parent) {
+  setObjectName("transientStrips");
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setAccessibleName(tr("friction, indentation and contact length in time"));
+}
+
+void TransientStrips::show(const Sliding& sliding,
+                           std::shared_ptr<const std::vector<TransientSample>> samples) {
+  sliding_ = sliding;
+  samples_ = std::move(samples);
+  setAccessibleDescription(note());
+  update();
+}
+
+void TransientStrips::setColours(const PlotColours& colours) {
+  colours_ = colours;
+  update();
+}
+
+QString TransientStrips::note() const {
+  if (sampleCount() == 0) return tr("nothing has moved yet");
+  const double rate = samples_->back().predictedRate;
+  if (!std::isfinite(rate)) return {};
+  return tr("predicted rate 1/τ + v/ℓ = %1 (exact for one contact, a guide on rough lines)")
+      .arg(readingLabel(rate) + " s⁻¹");
+}
+
+TransientStrips::Line TransientStrips::lineOf(
+    const std::function<double(const TransientSample&)>& value) const {
+  Line line;
+  if (!samples_) return line;
+  for (const TransientSample& sample : *samples_)
+    if (std::isfinite(value(sample))) line.emplace_back(sample.time, value(sample));
+  return line;
+}
+
+void TransientStrips::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), colours_.background);
+  const double text = fontMetrics().height();
+  const QRectF area(kLeft, text + 14, width() - kLeft - kRight, height() - 2 * text - 26);
+  paintLegend(painter, {16, 0, width() - 32.0, text + 14});
+  Line guide;
+  if (samples_)
+    for (const GuidePoint& point : relaxationGuide(sliding_, *samples_))
+      guide.emplace_back(point.time, point.mu);
+  const double each = (area.height() - 2 * kGap) / 3;
+  QRectF strip(area.left(), area.top(), area.width(), each);
+  const auto next = [&](const QString& name, const char* unit, const Line& line, const Line& over) {
+    paintStrip(painter, strip, name, unit, line, over);
+    strip.translate(0, each + kGap);
+  };
+  next(tr("friction μ"), "", lineOf([](const auto& s) { return s.mu; }), guide);
+  next(tr("indentation d"), "m", lineOf([](const auto& s) { return s.indentation; }), {});
+  next(tr("contact length ℓ"), "m", lineOf([](const auto& s) { return s.contactLength; }), {});
+  paintTimes(painter, area);
+}
+
+/// What the dashes mean, and the rate now.
+void TransientStrips::paintLegend(QPainter& painter, const QRectF& room) const {
+  painter.setPen(QPen(colours_.marker, 1.6, Qt::DashLine));
+  painter.drawLine(QPointF(room.left(), room.center().y()),
+                   QPointF(room.left() + 22, room.center().y()));
+  painter.setPen(colours_.text);
+  const QRectF place = room.adjusted(28, 0, 0, 0);
+  painter.drawText(
+      place, Qt::AlignVCenter,
+      fontMetrics().elidedText(note(), Qt::ElideRight, static_cast<int>(place.width())));
+}
+
+void TransientStrips::paintStrip(QPainter& painter, const QRectF& room, const QString& name,
+                                 const char* unit, const Line& line, const Line& guide) const {
+  const auto [low, high] = rangeOf(line);
+  const auto place = [&, low = low, high = high](const QPointF& point) {
+    return QPointF(room.left() + room.width() * point.x() / sliding_.duration,
+                   room.bottom() - room.height() * (point.y() - low) / (high - low));
+  };
+  const int most = std::max(2, static_cast<int>(room.height() / kTickRoom));
+  if (!line.empty()) {
+    const AxisTicks axis = linearTicks(low, high, most, unit);
+    for (const Tick& tick : axis.ticks) {
+      const double y = std::floor(place({0, tick.value}).y()) + 0.5;
+      painter.setPen(colours_.grid);
+      painter.drawLine(QPointF(room.left(), y), QPointF(room.right(), y));
+      painter.setPen(colours_.text);
+      const QString label = labelOf(tick, axis);
+      painter.drawText(QRectF(0, y - 10, room.left() - 6, 20), Qt::AlignRight | Qt::AlignVCenter,
+                       label);
+    }
+  }
+  painter.setPen(colours_.axis);
+  painter.drawRect(room);
+  painter.save();
+  painter.setClipRect(room);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colours_.points, 1.8));
+  painter.drawPath(pathOf(line, place));
+  painter.setPen(QPen(colours_.marker, 1.6, Qt::DashLine));
+  painter.drawPath(pathOf(guide, place));
+  painter.restore();
+  // In a corner that the newest part of the line leaves free for most of the motion.
+  const double width = fontMetrics().horizontalAdvance(name);
+  const QRectF label(room.right() - width - 10, room.top() + 2, width + 6, fontMetrics().height());
+  QColor halo = colours_.background;
+  halo.setAlphaF(0.8F);
+  painter.fillRect(label, halo);
+  painter.setPen(colours_.text);
+  painter.drawText(label, Qt::AlignCenter, name);
+}
+
+void TransientStrips::paintTimes(QPainter& painter, const QRectF& room) const {
+  const int most = std::max(2, static_cast<int>(room.width() / kTickWidth));
+  const AxisTicks axis = linearTicks(0, sliding_.duration, most, "s");
+  painter.setPen(colours_.text);
+  for (const Tick& tick : axis.ticks) {
+    const double x = room.left() + room.width() * tick.value / sliding_.duration;
+    painter.drawText(QRectF(x - 45, room.bottom() + 4, 90, fontMetrics().height()),
+                     Qt::AlignHCenter | Qt::AlignTop, labelOf(tick, axis));
+  }
+}
+
+}  // namespace asperity

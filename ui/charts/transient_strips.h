@@ -1,0 +1,47 @@
+// What a motion that is not steady does in time, as three strips over one axis of time: friction
+// with the predicted relaxation over it, indentation, mean contact length. Grows while the motion
+// runs. GUI thread; belongs to its parent. Cannot fail: what is not a number is left out.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/run/transient_sample.h"
+#include "core/scene/scene.h"
+#include "ui/charts/plot_view.h"
+
+namespace asperity {
+
+class TransientStrips : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TransientStrips(QWidget* parent = nullptr);
+
+  /// samples: as a frame has them; null: nothing to show.
+  void show(const Sliding& sliding, std::shared_ptr<const std::vector<TransientSample>> samples);
+  void setColours(const PlotColours& colours);
+
+  /// "predicted rate 1/τ + v/ℓ = 2.1e3 1/s ...", of the newest sample.
+  QString note() const;
+  std::size_t sampleCount() const { return samples_ ? samples_->size() : 0; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  using Line = std::vector<QPointF>;  // time (s) and value
+  Line lineOf(const std::function<double(const TransientSample&)>& value) const;
+  void paintLegend(QPainter& painter, const QRectF& room) const;
+  void paintStrip(QPainter& painter, const QRectF& room, const QString& name, const char* unit,
+                  const Line& line, const Line& guide) const;
+  void paintTimes(QPainter& painter, const QRectF& room) const;
+
+  Sliding sliding_;
+  std::shared_ptr<const std::vector<TransientSample>> samples_;
+  PlotColours colours_;
+};
+
+}  // namespace asperity

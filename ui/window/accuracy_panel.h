@@ -1,0 +1,71 @@
+// What accuracy costs: a slider from quick to exact, which sets the target of the friction curve's
+// error, with predicted time and error as it moves and the measured ones beside them; and the
+// work-precision diagram of the present scene on demand. Predicts only while it is visible, on a
+// thread of its own. GUI thread; belongs to its parent. Failure: said in a line of the panel.
+#pragma once
+
+#include <QWidget>
+#include <cstdint>
+#include <memory>
+
+#include "core/scene/scene.h"
+#include "ui/picture/contact_picture.h"
+#include "ui/window/figure_worker.h"
+#include "ui/window/prediction_worker.h"
+
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace asperity {
+
+class FigurePicture;
+
+/// The target at a place of the slider, 0 (quick, 20 %) to kAccuracySteps (exact, 0.2 %).
+inline constexpr int kAccuracySteps = 20;
+double targetAt(int place);
+/// The place nearest to a target (> 0).
+int placeOf(double target);
+
+class AccuracyPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit AccuracyPanel(QWidget* parent = nullptr);
+
+  void showScene(const Scene& scene);
+  /// Of the finished curve of the scene shown; the error is relative, root mean square.
+  void showMeasured(double seconds, double standardError);
+  void setTheme(const Theme& theme);
+
+ signals:
+  /// The scene shown with another target.
+  void sceneEdited(const asperity::Scene& scene);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void setTarget(double target);
+  void predict();
+  void takePrediction(const PredictionAnswer& answer);
+  void compareMethods();
+  void endComparison(const QString& text);
+
+  Scene scene_;
+  QSlider* slider_;
+  QLabel* target_;
+  QLabel* predicted_;
+  QLabel* measured_;
+  QPushButton* free_;     // no target
+  QPushButton* compare_;  // starts and cancels
+  FigurePicture* picture_;
+  bool isComparing_ = false;
+  std::uint64_t asked_ = 0;
+  // Last: their threads end before anything else here goes.
+  std::unique_ptr<FigureWorker> comparison_;
+  std::unique_ptr<PredictionWorker> prediction_;
+};
+
+}  // namespace asperity

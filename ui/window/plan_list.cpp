@@ -1,0 +1,41 @@
+#include "ui/window/plan_list.h"
+
+#include <QHeaderView>
+
+#include "core/scene/input_error.h"
+#include "core/scene/plan.h"
+
+namespace asperity {
+
+PlanList::PlanList(QWidget* parent) : QTreeWidget(parent) {
+  setObjectName("planList");
+  setAccessibleName(tr("which stages run, and why"));
+  setHeaderLabels({tr("stage"), tr("runs"), tr("because")});
+  setRootIsDecorated(false);
+  setUniformRowHeights(true);
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::TabFocus);
+  setSelectionMode(QAbstractItemView::NoSelection);
+}
+
+void PlanList::showScene(const Scene& scene) {
+  clear();
+  try {
+    for (const PlanStage& stage : planOf(scene, Purpose::Window)) {
+      const QString reason = QString::fromStdString(stage.reason);
+      auto* item = new QTreeWidgetItem(
+          {QString::fromStdString(stage.name), stage.runs ? tr("yes") : tr("no"), reason});
+      item->setToolTip(2, reason);
+      if (!stage.runs)
+        for (int column = 0; column < 3; ++column)
+          item->setForeground(column, palette().placeholderText());
+      addTopLevelItem(item);
+    }
+  } catch (const InputError& error) {
+    addTopLevelItem(new QTreeWidgetItem({{}, {}, QString::fromUtf8(error.what())}));
+  }
+  resizeColumnToContents(0);
+  resizeColumnToContents(1);
+}
+
+}  // namespace asperity
