@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace asperity {
 
@@ -34,8 +35,11 @@ QString valueText(const ParameterValue& value) {
 }
 
 QString symbolHtml(std::string_view symbol) {
-  if (symbol == "tau") return QStringLiteral("<i>τ</i>");
-  const QString text = fromUtf8(symbol);
+  QString text = fromUtf8(symbol);
+  for (const auto& [name, letter] : {std::pair("tau", u'τ'), std::pair("eta", u'η'),
+                                     std::pair("kappa", u'κ'), std::pair("lambda", u'λ')})
+    if (text.section('_', 0, 0) == QLatin1String(name))
+      text.replace(0, text.section('_', 0, 0).size(), QChar(letter));
   const qsizetype low = text.indexOf('_');
   if (low < 0) return QStringLiteral("<i>%1</i>").arg(text.toHtmlEscaped());
   return QStringLiteral("<i>%1</i><sub>%2</sub>")

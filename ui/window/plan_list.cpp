@@ -26,9 +26,7 @@ void PlanList::showScene(const Scene& scene) {
       auto* item = new QTreeWidgetItem(
           {QString::fromStdString(stage.name), stage.runs ? tr("yes") : tr("no"), reason});
       item->setToolTip(2, reason);
-      if (!stage.runs)
-        for (int column = 0; column < 3; ++column)
-          item->setForeground(column, palette().placeholderText());
+      item->setDisabled(!stage.runs);  // pale, in either theme
       addTopLevelItem(item);
     }
   } catch (const InputError& error) {

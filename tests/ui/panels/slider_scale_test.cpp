@@ -72,6 +72,8 @@ TEST(NumberText, RoundsInDecimals) {
 
 TEST(NumberText, SymbolsLookLikePrint) {
   EXPECT_EQ(symbolHtml("tau"), QStringLiteral("<i>τ</i>"));
+  EXPECT_EQ(symbolHtml("kappa"), QStringLiteral("<i>κ</i>"));
+  EXPECT_EQ(symbolHtml("lambda_r"), QStringLiteral("<i>λ</i><sub>r</sub>"));
   EXPECT_EQ(symbolHtml("F_N"), QStringLiteral("<i>F</i><sub>N</sub>"));
   EXPECT_EQ(wordText("self_affine"), QStringLiteral("self-affine"));
 }
