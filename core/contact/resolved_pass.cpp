@@ -207,8 +207,15 @@ class Pass {
   void pressedPiece(const Inside& inside, double from, double to) {
     double entry = from;
     if (!touching_) {
-      if (!(inside.rise(to) < freeHeight(inside.at(to)))) return;
-      entry = entryBetween(inside, from, to);
+      const auto isReached = [&](double t) { return inside.rise(t) < freeHeight(inside.at(t)); };
+      // Where nothing is remembered the line is back at the surface when p vanishes, to rounding.
+      const double middle = 0.5 * (from + to);
+      if (isReached(to))
+        entry = entryBetween(inside, from, to);
+      else if (isReached(middle))
+        entry = entryBetween(inside, from, middle);
+      else
+        return;
       gatherer.arc(arc_, inside.at(entry));
       touching_ = true;
     }

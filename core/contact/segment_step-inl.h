@@ -210,6 +210,10 @@ class SegmentStep {
     const WideMask free = busy_ & !touching_;
     exits_ = touching_ & !upTo_;
     const WideMask bumps = free & upFrom_ & !upTo_, rises = free & upTo_;
+    // Where p vanishes, that the line reaches the free surface has been found already. Where
+    // nothing is remembered it is back there to rounding, so only further inside one can tell.
+    const WideMask reached =
+        rises & isSet(lanes_.isPressedAtLimit) & (to_ == Wide::load(lanes_.limit));
     enters_ = WideMask::none();
     hits_ = WideMask::none();
     edge_ = to_;
@@ -217,7 +221,7 @@ class SegmentStep {
     if (any(rises)) {
       lostTo = arc_.lostAt(to_);
       gapTo = rising.valueAt(to_, lostTo);
-      enters_ = rises & (gapTo > Wide::all(0));
+      enters_ = rises & ((gapTo > Wide::all(0)) | reached);
     }
     const WideMask wanted = exits_ | bumps | enters_;
     if (!any(wanted)) return;
@@ -226,11 +230,15 @@ class SegmentStep {
     const Wide low = min(from_, to_), high = max(from_, to_);
     const Wide secant = mulAdd(to_ - from_, pressureFrom_ / (pressureFrom_ - pressureTo_), from_);
     Wide guess = select(enters_, gap.step(to_, gapTo, lostTo), secant);
-    guess = select((guess >= low) & (guess <= high), guess, times(0.5, low + high));
+    guess = select((guess >= low) & (guess <= high) & !reached, guess, times(0.5, low + high));
     // Free surface above the line at the piece's start; pressure there positive.
     edge_ = select(wanted, rootBetween(gap, low, high, !(enters_ ^ onwards_), guess, wanted), to_);
     lost_ = arc_.lostAt(edge_);
     hits_ = bumps & (rising.valueAt(edge_, lost_) > Wide::all(0));
+    if (any(bumps & !hits_)) {
+      const Wide middle = times(0.5, from_ + edge_);
+      hits_ = hits_ | (bumps & (rising.valueAt(middle, arc_.lostAt(middle)) > Wide::all(0)));
+    }
   }
 
   /// Free arcs of the lanes that enter end at their edges.

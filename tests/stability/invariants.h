@@ -49,7 +49,7 @@ Finding mirrorSymmetry(const Situation& situation);
 Finding exactScaling(const Situation& situation, Path path, double mu);
 
 /// The line moved along x by whole elements: the same mu.
-Finding shiftSymmetry(const Situation& situation, Path path, double mu);
+Finding shiftSymmetry(const Situation& situation, Path path, const SteadyResult& result);
 
 /// All of the above, of the plain path and of the lanes; of very long lines the first only. Empty
 /// where the situation is refused.

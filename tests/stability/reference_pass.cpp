@@ -209,8 +209,10 @@ class ResolvedReference {
 
   void press(const Piece& piece, Wide from, Wide to) {
     if (!touching_) {
-      if (!(gap(piece, to) > 0)) return;
-      if (gap(piece, from) < 0) from = bisect(from, to, [&](Wide x) { return gap(piece, x); });
+      const Wide middle = from + (to - from) / 2;
+      if (!(gap(piece, to) > 0 || gap(piece, middle) > 0)) return;
+      const Wide reached = gap(piece, to) > 0 ? to : middle;
+      if (gap(piece, from) < 0) from = bisect(from, reached, [&](Wide x) { return gap(piece, x); });
       close(piece.origin + from);
       touching_ = true;
     }

@@ -1,0 +1,102 @@
+// What always holds, tried on random scenes over the whole table of parameters. A failure is shrunk
+// and written as a scene file, which `asperity check` opens; once mended it is kept among the
+// regressions, which are tried every time.
+// ASPERITY_PROPERTIES=N tries N scenes, with a seed of their own by ASPERITY_SEED=N.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "core/contact/scene_sliding.h"
+#include "core/scene/input_error.h"
+#include "core/scene/scene_file.h"
+#include "core/surface/line_source.h"
+#include "tests/stability/invariants.h"
+#include "tests/stability/random_scene.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An environment variable as a number.
+std::uint64_t numberFrom(const char* variable, std::uint64_t otherwise) {
+  const char* text = std::getenv(variable);
+  return text ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+/// The first thing that does not hold, or nothing.
+std::string complaintAbout(const Scene& scene) {
+  try {
+    const Scene again = readScene(writeScene(scene), "scene", scene.folder);
+    if (writeScene(again) != writeScene(scene)) return "does not read back as it was written";
+    const LineSource source(scene, pointsPerElement(scene));
+    const SceneSliding sliding(scene);
+    const Line line = source.make(0);
+    const TravelLine travel = prepareTravel(line, scene.accuracy.scheme);
+    const SteadyState state = sliding.at(travel, scene.sliding.velocity);
+    if (isRefused(state.result)) return "";
+    if (!std::isfinite(state.result.mu) && state.result.normalForce > 0)
+      return "mu is not a number";
+    if (sliding.law().kind() == ElementKind::Arms) return "";
+    const Situation situation{
+        line,
+        scene.accuracy.scheme,
+        {sliding.law().equilibriumModulus, sliding.law().relaxationTime, scene.sliding.velocity},
+        scene.load};
+    for (const Finding& finding : allFindings(situation))
+      if (!finding.holds())
+        return fmt::format("{}: {:.2g} of {:.2g}", finding.invariant, finding.value,
+                           finding.allowed);
+  } catch (const InputError& refusal) {
+    if (refusal.message().empty()) return "refused without a reason";
+  }
+  return "";
+}
+
+/// Where the scene lies that was tried last: after a crash too.
+std::string written(const Scene& scene) {
+  Scene portable = scene;
+  if (!portable.surface.file.empty())
+    portable.surface.file = (scene.folder / portable.surface.file).string();
+  const fs::path file = fs::temp_directory_path() / "asperity_tried_scene.json";
+  std::ofstream(file) << writeScene(portable);
+  return file.string();
+}
+
+TEST(Properties, HoldForAnyScene) {
+  rc::detail::TestParams params;
+  params.seed = numberFrom("ASPERITY_SEED", 20130725);
+  params.maxSuccess = static_cast<int>(numberFrom("ASPERITY_PROPERTIES", 1500));
+  const fs::path failed = fs::temp_directory_path() / "asperity_failed_scene.json";
+  const auto property = [failed] {
+    const Scene scene = sceneWith(*anySettings());
+    const std::string file = written(scene), complaint = complaintAbout(scene);
+    if (complaint.empty()) return;
+    fs::copy_file(file, failed, fs::copy_options::overwrite_existing);
+    RC_FAIL(complaint + "; the scene is " + failed.string());
+  };
+  const auto result = rc::detail::checkTestable(property, rc::detail::TestMetadata(), params);
+  EXPECT_TRUE(result.template is<rc::detail::SuccessResult>()) << [&] {
+    std::ostringstream text;
+    rc::detail::printResultMessage(result, text);
+    return text.str();
+  }();
+}
+
+TEST(Properties, HoldForScenesThatOnceFailed) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(ASPERITY_TESTS_DIR "/stability/regressions"))
+    if (entry.path().extension() == ".json") {
+      ++count;
+      EXPECT_EQ(complaintAbout(readSceneFile(entry.path())), "") << entry.path();
+    }
+  EXPECT_GT(count, 0);
+}
+
+}  // namespace
+}  // namespace asperity
