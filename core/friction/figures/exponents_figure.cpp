@@ -66,10 +66,6 @@ Diagram betaDiagram(const std::vector<Coefficients>& all) {
   return diagram;
 }
 
-bool isMiddle(double hurst) {
-  return hurst > 0.2 - 1e-9 && hurst < 0.8 + 1e-9;
-}
-
 Claim exponentClaim(const std::vector<Coefficients>& all) {
   Claim claim{"alpha_is_H_over_1_plus_H", "p. 3, Eq. (7), Fig. 5",
               "For 0.2 < H < 0.8 the exponent alpha = H/(1+H) fits the numerical data very well",

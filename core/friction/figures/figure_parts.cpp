@@ -29,6 +29,10 @@ std::vector<double> elevenHurstExponents() {
   return exponents;
 }
 
+bool isMiddle(double hurst) {
+  return hurst > 0.2 - 1e-9 && hurst < 0.8 + 1e-9;
+}
+
 FigureWork::FigureWork(const FigureOptions& options, double totalCost)
     : options_(options), total_(totalCost) {}
 

@@ -42,10 +42,6 @@ Top topOf(const Study& study, std::size_t j) {
   return top;
 }
 
-bool isMiddle(double hurst) {
-  return hurst > 0.2 - 1e-9 && hurst < 0.8 + 1e-9;
-}
-
 Diagram diagramOf(const std::vector<Tops>& all) {
   Diagram diagram;
   diagram.x = {"normal force F\u2099", "N"};
