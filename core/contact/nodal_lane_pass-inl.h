@@ -29,11 +29,9 @@ class NodalLanePass {
   NodalLanePass(const TravelLine& line, const double* depth, const double* memory)
       : line_(line), depth_(hn::Load(d_, depth)), memory_(hn::Load(d_, memory)) {
     const V exponent = hn::Div(set(-line.spacing), hn::Max(memory_, set(1e-300)));
-    kept_[0] = hn::Exp(d_, hn::Max(exponent, set(-700)));
-    for (std::size_t k = 1; k < line.blocks.size(); ++k) {
-      const V squared = hn::Mul(kept_[k - 1], kept_[k - 1]);
-      kept_[k] = hn::Mul(squared, squared);
-    }
+    lost_[0] = hn::Neg(hn::Expm1(d_, hn::Max(exponent, set(-350))));
+    for (std::size_t k = 1; k < line.blocks.size(); ++k) lost_[k] = twice(twice(lost_[k - 1]));
+    surface_ = depth_;
   }
 
   HWY_INLINE void run(NodalLaneSums& sums) {
@@ -51,6 +49,12 @@ class NodalLanePass {
 
   HWY_INLINE V set(double value) const { return hn::Set(d_, value); }
   HWY_INLINE V zero() const { return hn::Zero(d_); }
+  /// What is lost over two stretches, of what is lost over one: l (2 - l).
+  HWY_INLINE V twice(V lost) const { return hn::Mul(lost, hn::Sub(set(2), lost)); }
+  /// Where a surface is after a stretch, from a height.
+  HWY_INLINE V after(V height, V lost) const {
+    return hn::MulAdd(hn::Sub(depth_, height), lost, height);
+  }
 
   /// Takes the largest whole block at i above which every lane stays free, or node i.
   HWY_INLINE int advance(std::size_t& i, int level) {
@@ -60,9 +64,8 @@ class NodalLanePass {
       const std::size_t block = from >> (2 * level);
       const auto& blocks = line_.blocks[static_cast<std::size_t>(level)];
       if ((from & (size - 1)) == 0 && block < blocks.size()) {
-        const V far = hn::Mul(free_, kept_[level]);
-        const V highest = hn::Sub(depth_, set(blocks.lowest[block]));
-        if (hn::AllTrue(d_, hn::Lt(highest, far))) {
+        const V far = after(surface_, lost_[level]);
+        if (hn::AllTrue(d_, hn::Gt(set(blocks.lowest[block]), far))) {
           skip(far, level);
           i += size;
           return level < top ? level + 1 : level;
@@ -79,54 +82,58 @@ class NodalLanePass {
   /// Every lane relaxes over a block: y here is the first free value, decayed node by node.
   HWY_INLINE void skip(V far, int level) {
     if (kEverything) {
-      const V most = hn::Sub(set(1), kept_[0]), share = hn::Sub(free_, far);
       // Geometric sum; without any decay all values are alike.
-      const V alike = hn::Mul(free_, set(static_cast<double>(std::size_t{1} << (2 * level))));
-      const V sum = hn::IfThenElse(hn::Gt(most, set(1e-9)), hn::Div(share, most), alike);
-      depthSum_ = hn::Add(depthSum_, sum);
-      sinceTouch_ = hn::Mul(sinceTouch_, kept_[level]);
+      const V alike = set(static_cast<double>(std::size_t{1} << (2 * level)));
+      const V some = hn::Div(lost_[level], lost_[0]);
+      const V sum = hn::IfThenElse(hn::Gt(lost_[0], zero()), some, alike);
+      depthSum_ = hn::MulAdd(hn::Sub(depth_, surface_), sum, depthSum_);
+      forget(lost_[level]);
     }
-    free_ = far;
+    surface_ = far;
+  }
+
+  HWY_INLINE void forget(V lost) {
+    lostSinceTouch_ = hn::MulAdd(hn::Sub(set(1), lostSinceTouch_), lost, lostSinceTouch_);
   }
 
   HWY_INLINE void node(std::size_t i) {
     const V rise = set(line_.rise[i]), slope = set(line_.slopeIn[i]);
-    const V deep = hn::Sub(depth_, rise);
-    const M touching = hn::Ge(deep, free_);
+    const M touching = hn::Le(rise, surface_);
     if (hn::AllFalse(d_, touching)) {
       if (kEverything) {
-        depthSum_ = hn::Add(depthSum_, free_);
-        sinceTouch_ = hn::Mul(sinceTouch_, kept_[0]);
+        depthSum_ = hn::Add(depthSum_, hn::Sub(depth_, surface_));
+        forget(lost_[0]);
       }
-      free_ = hn::Mul(free_, kept_[0]);
+      surface_ = after(surface_, lost_[0]);
       return;
     }
+    const V deep = hn::Sub(depth_, rise);
     const V pressure = hn::NegMulAdd(memory_, slope, deep);
     const M loaded = hn::And(touching, hn::Gt(pressure, zero()));
     pressure_ = hn::Add(pressure_, hn::IfThenElse(loaded, pressure, zero()));
     loaded_ = hn::Add(loaded_, hn::IfThenElse(loaded, set(1), zero()));
-    const V here = hn::IfThenElse(touching, deep, free_);
-    if (kEverything) everything(i, rise, slope, pressure, here, touching, loaded);
-    free_ = hn::Mul(here, kept_[0]);
+    const V here = hn::IfThenElse(touching, rise, surface_);
+    if (kEverything) everything(i, rise, slope, pressure, touching, loaded);
+    surface_ = after(here, lost_[0]);
   }
 
-  HWY_INLINE void everything(std::size_t i, V rise, V slope, V pressure, V here, M touching,
-                             M loaded) {
-    closeArcs(touching, free_);
+  HWY_INLINE void everything(std::size_t i, V rise, V slope, V pressure, M touching, M loaded) {
+    closeArcs(touching, hn::Sub(depth_, surface_));
     work_ = hn::Sub(work_, hn::IfThenElse(loaded, hn::Mul(pressure, slope), zero()));
     const V squared = hn::Mul(slope, slope);
     slopeSquared_ = hn::Add(slopeSquared_, hn::IfThenElse(loaded, squared, zero()));
+    const V here = hn::Sub(depth_, hn::IfThenElse(touching, rise, surface_));
     depthSum_ = hn::Add(depthSum_, here);
     const V pressed = hn::MulAdd(memory_, slope, rise);
     V threshold = hn::Max(pressed, zero());
     if (i > 0) {
-      const V reached =
-          hn::Div(hn::NegMulAdd(lastRise_, sinceTouch_, rise), hn::Sub(set(1), sinceTouch_));
+      const V reached = hn::Add(lastRise_, hn::Div(hn::Sub(rise, lastRise_), lostSinceTouch_));
       threshold = hn::Max(threshold, reached);
     }
     threshold_ = hn::IfThenElse(loaded, hn::Max(threshold_, threshold), threshold_);
     lastRise_ = hn::IfThenElse(touching, rise, lastRise_);
-    sinceTouch_ = hn::IfThenElse(touching, kept_[0], hn::Mul(sinceTouch_, kept_[0]));
+    lostSinceTouch_ = hn::IfThenZeroElse(touching, lostSinceTouch_);
+    forget(lost_[0]);
     arcStart_ = hn::IfThenElse(touching, here, arcStart_);
   }
 
@@ -154,9 +161,9 @@ class NodalLanePass {
 
   const TravelLine& line_;
   V depth_, memory_;
-  V kept_[kMostLevels];
-  V free_ = hn::Zero(d_);  // y that reaches the next node without contact
-  V lastRise_ = hn::Zero(d_), sinceTouch_ = hn::Set(d_, 1), arcStart_ = hn::Zero(d_);
+  V lost_[kMostLevels];       // part of a depth, over a block of each level
+  V surface_ = hn::Zero(d_);  // height of what reaches the next node without contact
+  V lastRise_ = hn::Zero(d_), lostSinceTouch_ = hn::Zero(d_), arcStart_ = hn::Zero(d_);
   V pressure_ = hn::Zero(d_), loaded_ = hn::Zero(d_), depthSum_ = hn::Zero(d_);
   V work_ = hn::Zero(d_), slopeSquared_ = hn::Zero(d_), freeLoss_ = hn::Zero(d_);
   V threshold_ = hn::Set(d_, -1);

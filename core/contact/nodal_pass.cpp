@@ -13,14 +13,13 @@ class NodalPass {
         depth_(depth),
         memory_(memory),
         spacing_(line.spacing),
-        decay_(memory > 0 ? std::exp(-line.spacing / memory) : 0),
         lost_(memory > 0 ? -std::expm1(-line.spacing / memory) : 1),
         shape_(shape) {}
 
   NodalState run() {
     if (depth_ < 0) return empty();
     state_.threshold = -1;
-    free_ = 0;  // the lowest node comes first: nothing reaches deeper
+    surface_ = depth_;  // the lowest node comes first: nothing reaches deeper
     for (std::size_t i = 0; i < line_.segments(); ++i) node(i);
     closeArc(depth_);
     return state_;
@@ -36,24 +35,25 @@ class NodalPass {
   }
 
   void node(std::size_t i) {
-    const double deep = depth_ - line_.rise[i];
-    const bool touching = deep >= free_;
+    // As heights, element and surface are told apart however far the indentation is above them.
+    const bool touching = line_.rise[i] <= surface_;
     double pressure = 0;
     if (touching) {
-      pressure = deep - memory_ * line_.slopeIn[i];
-      closeArc(free_);
+      pressure = depth_ - line_.rise[i] - memory_ * line_.slopeIn[i];
+      closeArc(depth_ - surface_);
       if (pressure > 0) load(i, pressure);
       lastTouch_ = i;
       lostSinceTouch_ = 0;
     }
-    const double here = touching ? deep : free_;
+    const double height = touching ? line_.rise[i] : surface_;
+    const double here = std::max(depth_ - height, 0.0);  // rounding may come out above
     state_.sums.depth += here * spacing_;
     if (shape_) {
       shape_->depth.push_back(here);
       shape_->pressure.push_back(std::max(pressure, 0.0));
     }
-    if (touching) arcStart_ = deep;
-    free_ = here * decay_;
+    if (touching) arcStart_ = here;
+    surface_ = height + (depth_ - height) * lost_;
     lostSinceTouch_ += (1 - lostSinceTouch_) * lost_;
   }
 
@@ -88,10 +88,11 @@ class NodalPass {
   }
 
   const TravelLine& line_;
-  double depth_, memory_, spacing_, decay_, lost_;
+  double depth_, memory_, spacing_, lost_;
   NodeShape* shape_;
   NodalState state_;
-  double free_ = 0, arcStart_ = 0, lostSinceTouch_ = 0;
+  double surface_ = 0;  // m, height of what reaches the next node without contact
+  double arcStart_ = 0, lostSinceTouch_ = 0;
   std::size_t lastTouch_ = 0;
 };
 

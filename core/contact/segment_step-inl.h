@@ -96,6 +96,9 @@ struct WideGap {
 /// Halley's method inside [low, high] for the lanes wanted, bisection where it would leave.
 HWY_INLINE Wide rootBetween(const WideGap& gap, Wide low, Wide high, WideMask negativeAtLow,
                             Wide guess, WideMask wanted) {
+  // Over less than it takes the arc to change its curvature.
+  const Wide one = Wide::all(1);
+  const Wide reach = select(gap.arc.depth > Wide::all(0), one / abs(gap.arc.rate), one);
   Wide t = guess;
   for (int step = 0; step < kMostRootSteps; ++step) {
     const Wide lost = gap.arc.lostAt(t);
@@ -103,11 +106,14 @@ HWY_INLINE Wide rootBetween(const WideGap& gap, Wide low, Wide high, WideMask ne
     const WideMask before = !((value < Wide::all(0)) ^ negativeAtLow);
     low = select(before, t, low);
     high = select(before, high, t);
-    const Wide next = gap.step(t, value, lost);
-    const WideMask inside = (next >= low) & (next <= high);
-    const Wide moved = abs(select(inside, next, times(0.5, low + high)) - t);
-    t = select(inside, next, times(0.5, low + high));
-    if (!any(wanted & (moved > mulAdd(t, Wide::all(kRootStep), Wide::all(1e-24))))) break;
+    const Wide enough = mulAdd(min(t, reach), Wide::all(kRootStep), Wide::all(1e-24));
+    Wide next = gap.step(t, value, lost);
+    // A step that leaves by no more than it may be wrong by means that the root is at this end.
+    const WideMask inside = (next >= low - enough) & (next <= high + enough);
+    next = select(inside, min(max(next, low), high), times(0.5, low + high));
+    const Wide moved = abs(next - t);
+    t = next;
+    if (!any(wanted & (moved > enough))) break;
   }
   return t;
 }

@@ -77,6 +77,16 @@ double heightNoise(const Situation& situation, double indentation) {
   return reach > 0 ? 16 * kEpsilon * (*high - *low) / reach : 0;
 }
 
+/// How far two mu that should be the same are apart. Elements one by one give the difference of
+/// large terms, whose scale is the slope.
+double apart(const Situation& situation, double a, double b) {
+  if (std::isnan(a) && std::isnan(b)) return 0;  // pressed by nothing, both
+  if (!std::isfinite(a) || !std::isfinite(b)) return kInfinity;
+  const double floor = situation.scheme == Scheme::Nodal ? 1e-3 : 1e-15;
+  const double scale = std::max(std::abs(a), std::abs(b)) + floor * situation.line.rmsSlope;
+  return a == b ? 0 : std::abs(a - b) / scale;
+}
+
 }  // namespace
 
 double Finding::share() const {
@@ -169,8 +179,8 @@ Finding mirrorSymmetry(const Situation& situation) {
   const SteadyResult back =
       slideAtLoad(travelOf(situation, Direction::Backward), situation.conditions, situation.load);
   const SteadyResult on = solve(mirror, Path::Plain);
-  return {"mirror symmetry", relative(back.mu, on.mu),
-          1e-12 + heightNoise(situation, on.indentation)};
+  return {"mirror symmetry", apart(situation, back.mu, on.mu),
+          1e-12 + 4 * (back.residual + on.residual) + heightNoise(situation, on.indentation)};
 }
 
 Finding exactScaling(const Situation& situation, Path path, double mu) {
@@ -184,8 +194,10 @@ Finding exactScaling(const Situation& situation, Path path, double mu) {
 Finding shiftSymmetry(const Situation& situation, Path path, const SteadyResult& result) {
   Situation other = situation;
   other.line = moved(situation.line, situation.line.nodes() / 3);
-  return {"shift along x", relative(solve(other, path).mu, result.mu),
-          1e-12 + heightNoise(situation, result.indentation)};
+  const SteadyResult shifted = solve(other, path);
+  const double residual = shifted.residual + result.residual;
+  return {"shift along x", apart(situation, shifted.mu, result.mu),
+          1e-12 + 4 * residual + heightNoise(situation, result.indentation)};
 }
 
 std::vector<Finding> allFindings(const Situation& situation) {
