@@ -125,9 +125,16 @@ double resolutionDifference(const Scene& scene, const std::vector<double>& veloc
   return differences.empty() ? 0 : rms(differences);
 }
 
-double secondsOfLine(const Scene& scene, const std::stop_token& stop) {
+struct LineSeconds {
+  double first;  // with what is planned once
+  double later;
+};
+
+LineSeconds secondsOfLine(const Scene& scene, const std::stop_token& stop) {
+  const double begin = threadSeconds();
   Pilot pilot(scene, sweepVelocities(scene.sweep));
-  pilot.slide(0);  // plans and warms
+  pilot.slide(0);
+  const double first = threadSeconds() - begin;
   std::vector<double> seconds;
   for (std::int64_t r = 1; r <= kTimedLines; ++r) {
     throwIfStopped(stop);
@@ -136,7 +143,7 @@ double secondsOfLine(const Scene& scene, const std::stop_token& stop) {
     seconds.push_back(threadSeconds() - start);
   }
   std::sort(seconds.begin(), seconds.end());
-  return seconds[seconds.size() / 2];
+  return {first, seconds[seconds.size() / 2]};
 }
 
 int threadsOf(int threads) {
@@ -203,7 +210,9 @@ Prediction predictCurve(const Scene& scene, int threads, const std::stop_token& 
       std::min(static_cast<double>(prediction.threads), static_cast<double>(lines));
   prediction.lines = static_cast<double>(lines);
   prediction.simulations = static_cast<double>(lines * scene.sweep.points);
-  prediction.seconds = secondsOfLine(scene, stop) * static_cast<double>(lines) / parallel;
+  // The first line is slid alone; it is to be seen at once.
+  const LineSeconds line = secondsOfLine(scene, stop);
+  prediction.seconds = line.first + line.later * static_cast<double>(lines - 1) / parallel;
   // Results of a batch of 32 lines wait for their turn.
   prediction.memory = pilot.memoryOfLine() * parallel +
                       static_cast<double>(std::min<std::int64_t>(lines, 32) * scene.sweep.points) *

@@ -42,7 +42,8 @@ Options readOptions(int count, char** arguments) {
       options.memoryChild = arguments[++i];
     else
       options.rest.push_back(arguments[i]);
-    options.isFiltered |= argument.starts_with("--benchmark_filter");
+    options.isFiltered |= argument.starts_with("--benchmark_filter") ||
+                          argument.starts_with("--benchmark_list_tests");
   }
   return options;
 }
