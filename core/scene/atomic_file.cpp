@@ -117,13 +117,19 @@ std::string readWholeFile(const fs::path& file, std::size_t limit) {
                                                                &std::fclose);
   if (!handle)
     throw InputError(file.string(), "", fmt::format("cannot be opened: {}", std::strerror(errno)));
+  const auto refuseAbove = [&](std::uintmax_t size) {
+    if (size > limit)
+      throw InputError(file.string(), "",
+                       fmt::format("is larger than the {} bytes allowed", limit));
+  };
+  // What says how large it is need not be read to be refused; a pipe does not.
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (!error) refuseAbove(size);
   std::string bytes;
   char buffer[1 << 16];
   while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, handle.get())) {
     bytes.append(buffer, count);
-    if (bytes.size() > limit)
-      throw InputError(file.string(), "",
-                       fmt::format("is larger than the {} bytes allowed", limit));
+    refuseAbove(bytes.size());
   }
   if (std::ferror(handle.get())) throw InputError(file.string(), "", "cannot be read");
   return bytes;

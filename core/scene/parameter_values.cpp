@@ -161,8 +161,8 @@ void setFromText(const Parameter& parameter, Scene& scene, std::string_view text
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc::result_out_of_range)
-    refuse(parameter, fmt::format("{} is beyond what a number can hold; allowed is {}", text,
-                                  allowedText(parameter)));
+    refuse(parameter, fmt::format("{} is beyond what a number can hold; allowed is {}",
+                                  text.substr(0, 60), allowedText(parameter)));
   if (error != std::errc{} || end != text.data() + text.size())
     return setValue(parameter, scene, std::string(text));
   setValue(parameter, scene, number);

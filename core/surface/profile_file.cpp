@@ -22,13 +22,15 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// The line's fields, split at commas, semicolons or tabs.
+constexpr std::size_t kMostFields = 3;  // of a row that are looked at; more than two are refused
+
+/// The line's first fields, split at commas, semicolons or tabs.
 std::vector<std::string_view> fieldsOf(std::string_view line) {
   std::vector<std::string_view> fields;
   while (true) {
     const std::size_t end = line.find_first_of(",;\t");
     fields.push_back(trimmed(line.substr(0, end)));
-    if (end == std::string_view::npos) return fields;
+    if (end == std::string_view::npos || fields.size() == kMostFields) return fields;
     line.remove_prefix(end + 1);
   }
 }
@@ -69,15 +71,15 @@ class Reader {
       double number = 0;
       if (!readNumber(field, number)) return takeHeader(field);
       if (!std::isfinite(number))
-        fail(fmt::format("row {}: {} is not a finite number", row_, field));
+        fail(fmt::format("row {}: {} is not a finite number", row_, field.substr(0, 40)));
       if (std::abs(number) > kFarthest)
-        fail(fmt::format("row {}: {} is beyond {} m", row_, field, kFarthest));
+        fail(fmt::format("row {}: {} is beyond {} m", row_, field.substr(0, 40), kFarthest));
       numbers.push_back(number);
     }
     if (height_.empty()) columns_ = numbers.size();
     if (numbers.size() != columns_ || columns_ > 2)
-      fail(fmt::format("row {}: has {} columns; position and height, or height alone, are needed",
-                       row_, numbers.size()));
+      fail(fmt::format("row {}: has {} columns{}; position and height, or height alone, are needed",
+                       row_, numbers.size(), numbers.size() == kMostFields ? " or more" : ""));
     if (height_.size() == kMostRows) fail(fmt::format("has more than {} rows", kMostRows));
     if (columns_ == 2) position_.push_back(numbers.front());
     height_.push_back(numbers.back());

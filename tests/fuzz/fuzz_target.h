@@ -1,0 +1,33 @@
+// What every fuzz target asks of a reader: any bytes are either read or refused with InputError, in
+// one short line. Everything else (another exception, a sanitizer's finding, an endless run) is a
+// finding.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "core/scene/input_error.h"
+
+namespace asperity {
+
+inline void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+/// Calls read(text); a refusal is to be one line of no more than a few hundred letters.
+template <class Read>
+int readOrRefuse(const std::uint8_t* data, std::size_t size, const Read& read) {
+  try {
+    read(std::string_view(reinterpret_cast<const char*>(data), size));
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    require(!text.empty() && text.size() < 1000);
+    for (const char letter : text) require(static_cast<unsigned char>(letter) >= ' ');
+  }
+  return 0;
+}
+
+}  // namespace asperity
