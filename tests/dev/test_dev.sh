@@ -135,7 +135,7 @@ test_help_lists_the_commands() {
 
 test_bad_usage_is_one_line_and_status_2() {
   local command
-  for command in nonsense 'check --nonsense' fuzz 'package nonsense'; do
+  for command in nonsense 'check --nonsense' 'fuzz nonsense' 'package nonsense'; do
     # shellcheck disable=SC2086 # two words are two arguments
     call $command
     same "status of $command" "$status" 2
