@@ -59,7 +59,7 @@ TEST_F(BatchTest, WhatShowsAllScenesNamesThemAndIsNotOpenedAsOne) {
     const std::string bytes = read("out/" + name);
     const auto made = nlohmann::json::parse(findProvenance(bytes));
     ASSERT_EQ(made["scenes"].size(), 2U) << name;
-    EXPECT_EQ(made["scenes"][1]["scene"], nlohmann::json::parse(read("out/two_2.json"))) << name;
+    EXPECT_EQ(made["scenes"][1]["scene"], nlohmann::json::parse(read("out/two_02.json"))) << name;
     const Said said = program.run("open out/" + name + " --json");
     EXPECT_EQ(said.status, 2) << name;
     EXPECT_THAT(said.err, HasSubstr("shows many scenes")) << name;
