@@ -7,6 +7,8 @@
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <functional>
+#include <optional>
+#include <thread>
 
 #include "core/run/runner.h"
 #include "ui/picture/contact_picture.h"
@@ -30,6 +32,7 @@ class PlotView;
 class SceneDocument;
 class Session;
 class StatusLine;
+struct ContactShot;
 struct SceneOrigin;
 class TransientStrips;
 
@@ -63,6 +66,10 @@ class MainWindow : public QMainWindow {
   bool openScene(const QString& file);
   bool saveScene(const QString& file);
 
+  /// The contact as it is shown, with its title, as .png, .svg or .pdf. In the background;
+  /// exported() or a complaint in the message bar follows.
+  void savePicture(const QString& file);
+
   /// The page of the paper's figures in the place of the views, and back. What it computes goes on
   /// meanwhile.
   void openFigures();
@@ -71,6 +78,10 @@ class MainWindow : public QMainWindow {
 
   void setDark(bool dark);
   bool isDark() const { return dark_; }
+
+ signals:
+  /// A picture is on the clipboard (empty) or in this file.
+  void exported(const QString& file);
 
  protected:
   /// A scene, or a picture or table made from one, dropped on the window is opened.
@@ -114,6 +125,15 @@ class MainWindow : public QMainWindow {
   bool mayLeaveScene();
   void replaceScene(const SceneOrigin& origin);
 
+  // In main_window_copy.cpp: what leaves the window.
+  void buildCopyCommands();
+  std::optional<ContactShot> shot() const;
+  void copyPicture();
+  void askPicture();
+  QString pictureCommand() const;
+  void copyText(const QString& text);
+  void runExport(std::function<void()> work, std::function<void()> done);
+
   // In main_window_tabs.cpp.
   QTabWidget* buildTabs();
   void showAboutScene();
@@ -155,11 +175,14 @@ class MainWindow : public QMainWindow {
   QAction *play_ = nullptr, *step_ = nullptr, *reset_ = nullptr;
   QAction *open_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr, *light_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr, *revert_ = nullptr, *resetAll_ = nullptr;
+  QAction *copyPicture_ = nullptr, *savePicture_ = nullptr;
+  QAction *copyRender_ = nullptr, *copyCurve_ = nullptr;
   QMenu* recent_ = nullptr;
   QAction* figures_ = nullptr;
   QMenu* scenes_ = nullptr;
   bool dark_ = false;
   bool hadDock_ = true;  // before the figures were opened
+  std::jthread export_;  // last: ends before anything else here goes
 };
 
 }  // namespace asperity

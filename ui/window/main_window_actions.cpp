@@ -28,6 +28,7 @@ void MainWindow::buildActions() {
       addCommand("reset", tr("Reset"), Qt::Key_R, Symbol::Reset, [this] { session_->reset(); });
   buildFileCommands();
   buildEditCommands();
+  buildCopyCommands();
   light_ = addCommand("light", tr("Dark colours"), {}, Symbol::Light, [this] { setDark(!dark_); });
   buildFigures();
   buildMenus();
