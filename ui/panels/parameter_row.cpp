@@ -250,9 +250,16 @@ void ParameterRow::addReset(QHBoxLayout& line) {
 
 void ParameterRow::describe(QWidget& control, const char* kind) {
   control.setObjectName(QString(kind) + ":" + fromUtf8(parameter_.key));
-  control.setAccessibleName(fromUtf8(parameter_.key));
+  control.setAccessibleName(accessibleLabel());
   control.setAccessibleDescription(tr(parameter_.sentence.data()));
   control.setToolTip(description());
+}
+
+/// "normal force (N)".
+QString ParameterRow::accessibleLabel() const {
+  const QString unit = fromUtf8(parameter_.unit);
+  return unit.isEmpty() ? labelOf(parameter_)
+                        : QStringLiteral("%1 (%2)").arg(labelOf(parameter_), unit);
 }
 
 QString ParameterRow::description() const {
