@@ -7,6 +7,7 @@
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 #include "ui/panels/number_text.h"
+#include "ui/picture/figure_drawing.h"
 #include "ui/picture/pdf_file.h"
 #include "ui/picture/png_file.h"
 #include "ui/picture/svg_file.h"
@@ -28,16 +29,6 @@ std::string originOf(const Figure& figure) {
 
 }  // namespace
 
-DrawList composeFigure(const MadeFigure& made, const DiagramOptions& options) {
-  if (!made.contact) return composeDiagrams(made.figure.sheet, options);
-  ContactPictureOptions contact;
-  contact.width = options.width;
-  contact.height = options.height;
-  contact.scale = options.scale;
-  contact.theme = options.theme;
-  return composeContact(*made.contact, contact);
-}
-
 QString figureFile(FigureName name, const QString& extension) {
   return "figure_" + fromUtf8(entryOf(name).word) + extension;
 }
@@ -45,7 +36,7 @@ QString figureFile(FigureName name, const QString& extension) {
 void writeFigurePicture(const std::filesystem::path& file, const MadeFigure& made) {
   const std::string extension = file.extension().string();
   const Figure& figure = made.figure;
-  const DrawList picture = composeFigure(made, printOptions(figure.sheet));
+  const DrawList picture = composeFigure(figure, made.contact.get(), printOptions(figure.sheet));
   if (extension == ".png") {
     checkWritable(file);
     OsmesaContext context;
