@@ -33,7 +33,7 @@ int labelWidth(const QFont& font) {
   const QFontMetrics metrics(font);
   int width = 0;
   for (const Parameter& parameter : parameters())
-    width = std::max(width, metrics.horizontalAdvance(fromUtf8(parameter.label) + "  " +
+    width = std::max(width, metrics.horizontalAdvance(ParameterRow::labelOf(parameter) + "  " +
                                                       fromUtf8(parameter.symbol)));
   return width + 4;
 }
@@ -84,6 +84,10 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, Q
   addReset(*line);
 
   addRemarks(*column, labelWidth(font()) + line->spacing());
+}
+
+QString ParameterRow::labelOf(const Parameter& parameter) {
+  return tr(parameter.label.data());
 }
 
 void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool replace) {
@@ -146,8 +150,7 @@ void ParameterRow::addLabel(QHBoxLayout& line, const QString& heading) {
   auto* label = new QLabel;
   if (heading.isEmpty()) {
     const QString symbol = symbolHtml(parameter_.symbol);
-    label->setText(tr(parameter_.label.data()) +
-                   (parameter_.symbol.empty() ? "" : "&nbsp; " + symbol));
+    label->setText(labelOf(parameter_) + (parameter_.symbol.empty() ? "" : "&nbsp; " + symbol));
   } else {
     label->setText(heading);
     label->setProperty("role", "heading");
@@ -216,7 +219,7 @@ void ParameterRow::addReset(QHBoxLayout& line) {
   reset_->setText(QStringLiteral("↺"));
   reset_->setObjectName("reset:" + fromUtf8(parameter_.key));
   reset_->setProperty("role", "reset");
-  reset_->setAccessibleName(tr("reset %1").arg(fromUtf8(parameter_.label)));
+  reset_->setAccessibleName(tr("reset %1").arg(labelOf(parameter_)));
   reset_->setFixedWidth(kResetWidth);
   reset_->setFocusPolicy(Qt::NoFocus);
   connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(resting_); });

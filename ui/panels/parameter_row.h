@@ -31,6 +31,9 @@ class ParameterRow : public QWidget {
 
   const Parameter& parameter() const { return parameter_; }
 
+  /// The parameter's name in the language of the window.
+  static QString labelOf(const Parameter& parameter);
+
   /// Shows the scene's value and vanishes where the row does not apply. `replace` also overwrites
   /// what someone typed and was refused. `known` is the line that is shown.
   void showScene(const Scene& scene, const LineSize& known, bool replace);

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSplitter>
@@ -58,6 +57,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
     : QMainWindow(parent), session_(new Session(scene, options, this)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
+  buildDocument(scene);
   buildViews();
   buildPanel();
   buildActions();
@@ -65,7 +65,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   setDark(palette().color(QPalette::Window).lightness() < 128);
   showAboutScene();
   showDescription();
-  showTitle();
+  showHistory();
   resize(1280, 800);
 
   auto* timer = new QTimer(this);
@@ -127,9 +127,7 @@ void MainWindow::buildPanel() {
   dock_->setTitleBarWidget(dockTitle(*dock_));
   addDockWidget(Qt::RightDockWidgetArea, dock_);
   resizeDocks({dock_}, {panel_->sizeHint().width()}, Qt::Horizontal);
-  connect(panel_, &ParameterPanel::sceneEdited, session_, &Session::setScene);
-  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::showTitle);
-  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::showAboutScene);
+  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::takeStep);
 }
 
 void MainWindow::connectSession() {
@@ -141,11 +139,8 @@ void MainWindow::connectSession() {
       strips_->show(frame->scene->sliding, frame->transient);
     if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
   });
-  connect(accuracy_, &AccuracyPanel::sceneEdited, this, [this](const Scene& scene) {
-    panel_->setScene(scene);
-    session_->setScene(scene);
-    curveTime_.start();
-  });
+  connect(accuracy_, &AccuracyPanel::sceneEdited, this,
+          [this](const Scene& scene) { editScene(scene); });
   connect(session_, &Session::complained, this, [this](const QString& key, const QString& text) {
     messages_->showMessage(key.isEmpty() ? text : key + ": " + text);
     panel_->showError(key, text);
@@ -155,14 +150,6 @@ void MainWindow::connectSession() {
   connect(session_, &Session::playingChanged, this, &MainWindow::showPlaying);
   connectView();
   connectChart();
-}
-
-void MainWindow::showScene(const Scene& scene) {
-  panel_->setScene(scene);
-  session_->setScene(scene);
-  showTitle();
-  showAboutScene();
-  showDescription();
 }
 
 void MainWindow::showDescription() {
@@ -181,12 +168,6 @@ void MainWindow::setDark(bool dark) {
   accuracy_->setTheme(theme);
   gallery_->setTheme(theme);
   paintIcons();
-}
-
-void MainWindow::showTitle() {
-  const QString title = QString::fromStdString(session_->scene().title);
-  const QString name = title.isEmpty() ? QFileInfo(file_).fileName() : title;
-  setWindowTitle(name.isEmpty() ? tr("Asperity") : tr("%1 – Asperity").arg(name));
 }
 
 }  // namespace asperity

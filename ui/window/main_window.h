@@ -22,12 +22,15 @@ namespace asperity {
 class AccuracyPanel;
 class ContactCanvas;
 class GalleryPage;
+class GestureCounter;
 class MessageBar;
 class ParameterPanel;
 class PlanList;
 class PlotView;
+class SceneDocument;
 class Session;
 class StatusLine;
+struct SceneOrigin;
 class TransientStrips;
 
 class MainWindow : public QMainWindow {
@@ -45,8 +48,15 @@ class MainWindow : public QMainWindow {
   MessageBar& description() { return *description_; }
   GalleryPage& gallery() { return *gallery_; }
 
-  /// Another scene for controls and runner.
+  /// Another scene for controls and runner: a fresh document without a history. Asks nothing.
   void showScene(const Scene& scene);
+  void showScene(const SceneOrigin& origin);
+
+  /// The next step of the present scene, for whatever lets a person change it outside of the panel
+  /// of parameters; can be undone. Steps within one drag are one. `what` names it in the menu;
+  /// empty: after the parameters that differ.
+  void editScene(const Scene& scene, const QString& what = {});
+  SceneDocument& document() { return *document_; }
 
   /// A scene file, or any file that the program wrote from one. False, with the reason in the
   /// message bar, where the file does not read or write.
@@ -66,6 +76,7 @@ class MainWindow : public QMainWindow {
   /// A scene, or a picture or table made from one, dropped on the window is opened.
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
 
  private:
   void buildViews();
@@ -86,8 +97,22 @@ class MainWindow : public QMainWindow {
   void showAbout();
 
   // In main_window_files.cpp.
+  void buildFileCommands();
+  void fillFiles(QMenu& menu);
+  void fillRecent();
   void askOpen();
-  void askSave();
+  bool save();
+  bool askSave();
+
+  // In main_window_document.cpp: history, and what is not saved yet.
+  void buildDocument(const Scene& scene);
+  void buildEditCommands();
+  void fillEdit(QMenu& menu);
+  void showHistory();
+  void takeStep(const Scene& scene);
+  void resetAll();
+  bool mayLeaveScene();
+  void replaceScene(const SceneOrigin& origin);
 
   // In main_window_tabs.cpp.
   QTabWidget* buildTabs();
@@ -109,6 +134,8 @@ class MainWindow : public QMainWindow {
   void fillFigures(QMenu& menu);
 
   Session* session_ = nullptr;
+  SceneDocument* document_ = nullptr;
+  GestureCounter* gestures_ = nullptr;
   ContactCanvas* canvas_ = nullptr;
   PlotView* plot_ = nullptr;
   ParameterPanel* panel_ = nullptr;
@@ -126,10 +153,11 @@ class MainWindow : public QMainWindow {
   QTimer* plotPause_ = nullptr;  // runs after the diagram was painted
   bool plotIsDue_ = false;       // and something came meanwhile
   QAction *play_ = nullptr, *step_ = nullptr, *reset_ = nullptr;
-  QAction *open_ = nullptr, *save_ = nullptr, *light_ = nullptr;
+  QAction *open_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr, *light_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *revert_ = nullptr, *resetAll_ = nullptr;
+  QMenu* recent_ = nullptr;
   QAction* figures_ = nullptr;
   QMenu* scenes_ = nullptr;
-  QString file_;  // last opened or saved
   bool dark_ = false;
   bool hadDock_ = true;  // before the figures were opened
 };

@@ -11,34 +11,13 @@
 
 #include "ui/panels/number_text.h"
 #include "ui/window/appearance.h"
+#include "ui/window/command_words.h"
 #include "ui/window/main_window.h"
+#include "ui/window/scene_document.h"
 #include "ui/window/scene_library.h"
 #include "ui/window/session.h"
 
 namespace asperity {
-
-namespace {
-
-/// On buttons without dots, and with air between icon and text.
-QString buttonText(QString text) {
-  return QChar(0x2002) + text.remove(u'…');
-}
-
-/// Rich text is broken into lines where plain text is not.
-QString wrappedTip(const QString& text) {
-  return text.isEmpty() ? QString() : "<p>" + text.toHtmlEscaped() + "</p>";
-}
-
-void setCommandText(QAction& action, const QString& text) {
-  action.setText(text);
-  action.setIconText(buttonText(text));
-  action.setToolTip(action.shortcut().isEmpty()
-                        ? text
-                        : QStringLiteral("%1 (%2)").arg(
-                              text, action.shortcut().toString(QKeySequence::NativeText)));
-}
-
-}  // namespace
 
 void MainWindow::buildActions() {
   play_ = addCommand("play", tr("Pause"), Qt::Key_Space, Symbol::Pause,
@@ -47,10 +26,8 @@ void MainWindow::buildActions() {
                      [this] { session_->singleStep(); });
   reset_ =
       addCommand("reset", tr("Reset"), Qt::Key_R, Symbol::Reset, [this] { session_->reset(); });
-  open_ = addCommand("open", tr("Open scene…"), QKeySequence::Open, Symbol::Open,
-                     [this] { askOpen(); });
-  save_ = addCommand("save", tr("Save scene…"), QKeySequence::Save, Symbol::Save,
-                     [this] { askSave(); });
+  buildFileCommands();
+  buildEditCommands();
   light_ = addCommand("light", tr("Dark colours"), {}, Symbol::Light, [this] { setDark(!dark_); });
   buildFigures();
   buildMenus();
@@ -70,10 +47,8 @@ QAction* MainWindow::addCommand(const char* name, const QString& text, const QKe
 }
 
 void MainWindow::buildMenus() {
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  file->addActions({open_, save_});
-  file->addSeparator();
-  file->addAction(tr("Quit"), QKeySequence::Quit, this, &QWidget::close);
+  fillFiles(*menuBar()->addMenu(tr("&File")));
+  fillEdit(*menuBar()->addMenu(tr("&Edit")));
 
   scenes_ = menuBar()->addMenu(tr("&Scenes"));
   fillScenes(*scenes_);
@@ -105,8 +80,9 @@ void MainWindow::fillScenes(QMenu& menu) {
       part->setToolTipsVisible(true);
     }
     const QString title = QString::fromStdString(entry.scene.title);
-    QAction* action = part->addAction(title.isEmpty() ? entry.name : title, this,
-                                      [this, scene = entry.scene] { showScene(scene); });
+    QAction* action = part->addAction(title.isEmpty() ? entry.name : title, this, [this, entry] {
+      replaceScene({entry.name, {}, entry.scene});
+    });
     action->setToolTip(wrappedTip(fromUtf8(entry.scene.description)));
     action->setObjectName("scene:" + entry.name);
   }
@@ -129,13 +105,16 @@ void MainWindow::buildToolBar() {
   scenes->setMenu(scenes_);
   bar->addWidget(scenes);
   bar->addActions({figures_, open_, save_});
+  bar->addSeparator();
+  bar->addActions({undo_, redo_});
 
   auto* space = new QWidget;
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
   bar->addAction(light_);
-  if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(light_)))
-    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  for (QAction* action : {undo_, redo_, light_})
+    if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action)))
+      button->setToolButtonStyle(Qt::ToolButtonIconOnly);
 }
 
 void MainWindow::showPlaying(bool playing) {
@@ -146,7 +125,7 @@ void MainWindow::showPlaying(bool playing) {
 
 void MainWindow::paintIcons() {
   const QColor colour = paletteOf(dark_ ? darkTheme() : lightTheme()).color(QPalette::WindowText);
-  for (QAction* action : {play_, step_, reset_, figures_, open_, save_, light_}) {
+  for (QAction* action : {play_, step_, reset_, figures_, open_, save_, undo_, redo_, light_}) {
     action->setIcon(symbolIcon(static_cast<Symbol>(action->data().toInt()), colour));
     action->setIconVisibleInMenu(false);
   }

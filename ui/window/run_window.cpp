@@ -20,6 +20,7 @@ Scene firstScene() {
 }  // namespace
 
 void prepareApplication(QApplication& application) {
+  QApplication::setOrganizationName(QStringLiteral("Asperity"));
   QApplication::setApplicationName(QStringLiteral("asperity"));
   QApplication::setApplicationDisplayName({});
   QApplication::setApplicationVersion(QStringLiteral(ASPERITY_VERSION));
