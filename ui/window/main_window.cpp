@@ -8,18 +8,9 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QTabBar>
-#include <QTabWidget>
 #include <QTimer>
 #include <QToolButton>
-#include <cmath>
-#include <exception>
-#include <filesystem>
 
-#include "core/scene/atomic_file.h"
-#include "core/scene/input_error.h"
-#include "core/scene/provenance.h"
-#include "core/scene/scene_file.h"
 #include "ui/charts/plot_view.h"
 #include "ui/charts/transient_strips.h"
 #include "ui/panels/parameter_panel.h"
@@ -38,8 +29,6 @@ namespace {
 
 constexpr int kPollInterval = 16;     // ms, 60 times a second
 constexpr int kStatusInterval = 500;  // ms
-constexpr int kMotionTab = 1;
-constexpr int kPlotPause = 80;  // ms; painting a diagram costs as much as several pictures
 
 /// A dock's title in the window's own look.
 QWidget* dockTitle(QDockWidget& dock) {
@@ -61,19 +50,6 @@ QWidget* dockTitle(QDockWidget& dock) {
 LineSize sizeOf(const Frame& frame) {
   return {frame.length,
           static_cast<std::int64_t>(frame.lineHeight.size()) / pointsPerElement(*frame.scene)};
-}
-
-/// The scene as it has to be written into `folder`: a profile is named relative to its scene's
-/// file.
-Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
-  const std::filesystem::path profile = scene.surface.file;
-  if (profile.empty() || profile.is_absolute()) return scene;
-  scene.surface.file =
-      std::filesystem::absolute(scene.folder / profile)
-          .lexically_normal()
-          .lexically_proximate(std::filesystem::absolute(folder).lexically_normal())
-          .string();
-  return scene;
 }
 
 }  // namespace
@@ -143,39 +119,6 @@ void MainWindow::buildViews() {
   timer->start(kStatusInterval);
 }
 
-/// What is known of the scene, under the contact; the motion's strips only where it has one.
-QTabWidget* MainWindow::buildTabs() {
-  strips_ = new TransientStrips;
-  plan_ = new PlanList;
-  tabs_ = new QTabWidget;
-  tabs_->setObjectName("tabs");
-  tabs_->setDocumentMode(true);
-  tabs_->tabBar()->setFocusPolicy(Qt::NoFocus);  // Space is the run's
-  tabs_->tabBar()->setDrawBase(false);
-  tabs_->addTab(plot_, tr("Friction curve"));
-  tabs_->addTab(strips_, tr("Motion in time"));
-  accuracy_ = new AccuracyPanel;
-  tabs_->addTab(accuracy_, tr("Accuracy"));
-  tabs_->addTab(plan_, tr("Plan"));
-  tabs_->setTabVisible(kMotionTab, false);
-  return tabs_;
-}
-
-/// The tabs for this scene; the motion comes to the front where it is new, and goes with it.
-void MainWindow::showAboutScene() {
-  const Sliding& sliding = session_->scene().sliding;
-  const bool moves = sliding.kind != SlidingKind::Steady;
-  const bool moved = tabs_->isTabVisible(kMotionTab);
-  // Left before it goes: the next tab would come to the front, which is not the curve's.
-  if (!moves && tabs_->currentWidget() == strips_) tabs_->setCurrentWidget(plot_);
-  tabs_->setTabVisible(kMotionTab, moves);
-  if (moves && !moved) tabs_->setCurrentIndex(kMotionTab);
-  if (moves) strips_->show(sliding, nullptr);
-  plan_->showScene(session_->scene());
-  accuracy_->showScene(session_->scene());
-  curveTime_.start();
-}
-
 void MainWindow::buildPanel() {
   panel_ = new ParameterPanel(session_->scene());
   dock_ = new QDockWidget(tr("Parameters"));
@@ -203,14 +146,6 @@ void MainWindow::connectSession() {
     session_->setScene(scene);
     curveTime_.start();
   });
-  connect(session_, &Session::plotChanged, this, &MainWindow::showMeasuredCurve);
-  plotPause_ = new QTimer(this);
-  plotPause_->setSingleShot(true);
-  plotPause_->setInterval(kPlotPause);
-  connect(plotPause_, &QTimer::timeout, this, [this] {
-    if (plotIsDue_) showPlot();
-  });
-  connect(session_, &Session::plotChanged, this, &MainWindow::showPlotSoon);
   connect(session_, &Session::complained, this, [this](const QString& key, const QString& text) {
     messages_->showMessage(key.isEmpty() ? text : key + ": " + text);
     panel_->showError(key, text);
@@ -218,38 +153,8 @@ void MainWindow::connectSession() {
   connect(session_, &Session::sceneRuns, messages_, &QWidget::hide);
   connect(session_, &Session::sceneRuns, panel_, &ParameterPanel::clearErrors);
   connect(session_, &Session::playingChanged, this, &MainWindow::showPlaying);
-  connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
-  showPlot();
-}
-
-/// Once, when the present scene's curve is complete.
-void MainWindow::showMeasuredCurve() {
-  const Plot plot = session_->plot();
-  if (!curveTime_.isValid() || plot.progress < 1) return;
-  double squares = 0;
-  int count = 0;
-  for (const PlotSeries& series : plot.series)
-    for (const PlotPoint& point : series.points)
-      if (series.style == PlotStyle::Points && std::isfinite(point.error)) {
-        squares += std::pow(point.error / point.y, 2);
-        ++count;
-      }
-  accuracy_->showMeasured(1e-3 * static_cast<double>(curveTime_.elapsed()),
-                          count > 0 ? std::sqrt(squares / count) : kNotApplicable);
-  curveTime_.invalidate();
-}
-
-void MainWindow::showPlotSoon() {
-  if (plotPause_->isActive())
-    plotIsDue_ = true;
-  else
-    showPlot();
-}
-
-void MainWindow::showPlot() {
-  plotIsDue_ = false;
-  plot_->setPlot(session_->plot());
-  plotPause_->start();
+  connectView();
+  connectChart();
 }
 
 void MainWindow::showScene(const Scene& scene) {
@@ -263,35 +168,6 @@ void MainWindow::showScene(const Scene& scene) {
 void MainWindow::showDescription() {
   const QString text = QString::fromStdString(session_->scene().description);
   text.isEmpty() ? description_->hide() : description_->showMessage(text);
-}
-
-bool MainWindow::openScene(const QString& file) {
-  try {
-    showScene(readProvenance(file.toStdString()));
-  } catch (const InputError& error) {
-    messages_->showMessage(QString::fromUtf8(error.what()));
-    return false;
-  }
-  // What was opened from a picture is not saved over it.
-  file_ = file.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) ? file : QString();
-  showTitle();
-  return true;
-}
-
-bool MainWindow::saveScene(const QString& file) {
-  try {
-    if (const Missing missing = missingOf(panel_->scene()); !missing.text.isEmpty())
-      throw InputError("", std::string(missing.key), missing.text.toStdString());
-    const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
-    checkWritable(path);
-    writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), panel_->scene())));
-  } catch (const std::exception& error) {
-    messages_->showMessage(QString::fromUtf8(error.what()));
-    return false;
-  }
-  file_ = file;
-  showTitle();
-  return true;
 }
 
 void MainWindow::setDark(bool dark) {

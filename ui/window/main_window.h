@@ -70,13 +70,8 @@ class MainWindow : public QMainWindow {
  private:
   void buildViews();
   void buildPanel();
-  QTabWidget* buildTabs();
   void connectSession();
-  void showAboutScene();
   void showDescription();
-  void showMeasuredCurve();
-  void showPlotSoon();
-  void showPlot();
   void showTitle();
 
   // Commands, in main_window_actions.cpp.
@@ -88,9 +83,26 @@ class MainWindow : public QMainWindow {
   void fillScenes(QMenu& menu);
   void showPlaying(bool playing);
   void paintIcons();
+  void showAbout();
+
+  // In main_window_files.cpp.
   void askOpen();
   void askSave();
-  void showAbout();
+
+  // In main_window_tabs.cpp.
+  QTabWidget* buildTabs();
+  void showAboutScene();
+  void showMeasuredCurve();
+
+  // In main_window_view.cpp: the contact's commands and facts.
+  void buildViewCommands(QMenu& menu);
+  void connectView();
+
+  // In main_window_chart.cpp: the friction curve's.
+  void buildChartCommands(QMenu& menu);
+  void connectChart();
+  void showPlotSoon();
+  void showPlot();
 
   // In main_window_figures.cpp.
   void buildFigures();

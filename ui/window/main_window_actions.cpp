@@ -1,15 +1,11 @@
 // The main window's commands: actions with their keys, menus, tool bar, dialogs.
 #include <QAction>
 #include <QDockWidget>
-#include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QToolBar>
 #include <QToolButton>
-#include <QUrl>
 #include <string>
 #include <utility>
 
@@ -88,8 +84,12 @@ void MainWindow::buildMenus() {
   run->addActions({play_, step_, reset_});
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
+  buildViewCommands(*view);
+  view->addSeparator();
   view->addAction(dock_->toggleViewAction());
   view->addAction(light_);
+
+  buildChartCommands(*menuBar()->addMenu(tr("&Curve")));
 
   menuBar()->addMenu(tr("&Help"))->addAction(tr("About Asperity"), this, &MainWindow::showAbout);
 }
@@ -153,33 +153,6 @@ void MainWindow::paintIcons() {
   if (auto* scenes = findChild<QToolButton*>("scenesButton"))
     scenes->setIcon(symbolIcon(Symbol::Scenes, colour));
   setCommandText(*light_, dark_ ? tr("Light colours") : tr("Dark colours"));
-}
-
-void MainWindow::askOpen() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open scene"), file_,
-      tr("Scenes (*.json);;Pictures and tables (*.png *.svg *.pdf *.csv *.mp4 "
-         "*.webm *.gif *.webp)"));
-  if (!file.isEmpty()) openScene(file);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  const QList<QUrl> urls = event->mimeData()->urls();
-  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  const QList<QUrl> urls = event->mimeData()->urls();
-  if (urls.size() != 1 || !urls.front().isLocalFile()) return;
-  event->acceptProposedAction();
-  openScene(urls.front().toLocalFile());
-}
-
-void MainWindow::askSave() {
-  const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save scene"), file_.isEmpty() ? QStringLiteral("scene.json") : file_,
-      tr("Scenes (*.json)"));
-  if (!file.isEmpty()) saveScene(file);
 }
 
 void MainWindow::showAbout() {
