@@ -42,6 +42,7 @@ ChartPlotView::ChartPlotView(QWidget* parent)
   view_->setRenderHint(QPainter::Antialiasing);
   view_->setFrameShape(QFrame::NoFrame);
   view_->setFocusPolicy(Qt::NoFocus);
+  view_->viewport()->setFocusPolicy(Qt::NoFocus);
   fineGrid_->setZValue(kFineGridDepth);
   overlay_->setZValue(kOverlayDepth);
   connect(chart_, &QChart::plotAreaChanged, this, [this] { updateItems(); });

@@ -1,5 +1,6 @@
 #include "ui/panels/parameter_row.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QHBoxLayout>
@@ -206,6 +207,7 @@ void ParameterRow::addNumber(QHBoxLayout& line) {
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
   choice_ = new ChoiceBox;
   describe(*choice_, "choice");
+  choice_->view()->setAccessibleName(choice_->accessibleName());
   for (const std::string_view word : field.choices)
     choice_->addItem(wordText(word), fromUtf8(word));
   choice_->setEnabled(field.choices.size() > 1);
