@@ -16,6 +16,7 @@
 #include "ui/window/accuracy_panel.h"
 #include "ui/window/appearance.h"
 #include "ui/window/contact_canvas.h"
+#include "ui/window/curve_reading.h"
 #include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/plan_list.h"
@@ -27,8 +28,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPollInterval = 16;     // ms, 60 times a second
-constexpr int kStatusInterval = 500;  // ms
+constexpr int kPollInterval = 16;  // ms, 60 times a second
 
 /// A dock's title in the window's own look.
 QWidget* dockTitle(QDockWidget& dock) {
@@ -117,14 +117,7 @@ void MainWindow::buildViews() {
   column->addWidget(pages_, 1);
   setCentralWidget(centre);
 
-  status_ = new StatusLine;
-  statusBar()->addWidget(status_, 1);
-  statusBar()->setSizeGripEnabled(false);
-  statusBar()->setContentsMargins(0, 0, 0, 0);
-  auto* timer = new QTimer(this);
-  connect(timer, &QTimer::timeout, this,
-          [this] { status_->showDrawing(canvas_->framesPerSecond(), canvas_->backendName()); });
-  timer->start(kStatusInterval);
+  buildStatus();
 }
 
 void MainWindow::buildPanel() {
@@ -142,7 +135,7 @@ void MainWindow::connectSession() {
   connect(session_, &Session::frameArrived, this, [this] {
     const std::shared_ptr<const Frame> frame = session_->frame();
     if (!isShowingFigures()) canvas_->setFrame(frame);
-    status_->showFrame(*frame);
+    status_->showFrame(*frame, readCurve(*frame, session_->curve()));
     if (frame->transient && frame->sceneNumber == session_->sceneNumber())
       strips_->show(frame->scene->sliding, frame->transient);
     if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));

@@ -182,6 +182,10 @@ class MainWindow : public QMainWindow {
   void showAboutScene();
   void showMeasuredCurve();
 
+  // In main_window_status.cpp: the facts below.
+  void buildStatus();
+  void showWork();
+
   // In main_window_view.cpp: the contact's commands and facts.
   void buildViewCommands(QMenu& menu);
   void connectView();

@@ -4,6 +4,7 @@
 // as a signal; the session goes on.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <cstdint>
 #include <memory>
@@ -30,6 +31,20 @@ class Session : public QObject {
   void singleStep();  // pauses first
   void reset();
 
+  /// The averaging of the present scene's curve: it may be stopped, keeping what is there, and
+  /// begun anew.
+  enum class Averaging { Running, Stopped, Done };
+  Averaging averaging() const;
+  void stopCurve();
+  void startCurve();
+
+  /// Lines at one velocity each, of the present curve so far or of the last one; 0 before the
+  /// first.
+  double simulationsPerSecond() const { return rate_; }
+
+  /// Whether the present scene's first frame keeps a person waiting.
+  bool isWaiting() const;
+
   /// Takes what the runner has made since the last call.
   void poll();
 
@@ -52,6 +67,7 @@ class Session : public QObject {
  private:
   void takeMessages();
   void takeCurves();
+  void measureRate(const CurveUpdate& update);
   void takeFrame();
   void judgeFrame();
 
@@ -64,6 +80,9 @@ class Session : public QObject {
   std::shared_ptr<const Frame> frame_;
   FrictionPlot friction_;
   std::optional<CurveUpdate> curve_;
+  QElapsedTimer sceneTime_, curveTime_;  // since the scene came, and since its curve was begun
+  bool isStopped_ = false;
+  double rate_ = 0;  // 1/s
 };
 
 /// One sentence on a frame that cannot be believed; empty where nothing is wrong.
