@@ -1,6 +1,7 @@
 // Shows the window on a real display, waits until it is alive, and saves a picture of the screen.
 // Usage: window_screenshot FILE.png [--dark] [--size WxH] [--scene FILE [--set KEY=VALUE]...]
-//        [--wait MS] [--expect-message] [--figure WORD] [--tab NUMBER]
+//        [--wait MS] [--expect-message] [--figure WORD] [--tab NUMBER] [--tour STEP]
+//        [--trigger ACTION]...
 // Exit: 0 when the window was exposed, animated and showed a curve (or, with --expect-message, a
 // message); 1 with the reason otherwise.
 #include <QAction>
@@ -8,8 +9,11 @@
 #include <QCommandLineParser>
 #include <QPixmap>
 #include <QScreen>
+#include <QSettings>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -33,7 +37,9 @@ struct Wish {
   QString picture, scene, figure;
   QSize size{1280, 800};
   std::vector<std::string> assignments;
-  int tab = -1;  // as it comes
+  int tab = -1;   // as it comes
+  int tour = -1;  // not on it
+  QStringList actions;
   bool dark = false;
   bool message = false;
   int wait = 1500;  // ms
@@ -48,6 +54,8 @@ Wish readWish(const QApplication& application) {
                      {"set", "over the scene file", "KEY=VALUE"},
                      {"figure", "of the paper, on its page", "WORD"},
                      {"tab", "under the contact, from 0", "NUMBER"},
+                     {"tour", "step of the guided tour, from 1", "STEP"},
+                     {"trigger", "a command, by its object name; may repeat", "ACTION"},
                      {"expect-message", "the scene cannot run"},
                      {"wait", "milliseconds to run before the picture", "MS"}});
   parser.process(application);
@@ -58,6 +66,8 @@ Wish readWish(const QApplication& application) {
   wish.figure = parser.value("figure");
   for (const QString& text : parser.values("set")) wish.assignments.push_back(text.toStdString());
   if (parser.isSet("tab")) wish.tab = parser.value("tab").toInt();
+  if (parser.isSet("tour")) wish.tour = parser.value("tour").toInt();
+  wish.actions = parser.values("trigger");
   wish.dark = parser.isSet("dark");
   wish.message = parser.isSet("expect-message");
   if (parser.isSet("wait")) wish.wait = parser.value("wait").toInt();
@@ -93,10 +103,26 @@ bool showFigure(MainWindow& window, const QString& word) {
   return isThere;
 }
 
+/// To this step of the tour, from 1, and what else is to be done before the picture.
+bool bringTo(MainWindow& window, const Wish& wish) {
+  if (wish.tour > 0) window.startTour();
+  QStringList names(std::max(0, wish.tour - 1), "tourStepNext");
+  names += wish.actions;
+  for (const QString& name : names) {
+    auto* action = window.findChild<QAction*>(name);
+    if (!action) return false;
+    action->trigger();
+    QTest::qWait(50);
+  }
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
+  const QTemporaryDir settings;  // never the user's own
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   const Wish wish = readWish(application);
   prepareApplication(application);
   const std::vector<LibraryScene> library = libraryScenes();
@@ -111,6 +137,7 @@ int main(int argc, char** argv) {
   QObject::connect(&window.canvas(), &ContactCanvas::painted, [&] { ++pictures; });
   window.show();
   if (!QTest::qWaitForWindowExposed(&window)) return std::fputs("never exposed\n", stderr), 1;
+  if (!bringTo(window, wish)) return std::fputs("no such command\n", stderr), 1;
   if (wish.tab >= 0) window.findChild<QTabWidget*>("tabs")->setCurrentIndex(wish.tab);
   QTest::qWait(wish.wait);
   if (const char* reason = complaint(window, wish, pictures)) {
