@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QFont>
 #include <QMainWindow>
 #include <functional>
 #include <optional>
@@ -15,9 +16,11 @@
 #include "ui/window/icons.h"
 
 class QMenu;
+class QSplitter;
 class QStackedWidget;
 class QTabWidget;
 class QTimer;
+class QToolBar;
 
 namespace asperity {
 
@@ -35,6 +38,8 @@ class StatusLine;
 struct ContactShot;
 struct SceneOrigin;
 class TransientStrips;
+
+enum class Colours { System, Light, Dark };
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -78,6 +83,19 @@ class MainWindow : public QMainWindow {
 
   void setDark(bool dark);
   bool isDark() const { return dark_; }
+
+  /// As the desktop has them, or always light or dark.
+  void setColours(Colours colours);
+  Colours colours() const { return colours_; }
+
+  /// Size, docks, tabs and colours as they were when the last window was closed, and from now on
+  /// this window leaves its own behind. Call before it is shown.
+  void rememberLayout();
+  void restoreDefaultLayout();
+
+  /// For an audience: the whole screen, large texts, contact and curve alone; Escape leaves.
+  void setPresenting(bool presenting);
+  bool isPresenting() const { return presentation_.has_value(); }
 
  signals:
   /// A picture is on the clipboard (empty) or in this file.
@@ -125,6 +143,17 @@ class MainWindow : public QMainWindow {
   bool mayLeaveScene();
   void replaceScene(const SceneOrigin& origin);
 
+  // In main_window_layout.cpp: docks, tabs, full screen, colours.
+  void buildLayoutCommands();
+  void fillLayout(QMenu& menu);
+  void fillTabs(QMenu& menu);
+  void fillColours(QMenu& menu);
+  void showTab(int index);
+  void setFullScreen(bool full);
+  void leaveFullScreen();
+  void showScreenMode();
+  void saveLayout();
+
   // In main_window_copy.cpp: what leaves the window.
   void buildCopyCommands();
   std::optional<ContactShot> shot() const;
@@ -167,9 +196,11 @@ class MainWindow : public QMainWindow {
   MessageBar* messages_ = nullptr;
   MessageBar* description_ = nullptr;  // what to look for in the scene that was opened
   StatusLine* status_ = nullptr;
+  QSplitter* splitter_ = nullptr;
   QStackedWidget* pages_ = nullptr;  // the views, and the figures
   GalleryPage* gallery_ = nullptr;
   QDockWidget* dock_ = nullptr;
+  QToolBar* tools_ = nullptr;
   QTimer* plotPause_ = nullptr;  // runs after the diagram was painted
   bool plotIsDue_ = false;       // and something came meanwhile
   QAction *play_ = nullptr, *step_ = nullptr, *reset_ = nullptr;
@@ -177,10 +208,22 @@ class MainWindow : public QMainWindow {
   QAction *undo_ = nullptr, *redo_ = nullptr, *revert_ = nullptr, *resetAll_ = nullptr;
   QAction *copyPicture_ = nullptr, *savePicture_ = nullptr;
   QAction *copyRender_ = nullptr, *copyCurve_ = nullptr;
+  QAction *fullScreen_ = nullptr, *present_ = nullptr, *leave_ = nullptr;
+  QAction* restoreLayout_ = nullptr;
+  QList<QAction*> tabActions_, colourActions_;
   QMenu* recent_ = nullptr;
   QAction* figures_ = nullptr;
   QMenu* scenes_ = nullptr;
   bool dark_ = false;
+  Colours colours_ = Colours::System;
+  bool remembers_ = false;
+  QByteArray defaultLayout_;
+  /// What comes back when the presentation ends.
+  struct Presentation {
+    QFont font;
+    bool isFullScreen, hasDock, hasTools, hasStatus;
+  };
+  std::optional<Presentation> presentation_;
   bool hadDock_ = true;  // before the figures were opened
   std::jthread export_;  // last: ends before anything else here goes
 };

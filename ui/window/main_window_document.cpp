@@ -134,6 +134,7 @@ bool MainWindow::mayLeaveScene() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mayLeaveScene()) return event->ignore();
+  if (remembers_) saveLayout();
   QMainWindow::closeEvent(event);
 }
 
