@@ -27,6 +27,8 @@ class Session : public QObject {
   bool isPlaying() const { return runner_.isPlaying(); }
   void setPlaying(bool playing);
   void singleStep();  // pauses first
+  /// What frames hold besides, from now on.
+  void wantFields(const FrameFields& fields) { runner_.want(fields); }
   void reset();
 
   /// Takes what the runner has made since the last call.
