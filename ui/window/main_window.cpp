@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSplitter>
@@ -22,6 +21,7 @@
 #include "ui/window/plan_list.h"
 #include "ui/window/session.h"
 #include "ui/window/status_line.h"
+#include "ui/window/tour_bar.h"
 
 namespace asperity {
 
@@ -58,15 +58,17 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
     : QMainWindow(parent), session_(new Session(scene, options, this)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
+  buildDocument(scene);
   buildViews();
   buildPanel();
   buildActions();
   connectSession();
-  setDark(palette().color(QPalette::Window).lightness() < 128);
+  setColours(Colours::System);
   showAboutScene();
   showDescription();
-  showTitle();
+  showHistory();
   resize(1280, 800);
+  defaultLayout_ = saveState();
 
   auto* timer = new QTimer(this);
   timer->setTimerType(Qt::PreciseTimer);
@@ -80,30 +82,36 @@ void MainWindow::buildViews() {
   canvas_ = new ContactCanvas;
   plot_ = makePlotView();
   plot_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
+  plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(170);
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
-  auto* splitter = new QSplitter(Qt::Vertical);
-  splitter->setHandleWidth(1);
-  splitter->setChildrenCollapsible(false);
-  splitter->addWidget(canvas_);
-  splitter->addWidget(buildTabs());
-  splitter->setStretchFactor(0, 58);
-  splitter->setStretchFactor(1, 42);
-  splitter->setSizes({580, 420});
+  splitter_ = new QSplitter(Qt::Vertical);
+  splitter_->setHandleWidth(1);
+  splitter_->setChildrenCollapsible(false);
+  splitter_->addWidget(canvas_);
+  splitter_->addWidget(buildTabs());
+  splitter_->setStretchFactor(0, 58);
+  splitter_->setStretchFactor(1, 42);
+  splitter_->setSizes({580, 420});
 
   gallery_ = new GalleryPage;
   pages_ = new QStackedWidget;
-  pages_->addWidget(splitter);
+  pages_->addWidget(splitter_);
   pages_->addWidget(gallery_);
 
   messages_ = new MessageBar;
   description_ = new MessageBar;
   description_->setObjectName("descriptionBar");
+  hint_ = new MessageBar;
+  hint_->setObjectName("hintBar");
+  tourBar_ = new TourBar;
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(messages_);
+  column->addWidget(hint_);
+  column->addWidget(tourBar_);
   column->addWidget(description_);
   column->addWidget(pages_, 1);
   setCentralWidget(centre);
@@ -126,9 +134,7 @@ void MainWindow::buildPanel() {
   dock_->setTitleBarWidget(dockTitle(*dock_));
   addDockWidget(Qt::RightDockWidgetArea, dock_);
   resizeDocks({dock_}, {panel_->sizeHint().width()}, Qt::Horizontal);
-  connect(panel_, &ParameterPanel::sceneEdited, session_, &Session::setScene);
-  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::showTitle);
-  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::showAboutScene);
+  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::takeStep);
 }
 
 void MainWindow::connectSession() {
@@ -140,11 +146,8 @@ void MainWindow::connectSession() {
       strips_->show(frame->scene->sliding, frame->transient);
     if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
   });
-  connect(accuracy_, &AccuracyPanel::sceneEdited, this, [this](const Scene& scene) {
-    panel_->setScene(scene);
-    session_->setScene(scene);
-    curveTime_.start();
-  });
+  connect(accuracy_, &AccuracyPanel::sceneEdited, this,
+          [this](const Scene& scene) { editScene(scene); });
   connect(session_, &Session::complained, this, [this](const QString& key, const QString& text) {
     messages_->showMessage(key.isEmpty() ? text : key + ": " + text);
     panel_->showError(key, text);
@@ -156,17 +159,9 @@ void MainWindow::connectSession() {
   connectChart();
 }
 
-void MainWindow::showScene(const Scene& scene) {
-  panel_->setScene(scene);
-  session_->setScene(scene);
-  showTitle();
-  showAboutScene();
-  showDescription();
-}
-
 void MainWindow::showDescription() {
   const QString text = QString::fromStdString(session_->scene().description);
-  text.isEmpty() ? description_->hide() : description_->showMessage(text);
+  text.isEmpty() || isTouring_ ? description_->hide() : description_->showMessage(text);
 }
 
 void MainWindow::setDark(bool dark) {
@@ -180,12 +175,6 @@ void MainWindow::setDark(bool dark) {
   accuracy_->setTheme(theme);
   gallery_->setTheme(theme);
   paintIcons();
-}
-
-void MainWindow::showTitle() {
-  const QString title = QString::fromStdString(session_->scene().title);
-  const QString name = title.isEmpty() ? QFileInfo(file_).fileName() : title;
-  setWindowTitle(name.isEmpty() ? tr("Asperity") : tr("%1 – Asperity").arg(name));
 }
 
 }  // namespace asperity
