@@ -80,9 +80,8 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::buildViews() {
   canvas_ = new ContactCanvas;
-  canvas_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_ = makePlotView();
-  plot_->setFocusPolicy(Qt::ClickFocus);
+  plot_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(170);
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));

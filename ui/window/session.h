@@ -29,6 +29,8 @@ class Session : public QObject {
   bool isPlaying() const { return runner_.isPlaying(); }
   void setPlaying(bool playing);
   void singleStep();  // pauses first
+  /// What frames hold besides, from now on.
+  void wantFields(const FrameFields& fields) { runner_.want(fields); }
   void reset();
 
   /// The averaging of the present scene's curve: it may be stopped, keeping what is there, and

@@ -1,10 +1,8 @@
-// What a canvas shows, and how a frame becomes its draw list: the view is fitted to the frame and
-// kept steady from one to the next. Used by one thread at a time.
+// What a canvas shows, and how it becomes a draw list. Plain values; any thread.
 #pragma once
 
 #include <QSize>
 #include <memory>
-#include <optional>
 
 #include "core/run/frame.h"
 #include "ui/picture/contact_picture.h"
@@ -13,17 +11,14 @@ namespace asperity {
 
 struct PictureRequest {
   std::shared_ptr<const Frame> frame;  // never null
+  ContactPictureOptions options;       // but for size and scale, which the canvas knows
   QSize size;                          // device pixels
   double scale = 1;                    // device pixels for one of the window system's
-  Theme theme;
 };
 
-class PictureSource {
- public:
-  DrawList compose(const PictureRequest& request);
+/// The options with size and scale.
+ContactPictureOptions sizedOptions(const PictureRequest& request);
 
- private:
-  std::optional<ContactView> view_;
-};
+DrawList composePicture(const PictureRequest& request);
 
 }  // namespace asperity
