@@ -18,9 +18,12 @@ namespace asperity {
 
 namespace {
 
-constexpr int kEntryWidth = 74;
-constexpr int kUnitWidth = 25;
-constexpr int kResetWidth = 18;
+constexpr int kGap = 5;  // pixels between the columns
+
+// Digits.
+constexpr double kEntryWidth = 9.25;
+constexpr double kUnitWidth = 3.1;
+constexpr double kResetWidth = 2.25;
 
 ParameterValue sliderValue(const Parameter& parameter, double value) {
   if (std::holds_alternative<IntegerField>(parameter.field))
@@ -71,7 +74,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, Q
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
   auto* line = new QHBoxLayout;
-  line->setSpacing(5);
+  line->setSpacing(kGap);
   column->addLayout(line);
 
   addLabel(*line, heading);
@@ -83,7 +86,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, Q
     addNumber(*line);
   addReset(*line);
 
-  addRemarks(*column, labelWidth(font()) + line->spacing());
+  addRemarks(*column);
+  setWidths();
 }
 
 QString ParameterRow::labelOf(const Parameter& parameter) {
@@ -131,19 +135,39 @@ void ParameterRow::showNote(const QString& text) {
   note_->setVisible(!text.isEmpty());
 }
 
-void ParameterRow::addRemarks(QVBoxLayout& column, int indent) {
+void ParameterRow::addRemarks(QVBoxLayout& column) {
   const auto remark = [&](const char* role) {
     auto* label = new QLabel;
     label->setObjectName(QString(role) + ":" + fromUtf8(parameter_.key));
     label->setProperty("role", role);
     label->setWordWrap(true);
-    label->setIndent(indent);
     label->hide();
     column.addWidget(label);
     return label;
   };
   note_ = remark("note");
   error_ = remark("error");
+}
+
+/// Columns that stand under each other in all rows, as wide as the font needs.
+void ParameterRow::setWidths() {
+  const double digit = QFontMetricsF(font()).horizontalAdvance('0');
+  const auto digits = [digit](double count) {
+    return static_cast<int>(std::lround(count * digit));
+  };
+  const int width = labelWidth(font());
+  label_->setFixedWidth(width);
+  for (QLabel* remark : {note_, error_}) remark->setIndent(width + kGap);
+  if (unit_) {
+    entry_->setFixedWidth(digits(kEntryWidth));
+    unit_->setFixedWidth(digits(kUnitWidth));
+  }
+  reset_->setFixedWidth(digits(kResetWidth));
+}
+
+void ParameterRow::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange && error_) setWidths();
 }
 
 void ParameterRow::addLabel(QHBoxLayout& line, const QString& heading) {
@@ -156,7 +180,7 @@ void ParameterRow::addLabel(QHBoxLayout& line, const QString& heading) {
     label->setProperty("role", "heading");
   }
   label->setTextFormat(Qt::RichText);
-  label->setFixedWidth(labelWidth(font()));
+  label_ = label;
   label->setToolTip(description());
   line.addWidget(label);
 }
@@ -170,13 +194,12 @@ void ParameterRow::addNumber(QHBoxLayout& line) {
 
   entry_ = new ValueEntry;
   describe(*entry_, "entry");
-  entry_->setFixedWidth(kEntryWidth);
   connect(entry_, &ValueEntry::textCommitted, this, &ParameterRow::textGiven);
   line.addWidget(entry_);
 
   auto* unit = new QLabel(fromUtf8(parameter_.unit));
   unit->setProperty("role", "unit");
-  unit->setFixedWidth(kUnitWidth);
+  unit_ = unit;
   line.addWidget(unit);
 }
 
@@ -220,7 +243,6 @@ void ParameterRow::addReset(QHBoxLayout& line) {
   reset_->setObjectName("reset:" + fromUtf8(parameter_.key));
   reset_->setProperty("role", "reset");
   reset_->setAccessibleName(tr("reset %1").arg(labelOf(parameter_)));
-  reset_->setFixedWidth(kResetWidth);
   reset_->setFocusPolicy(Qt::NoFocus);
   connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(resting_); });
   line.addWidget(reset_);

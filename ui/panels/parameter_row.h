@@ -49,6 +49,7 @@ class ParameterRow : public QWidget {
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void addLabel(QHBoxLayout& line, const QString& heading);
@@ -57,7 +58,8 @@ class ParameterRow : public QWidget {
   void addText(QHBoxLayout& line);
   void addBrowse(QHBoxLayout& line);
   void addReset(QHBoxLayout& line);
-  void addRemarks(QVBoxLayout& column, int indent);
+  void addRemarks(QVBoxLayout& column);
+  void setWidths();
   void showEntry(const ParameterValue& value, const std::optional<StandIn>& standIn, bool replace);
   void showReset(const ParameterValue& value, const ParameterValue& resting);
   void describe(QWidget& control, const char* kind);
@@ -67,6 +69,8 @@ class ParameterRow : public QWidget {
   ValueSlider* slider_ = nullptr;
   ValueEntry* entry_ = nullptr;
   ChoiceBox* choice_ = nullptr;
+  QLabel* label_ = nullptr;
+  QLabel* unit_ = nullptr;  // of numbers
   QToolButton* browse_ = nullptr;
   QToolButton* reset_ = nullptr;
   ParameterValue resting_;  // what the reset button gives

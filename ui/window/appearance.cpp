@@ -1,5 +1,7 @@
 #include "ui/window/appearance.h"
 
+#include <QGuiApplication>
+
 #include "core/friction/curve_set.h"
 #include "ui/picture/diagram_colours.h"
 #include "ui/picture/text_painter.h"
@@ -33,6 +35,11 @@ QColor edge(const Theme& theme) {
 
 bool isDark(const Theme& theme) {
   return colourOf(theme.background).lightness() < 128;
+}
+
+bool systemIsDark() {
+  static const bool dark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
+  return dark;
 }
 
 QPalette paletteOf(const Theme& theme) {

@@ -8,11 +8,7 @@
 #include "core/scene/provenance.h"
 #include "ui/panels/number_text.h"
 #include "ui/picture/figure_drawing.h"
-#include "ui/picture/pdf_file.h"
-#include "ui/picture/png_file.h"
-#include "ui/picture/svg_file.h"
-#include "ui/picture/text_painter.h"
-#include "ui/render/osmesa_context.h"
+#include "ui/window/picture_files.h"
 
 namespace asperity {
 
@@ -34,20 +30,9 @@ QString figureFile(FigureName name, const QString& extension) {
 }
 
 void writeFigurePicture(const std::filesystem::path& file, const MadeFigure& made) {
-  const std::string extension = file.extension().string();
   const Figure& figure = made.figure;
-  const DrawList picture = composeFigure(figure, made.contact.get(), printOptions(figure.sheet));
-  if (extension == ".png") {
-    checkWritable(file);
-    OsmesaContext context;
-    writePng(file, renderImage(context, picture), {figure.sheet.title, originOf(figure)});
-  } else if (extension == ".svg") {
-    writeSvg(file, picture, {figure.sheet.title, originOf(figure)});
-  } else if (extension == ".pdf") {
-    writePdf(file, picture, {figure.sheet.title, originOf(figure)});
-  } else {
-    refuse(file, ".png, .svg, .pdf");
-  }
+  writePicture(file, composeFigure(figure, made.contact.get(), printOptions(figure.sheet)),
+               {figure.sheet.title, originOf(figure)});
 }
 
 void writeFigureData(const std::filesystem::path& file, const MadeFigure& made) {

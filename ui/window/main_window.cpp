@@ -62,11 +62,12 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   buildPanel();
   buildActions();
   connectSession();
-  setDark(palette().color(QPalette::Window).lightness() < 128);
+  setColours(Colours::System);
   showAboutScene();
   showDescription();
   showHistory();
   resize(1280, 800);
+  defaultLayout_ = saveState();
 
   auto* timer = new QTimer(this);
   timer->setTimerType(Qt::PreciseTimer);
@@ -81,20 +82,21 @@ void MainWindow::buildViews() {
   canvas_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_ = makePlotView();
   plot_->setFocusPolicy(Qt::ClickFocus);
+  plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(170);
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
-  auto* splitter = new QSplitter(Qt::Vertical);
-  splitter->setHandleWidth(1);
-  splitter->setChildrenCollapsible(false);
-  splitter->addWidget(canvas_);
-  splitter->addWidget(buildTabs());
-  splitter->setStretchFactor(0, 58);
-  splitter->setStretchFactor(1, 42);
-  splitter->setSizes({580, 420});
+  splitter_ = new QSplitter(Qt::Vertical);
+  splitter_->setHandleWidth(1);
+  splitter_->setChildrenCollapsible(false);
+  splitter_->addWidget(canvas_);
+  splitter_->addWidget(buildTabs());
+  splitter_->setStretchFactor(0, 58);
+  splitter_->setStretchFactor(1, 42);
+  splitter_->setSizes({580, 420});
 
   gallery_ = new GalleryPage;
   pages_ = new QStackedWidget;
-  pages_->addWidget(splitter);
+  pages_->addWidget(splitter_);
   pages_->addWidget(gallery_);
 
   messages_ = new MessageBar;

@@ -5,17 +5,22 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QFont>
 #include <QMainWindow>
 #include <functional>
+#include <optional>
+#include <thread>
 
 #include "core/run/runner.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/window/icons.h"
 
 class QMenu;
+class QSplitter;
 class QStackedWidget;
 class QTabWidget;
 class QTimer;
+class QToolBar;
 
 namespace asperity {
 
@@ -30,8 +35,11 @@ class PlotView;
 class SceneDocument;
 class Session;
 class StatusLine;
+struct ContactShot;
 struct SceneOrigin;
 class TransientStrips;
+
+enum class Colours { System, Light, Dark };
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -63,6 +71,10 @@ class MainWindow : public QMainWindow {
   bool openScene(const QString& file);
   bool saveScene(const QString& file);
 
+  /// The contact as it is shown, with its title, as .png, .svg or .pdf. In the background;
+  /// exported() or a complaint in the message bar follows.
+  void savePicture(const QString& file);
+
   /// The page of the paper's figures in the place of the views, and back. What it computes goes on
   /// meanwhile.
   void openFigures();
@@ -71,6 +83,23 @@ class MainWindow : public QMainWindow {
 
   void setDark(bool dark);
   bool isDark() const { return dark_; }
+
+  /// As the desktop has them, or always light or dark.
+  void setColours(Colours colours);
+  Colours colours() const { return colours_; }
+
+  /// Size, docks, tabs and colours as they were when the last window was closed, and from now on
+  /// this window leaves its own behind. Call before it is shown.
+  void rememberLayout();
+  void restoreDefaultLayout();
+
+  /// For an audience: the whole screen, large texts, contact and curve alone; Escape leaves.
+  void setPresenting(bool presenting);
+  bool isPresenting() const { return presentation_.has_value(); }
+
+ signals:
+  /// A picture is on the clipboard (empty) or in this file.
+  void exported(const QString& file);
 
  protected:
   /// A scene, or a picture or table made from one, dropped on the window is opened.
@@ -114,6 +143,26 @@ class MainWindow : public QMainWindow {
   bool mayLeaveScene();
   void replaceScene(const SceneOrigin& origin);
 
+  // In main_window_layout.cpp: docks, tabs, full screen, colours.
+  void buildLayoutCommands();
+  void fillLayout(QMenu& menu);
+  void fillTabs(QMenu& menu);
+  void fillColours(QMenu& menu);
+  void showTab(int index);
+  void setFullScreen(bool full);
+  void leaveFullScreen();
+  void showScreenMode();
+  void saveLayout();
+
+  // In main_window_copy.cpp: what leaves the window.
+  void buildCopyCommands();
+  std::optional<ContactShot> shot() const;
+  void copyPicture();
+  void askPicture();
+  QString pictureCommand() const;
+  void copyText(const QString& text);
+  void runExport(std::function<void()> work, std::function<void()> done);
+
   // In main_window_tabs.cpp.
   QTabWidget* buildTabs();
   void showAboutScene();
@@ -147,19 +196,36 @@ class MainWindow : public QMainWindow {
   MessageBar* messages_ = nullptr;
   MessageBar* description_ = nullptr;  // what to look for in the scene that was opened
   StatusLine* status_ = nullptr;
+  QSplitter* splitter_ = nullptr;
   QStackedWidget* pages_ = nullptr;  // the views, and the figures
   GalleryPage* gallery_ = nullptr;
   QDockWidget* dock_ = nullptr;
+  QToolBar* tools_ = nullptr;
   QTimer* plotPause_ = nullptr;  // runs after the diagram was painted
   bool plotIsDue_ = false;       // and something came meanwhile
   QAction *play_ = nullptr, *step_ = nullptr, *reset_ = nullptr;
   QAction *open_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr, *light_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr, *revert_ = nullptr, *resetAll_ = nullptr;
+  QAction *copyPicture_ = nullptr, *savePicture_ = nullptr;
+  QAction *copyRender_ = nullptr, *copyCurve_ = nullptr;
+  QAction *fullScreen_ = nullptr, *present_ = nullptr, *leave_ = nullptr;
+  QAction* restoreLayout_ = nullptr;
+  QList<QAction*> tabActions_, colourActions_;
   QMenu* recent_ = nullptr;
   QAction* figures_ = nullptr;
   QMenu* scenes_ = nullptr;
   bool dark_ = false;
+  Colours colours_ = Colours::System;
+  bool remembers_ = false;
+  QByteArray defaultLayout_;
+  /// What comes back when the presentation ends.
+  struct Presentation {
+    QFont font;
+    bool isFullScreen, hasDock, hasTools, hasStatus;
+  };
+  std::optional<Presentation> presentation_;
   bool hadDock_ = true;  // before the figures were opened
+  std::jthread export_;  // last: ends before anything else here goes
 };
 
 }  // namespace asperity

@@ -28,7 +28,10 @@ void MainWindow::buildActions() {
       addCommand("reset", tr("Reset"), Qt::Key_R, Symbol::Reset, [this] { session_->reset(); });
   buildFileCommands();
   buildEditCommands();
-  light_ = addCommand("light", tr("Dark colours"), {}, Symbol::Light, [this] { setDark(!dark_); });
+  buildCopyCommands();
+  light_ = addCommand("light", tr("Dark colours"), {}, Symbol::Light,
+                      [this] { setColours(dark_ ? Colours::Light : Colours::Dark); });
+  buildLayoutCommands();
   buildFigures();
   buildMenus();
   buildToolBar();
@@ -61,8 +64,7 @@ void MainWindow::buildMenus() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
   buildViewCommands(*view);
   view->addSeparator();
-  view->addAction(dock_->toggleViewAction());
-  view->addAction(light_);
+  fillLayout(*view);
 
   buildChartCommands(*menuBar()->addMenu(tr("&Curve")));
 
@@ -90,6 +92,7 @@ void MainWindow::fillScenes(QMenu& menu) {
 
 void MainWindow::buildToolBar() {
   QToolBar* bar = addToolBar(tr("Commands"));
+  tools_ = bar;
   bar->setObjectName("commands");
   bar->setMovable(false);
   bar->setIconSize({20, 20});

@@ -47,6 +47,8 @@ void MainWindow::buildEditCommands() {
 void MainWindow::fillEdit(QMenu& menu) {
   menu.addActions({undo_, redo_});
   menu.addSeparator();
+  menu.addActions({copyPicture_, copyRender_, copyCurve_});
+  menu.addSeparator();
   menu.addActions({revert_, resetAll_});
 }
 
@@ -132,6 +134,7 @@ bool MainWindow::mayLeaveScene() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mayLeaveScene()) return event->ignore();
+  if (remembers_) saveLayout();
   QMainWindow::closeEvent(event);
 }
 

@@ -57,6 +57,7 @@ void MainWindow::fillFiles(QMenu& menu) {
   connect(&menu, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   menu.addSeparator();
   menu.addActions({save_, saveAs_});
+  menu.addAction(savePicture_);
   menu.addSeparator();
   menu.addAction(
       addCommand("quit", tr("Quit"), QKeySequence::Quit, Symbol::None, [this] { close(); }));

@@ -1,4 +1,5 @@
 // The main window's tabs under the contact: what is known of the scene.
+#include <QAction>
 #include <QTabBar>
 #include <QTabWidget>
 #include <cmath>
@@ -43,7 +44,9 @@ void MainWindow::showAboutScene() {
   const bool moved = tabs_->isTabVisible(kMotionTab);
   // Left before it goes: the next tab would come to the front, which is not the curve's.
   if (!moves && tabs_->currentWidget() == strips_) tabs_->setCurrentWidget(plot_);
-  tabs_->setTabVisible(kMotionTab, moves);
+  QAction& action = *tabActions_.at(kMotionTab);
+  action.setVisible(moves);
+  tabs_->setTabVisible(kMotionTab, moves && action.isChecked());
   if (moves && !moved) tabs_->setCurrentIndex(kMotionTab);
   if (moves) strips_->show(sliding, nullptr);
   plan_->showScene(session_->scene());
