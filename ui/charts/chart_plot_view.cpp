@@ -1,6 +1,8 @@
 #include "ui/charts/chart_plot_view.h"
 
 #include <QEvent>
+#include <QFocusEvent>
+#include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QVBoxLayout>
 #include <QtCharts/QCategoryAxis>
@@ -23,7 +25,6 @@ constexpr double kOverlayDepth = 100;                   // over everything in it
 constexpr double kLabelWidth = 44;                      // a label needs this much of its axis
 constexpr double kLabelHeight = 24;
 constexpr double kStripGap = 12;      // between the plot and the strip below
-constexpr double kStripBelow = 50;    // for labels and title of the common axis
 constexpr double kSlim = 0.32;        // height of the strip, of the whole
 constexpr double kTitleHeight = 150;  // of an upright title, pixels
 
@@ -140,12 +141,15 @@ void ChartPlotView::changeEvent(QEvent* event) {
 
 void ChartPlotView::focusInEvent(QFocusEvent* event) {
   PlotView::focusInEvent(event);
+  const Qt::FocusReason reason = event->reason();
+  showsFocus_ = reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason;
   paintAxis(*x_);
   paintAxis(*y_);
 }
 
 void ChartPlotView::focusOutEvent(QFocusEvent* event) {
   PlotView::focusOutEvent(event);
+  showsFocus_ = false;
   paintAxis(*x_);
   paintAxis(*y_);
 }
@@ -153,11 +157,7 @@ void ChartPlotView::focusOutEvent(QFocusEvent* event) {
 void ChartPlotView::showAll() {
   legend_->show(plot_, colours_);
   const double strip = plot_.strip ? std::round(kSlim * height()) : 0;
-  // The strip and the labels of the common axis stand below the chart.
-  const int below = plot_.strip ? static_cast<int>(strip + kStripGap + kStripBelow) : 4;
-  const int above = plot_.spans.empty() ? 9 : static_cast<int>(kSpanNames) + 2;
-  const QMargins margins(10, above, 18, below);
-  if (chart_->margins() != margins) chart_->setMargins(margins);
+  placeArea(strip);
   x_->setLabelsVisible(!plot_.strip);
   x_->setTitleVisible(!plot_.strip);
   const PlotWindow shown = window();
@@ -166,6 +166,18 @@ void ChartPlotView::showAll() {
   showTitles();
   showSeries();
   updateItems();
+}
+
+/// Fixed by the size of the texts that may come, so that the plot does not move while it is zoomed.
+void ChartPlotView::placeArea(double strip) {
+  const QFontMetricsF metrics(font());
+  const double line = metrics.height();
+  const double left = 12 + line + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
+  const double above = plot_.spans.empty() ? 9 : kSpanNames + 2;
+  // The strip and the labels of the common axis stand below the chart.
+  const double below = 2 * line + 20 + (plot_.strip ? strip + kStripGap : 0);
+  const QRectF area(left, above, view_->width() - left - 18, view_->height() - above - below);
+  chart_->setPlotArea(area.width() > 20 && area.height() > 20 ? area : QRectF(left, above, 20, 20));
 }
 
 /// Upright the long title needs more room than the plot may have.
@@ -231,7 +243,7 @@ void ChartPlotView::paintAxis(QCategoryAxis& axis) const {
   axis.setTitleFont(font);
   axis.setLabelsColor(colours_.text);
   axis.setTitleBrush(colours_.text);
-  axis.setLinePen(hasFocus() ? QPen(colours_.points, 2) : QPen(colours_.axis, 1));
+  axis.setLinePen(showsFocus_ ? QPen(colours_.points, 2) : QPen(colours_.axis, 1));
   axis.setGridLinePen(QPen(colours_.grid, 1));
 }
 

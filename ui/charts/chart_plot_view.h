@@ -51,6 +51,7 @@ class ChartPlotView : public PlotView {
  private:
   QCategoryAxis* makeAxis(Qt::Alignment side);
   void showAxis(QCategoryAxis& axis, const DecadeRange& range, double room);
+  void placeArea(double strip);
   void showTitles();
   void showSeries();
   QLineSeries* addLine();
@@ -71,6 +72,7 @@ class ChartPlotView : public PlotView {
   Plot plot_;
   PlotColours colours_;
   std::optional<PlotWindow> zoom_;
+  bool showsFocus_ = false;  // that came by a key
   PlotLegend* legend_;
   QChart* chart_;
   QChartView* view_;

@@ -55,6 +55,7 @@ class FrictionPlot {
   void showDifference(std::optional<CurveDifference> difference);
 
   bool isStale() const;
+  bool hasCurve() const { return curve_ != nullptr; }
   Plot plot() const;
   std::optional<PlotMarker> marker() const;
 

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QPolygonF>
+#include <cmath>
 
 namespace asperity {
 
@@ -37,8 +38,11 @@ void paintMark(QPainter& painter, PlotMark mark, QPointF centre, double radius) 
 }
 
 void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap) {
-  painter.drawLine(QPointF(x, top), QPointF(x, bottom));
-  for (const double y : {top, bottom}) painter.drawLine(QPointF(x - cap, y), QPointF(x + cap, y));
+  const auto sharp = [](double pixel) { return std::floor(pixel) + 0.5; };  // covers whole pixels
+  const double middle = sharp(x);
+  painter.drawLine(QPointF(middle, top), QPointF(middle, bottom));
+  for (const double y : {sharp(top), sharp(bottom)})
+    painter.drawLine(QPointF(middle - cap, y), QPointF(middle + cap, y));
 }
 
 }  // namespace asperity
