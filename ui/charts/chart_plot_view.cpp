@@ -54,6 +54,7 @@ ChartPlotView::ChartPlotView(QWidget* parent)
   view_->setRenderHint(QPainter::Antialiasing);
   view_->setFrameShape(QFrame::NoFrame);
   view_->setFocusPolicy(Qt::NoFocus);
+  view_->viewport()->setFocusPolicy(Qt::NoFocus);
   view_->setAttribute(Qt::WA_TransparentForMouseEvents);  // gestures are this widget's
   setMouseTracking(true);
   spans_->setZValue(kSpanDepth);

@@ -120,6 +120,14 @@ QString windowStyleSheet(const Theme& theme) {
     #descriptionBar { background: %1; border: none; border-bottom: 1px solid %3; }
     #descriptionBar QLabel { color: %2; }
     #descriptionBar QToolButton { border: none; color: %6; }
+    #hintBar, #tourBar { background: %9; border: none; border-bottom: 1px solid %3; }
+    #hintBar QLabel, #tourBar QLabel { color: %2; }
+    #hintBar QToolButton { border: none; color: %6; }
+    #hintBar QPushButton, #tourBar QPushButton { border: 1px solid %3; border-radius: 5px;
+      background: %1; color: %2; padding: 3px 12px; }
+    #hintBar QPushButton:hover, #tourBar QPushButton:hover,
+    #hintBar QPushButton:focus, #tourBar QPushButton:focus { border-color: %5; }
+    #tourBar QPushButton:disabled { color: %6; }
     QTabWidget::pane { border: none; }
     QTabWidget QTabBar::tab { background: transparent; color: %6; padding: 6px 14px; border: none;
       border-bottom: 2px solid transparent; }
@@ -139,7 +147,8 @@ QString windowStyleSheet(const Theme& theme) {
       .arg(panel.name(), text.name(), edge(theme).name(), mixed(panel, text, 0.1).name(),
            accent(theme).name(), colourOf(theme.faintText).name(),
            dark ? QStringLiteral("#5b2a2a") : QStringLiteral("#fde3e1"),
-           dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"));
+           dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"),
+           mixed(panel, accent(theme), 0.12).name());
 }
 
 }  // namespace asperity

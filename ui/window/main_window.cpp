@@ -21,6 +21,7 @@
 #include "ui/window/plan_list.h"
 #include "ui/window/session.h"
 #include "ui/window/status_line.h"
+#include "ui/window/tour_bar.h"
 
 namespace asperity {
 
@@ -102,11 +103,16 @@ void MainWindow::buildViews() {
   messages_ = new MessageBar;
   description_ = new MessageBar;
   description_->setObjectName("descriptionBar");
+  hint_ = new MessageBar;
+  hint_->setObjectName("hintBar");
+  tourBar_ = new TourBar;
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(messages_);
+  column->addWidget(hint_);
+  column->addWidget(tourBar_);
   column->addWidget(description_);
   column->addWidget(pages_, 1);
   setCentralWidget(centre);
@@ -156,7 +162,7 @@ void MainWindow::connectSession() {
 
 void MainWindow::showDescription() {
   const QString text = QString::fromStdString(session_->scene().description);
-  text.isEmpty() ? description_->hide() : description_->showMessage(text);
+  text.isEmpty() || isTouring_ ? description_->hide() : description_->showMessage(text);
 }
 
 void MainWindow::setDark(bool dark) {

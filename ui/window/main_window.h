@@ -38,6 +38,7 @@ class Session;
 class StatusLine;
 struct ContactShot;
 struct SceneOrigin;
+class TourBar;
 class TransientStrips;
 
 enum class Colours { System, Light, Dark };
@@ -95,6 +96,11 @@ class MainWindow : public QMainWindow {
   void rememberLayout();
   void restoreDefaultLayout();
 
+  /// Six scenes with a sentence each; and a small hint at it, until it was taken or put away.
+  void startTour();
+  void offerTour();
+  bool isTouring() const { return isTouring_; }
+
   /// For an audience: the whole screen, large texts, contact and curve alone; Escape leaves.
   void setPresenting(bool presenting);
   bool isPresenting() const { return presentation_.has_value(); }
@@ -121,10 +127,18 @@ class MainWindow : public QMainWindow {
   QAction* addCommand(const char* name, const QString& text, const QKeySequence& key, Symbol symbol,
                       std::function<void()> run);
   void buildMenus();
+  void adoptActions(QMenu& menu);
   void buildToolBar();
   void fillScenes(QMenu& menu);
   void showPlaying(bool playing);
   void paintIcons();
+
+  // In main_window_help.cpp.
+  void buildHelpCommands();
+  void fillHelp(QMenu& menu);
+  void showTourStep(int step);
+  void endTour();
+  void showShortcuts();
   void showAbout();
 
   // In main_window_files.cpp.
@@ -195,6 +209,9 @@ class MainWindow : public QMainWindow {
   QElapsedTimer curveTime_;  // since the present curve was wanted
   MessageBar* messages_ = nullptr;
   MessageBar* description_ = nullptr;  // what to look for in the scene that was opened
+  MessageBar* hint_ = nullptr;         // at the tour
+  TourBar* tourBar_ = nullptr;
+  bool isTouring_ = false;
   StatusLine* status_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QStackedWidget* pages_ = nullptr;  // the views, and the figures
@@ -209,6 +226,8 @@ class MainWindow : public QMainWindow {
   QAction *copyRender_ = nullptr, *copyCurve_ = nullptr;
   QAction *fullScreen_ = nullptr, *present_ = nullptr, *leave_ = nullptr;
   QAction* restoreLayout_ = nullptr;
+  QAction *tour_ = nullptr, *tourBack_ = nullptr, *tourNext_ = nullptr;
+  QAction *shortcuts_ = nullptr, *about_ = nullptr;
   QList<QAction*> tabActions_, colourActions_;
   QMenu* recent_ = nullptr;
   QAction* figures_ = nullptr;

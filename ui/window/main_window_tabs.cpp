@@ -25,6 +25,7 @@ QTabWidget* MainWindow::buildTabs() {
   plan_ = new PlanList;
   tabs_ = new QTabWidget;
   tabs_->setObjectName("tabs");
+  tabs_->setAccessibleName(tr("about the scene"));
   tabs_->setDocumentMode(true);
   tabs_->tabBar()->setFocusPolicy(Qt::NoFocus);  // Space is the run's
   tabs_->tabBar()->setDrawBase(false);

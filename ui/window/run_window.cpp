@@ -37,6 +37,7 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   prepareApplication(application);
   MainWindow window(scene ? *scene : firstScene(), options);
   window.rememberLayout();
+  window.offerTour();
   window.show();
   return application.exec();
 }

@@ -1,0 +1,118 @@
+#include "ui/window/shortcut_sheet.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <QSet>
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("asperity::ShortcutSheet", text);
+}
+
+QString plain(QString text) {
+  return text.remove('&').remove(u'…');
+}
+
+/// Several keys of one command are alternatives; a command that has none has no entry.
+void addEntry(ShortcutGroup& group, const QAction& action) {
+  QStringList keys;
+  for (const QKeySequence& key : action.shortcuts()) keys += key.toString(QKeySequence::NativeText);
+  if (!keys.isEmpty()) group.entries += {plain(action.text()), keys.join(tr(" or "))};
+}
+
+void addMenu(ShortcutGroup& group, const QMenu& menu, QSet<const QAction*>& seen) {
+  for (const QAction* action : menu.actions()) {
+    if (action->menu()) {
+      addMenu(group, *action->menu(), seen);
+    } else if (!seen.contains(action)) {
+      seen += action;
+      addEntry(group, *action);
+    }
+  }
+}
+
+ShortcutGroup& groupOf(QList<ShortcutGroup>& groups, const QString& title) {
+  const auto found = std::ranges::find(groups, title, &ShortcutGroup::title);
+  if (found != groups.end()) return *found;
+  groups.append({title, {}});
+  return groups.last();
+}
+
+QWidget* groupWidget(const ShortcutGroup& group) {
+  auto* box = new QWidget;
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 14);
+  grid->setHorizontalSpacing(18);
+  grid->setVerticalSpacing(4);
+  grid->addWidget(new QLabel("<b>" + group.title.toHtmlEscaped() + "</b>"), 0, 0, 1, 2);
+  int row = 1;
+  for (const ShortcutGroup::Entry& entry : group.entries) {
+    auto* keys = new QLabel(entry.keys);
+    keys->setObjectName("shortcutKeys");
+    grid->addWidget(keys, row, 0);
+    grid->addWidget(new QLabel(entry.text), row++, 1);
+  }
+  grid->setColumnStretch(1, 1);
+  return box;
+}
+
+}  // namespace
+
+QList<ShortcutGroup> shortcutGroups(const QMainWindow& window) {
+  QList<ShortcutGroup> groups;
+  QSet<const QAction*> seen;
+  if (const auto* bar = qobject_cast<const QMenuBar*>(window.menuWidget()))
+    for (const QAction* action : bar->actions())
+      if (action->menu()) addMenu(groupOf(groups, plain(action->text())), *action->menu(), seen);
+  for (const QAction* action : window.actions()) {
+    if (seen.contains(action)) continue;
+    const QString title = action->property("group").toString();
+    addEntry(groupOf(groups, title.isEmpty() ? tr("More") : title), *action);
+  }
+  groups.removeIf([](const ShortcutGroup& group) { return group.entries.isEmpty(); });
+  return groups;
+}
+
+/// In two columns of about the same height.
+ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDialog(parent) {
+  setObjectName("shortcutSheet");
+  setWindowTitle(tr("Keyboard shortcuts"));
+  const QList<ShortcutGroup> groups = shortcutGroups(window);
+  qsizetype total = 0;
+  for (const ShortcutGroup& group : groups) total += group.entries.size() + 2;
+
+  auto* content = new QWidget;
+  auto* row = new QHBoxLayout(content);
+  row->setSpacing(40);
+  QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout};
+  qsizetype before = 0;
+  for (const ShortcutGroup& group : groups) {
+    columns[2 * before >= total ? 1 : 0]->addWidget(groupWidget(group));
+    before += group.entries.size() + 2;
+  }
+  for (QVBoxLayout* column : columns) {
+    column->addStretch(1);
+    row->addLayout(column);
+  }
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setAccessibleName(windowTitle());
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(scroll);
+  resize(content->sizeHint() + QSize(50, 30));
+  if (parent) resize(size().boundedTo(parent->size()));
+}
+
+}  // namespace asperity
