@@ -50,7 +50,7 @@ TEST_F(MainWindowTest, ASliderBringsOneSceneToTheWorkerAndItsFrameBack) {
 
 TEST_F(MainWindowTest, TypingANumberDoesTheSame) {
   ASSERT_TRUE(waitForFrame());
-  type("sliding.velocity", "0.125");  // the dot is text here, not the key of a single step
+  type("sliding.velocity", "0.125 m/s");  // the dot is text here, not the key of a single step
   EXPECT_TRUE(session().isPlaying());
   ASSERT_TRUE(waitForFrame());
   EXPECT_EQ(frame()->scene->sliding.velocity, 0.125);
@@ -147,9 +147,9 @@ TEST_F(MainWindowTest, KeysAreTheWindowsAgainAfterEnterOrAClickOnTheViews) {
   auto& entry = control<ValueEntry>("entry:sliding.velocity");
   QTest::mouseClick(&entry, Qt::LeftButton);
   ASSERT_TRUE(entry.hasFocus());
-  type("sliding.velocity", "0.5");
+  type("sliding.velocity", "0.5 m/s");
   QTest::keyClick(window_.windowHandle(), Qt::Key_Space);
-  EXPECT_EQ(entry.text(), "0.5");
+  EXPECT_EQ(entry.text(), "500");
   EXPECT_FALSE(session().isPlaying());
 
   for (QWidget* view :
