@@ -154,11 +154,14 @@ struct Runner::Body {
 
   /// Hands an average on, under the number of the newest scene that has this curve.
   void offer(std::uint64_t curve, const CurveProgress& progress) {
-    const std::lock_guard guard(lock);
-    if (curve != curveNumber) return;
-    lastUpdate = {present.scene, present.number, progress.realizationsDone,
-                  progress.realizationsTotal, progress.points};
-    updates.push_back(*lastUpdate);
+    {
+      const std::lock_guard guard(lock);
+      if (curve != curveNumber) return;
+      lastUpdate = {present.scene, present.number, progress.realizationsDone,
+                    progress.realizationsTotal, progress.points};
+      updates.push_back(*lastUpdate);
+    }
+    if (options.curveNews) options.curveNews();
   }
 
   /// Called under the lock when a scene is posted.

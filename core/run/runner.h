@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ struct RunnerOptions {
   int threads = 0;               // for the curve; 0: as many as the machine has
   double framesPerSecond = 60;   // frames made at most
   double secondsPerPeriod = 12;  // on screen, for the line to pass by once
+  /// Called where a curve update is there, on the curve's thread; returns at once. May be empty.
+  std::function<void()> curveNews;
 };
 
 class Runner {

@@ -26,6 +26,7 @@ namespace asperity {
 
 class AccuracyPanel;
 class ContactCanvas;
+class CurveCommands;
 class GalleryPage;
 class GestureCounter;
 class MessageBar;
@@ -52,6 +53,7 @@ class MainWindow : public QMainWindow {
   Session& session() { return *session_; }
   ParameterPanel& panel() { return *panel_; }
   PlotView& plotView() { return *plot_; }
+  CurveCommands& curveCommands() { return *curveCommands_; }
   ContactCanvas& canvas() { return *canvas_; }
   MessageBar& messages() { return *messages_; }
   MessageBar& description() { return *description_; }
@@ -193,8 +195,6 @@ class MainWindow : public QMainWindow {
   // In main_window_chart.cpp: the friction curve's.
   void buildChartCommands(QMenu& menu);
   void connectChart();
-  void showPlotSoon();
-  void showPlot();
 
   // In main_window_figures.cpp.
   void buildFigures();
@@ -222,8 +222,7 @@ class MainWindow : public QMainWindow {
   GalleryPage* gallery_ = nullptr;
   QDockWidget* dock_ = nullptr;
   QToolBar* tools_ = nullptr;
-  QTimer* plotPause_ = nullptr;  // runs after the diagram was painted
-  bool plotIsDue_ = false;       // and something came meanwhile
+  CurveCommands* curveCommands_ = nullptr;
   QAction *play_ = nullptr, *step_ = nullptr, *reset_ = nullptr;
   QAction *open_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr, *light_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr, *revert_ = nullptr, *resetAll_ = nullptr;

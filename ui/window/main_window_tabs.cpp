@@ -63,7 +63,7 @@ void MainWindow::showMeasuredCurve() {
   int count = 0;
   for (const PlotSeries& series : plot.series)
     for (const PlotPoint& point : series.points)
-      if (series.style == PlotStyle::Points && std::isfinite(point.error)) {
+      if (series.id == kPresentCurve && std::isfinite(point.error)) {
         squares += std::pow(point.error / point.y, 2);
         ++count;
       }

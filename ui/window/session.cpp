@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
 namespace asperity {
 
@@ -39,9 +40,24 @@ QString troubleOf(const Frame& frame) {
 }
 
 Session::Session(const Scene& scene, RunnerOptions options, QObject* parent)
-    : QObject(parent), runner_(options) {
+    : QObject(parent), runner_(withNews(std::move(options))) {
   setScene(scene);
   runner_.play();
+}
+
+/// A curve is taken when it comes, not at the next turn of the window's timer.
+RunnerOptions Session::withNews(RunnerOptions options) {
+  options.curveNews = [this] {
+    if (hasNews_.exchange(true)) return;
+    QMetaObject::invokeMethod(
+        this, [this] { takeCurves(); }, Qt::QueuedConnection);
+  };
+  return options;
+}
+
+void Session::editCurve(const std::function<void(FrictionPlot&)>& edit) {
+  edit(friction_);
+  emit plotChanged();
 }
 
 void Session::setScene(const Scene& scene) {
@@ -55,7 +71,8 @@ void Session::setScene(const Scene& scene) {
   const bool wasStale = friction_.isStale();
   friction_.expect(scene_);
   sceneNumber_ = runner_.post(scene_);
-  if (wasStale != friction_.isStale()) emit plotChanged();
+  // Names of pinned curves say in what they differ from the scene.
+  if (wasStale != friction_.isStale() || !friction_.pinned().empty()) emit plotChanged();
 }
 
 void Session::setPlaying(bool playing) {
@@ -119,6 +136,7 @@ void Session::takeMessages() {
 }
 
 void Session::takeCurves() {
+  hasNews_ = false;
   bool changed = false;
   for (const CurveUpdate& update : runner_.takeCurveUpdates()) {
     if (!friction_.take(update)) continue;
@@ -135,8 +153,10 @@ void Session::takeFrame() {
   const bool marked = sameMark(frame_.get(), *newest);
   frame_ = std::move(newest);
   if (!marked) {
+    const Plot before = friction_.plot();
     friction_.mark(*frame_);
-    emit plotChanged();
+    const Plot now = friction_.plot();
+    before.x == now.x&& before.y == now.y ? emit markChanged() : emit plotChanged();
   }
   emit frameArrived();
   if (frame_->sceneNumber == sceneNumber_) judgeFrame();

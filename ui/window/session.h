@@ -6,7 +6,9 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -53,6 +55,10 @@ class Session : public QObject {
   std::shared_ptr<const Frame> frame() const { return frame_; }
   Plot plot() const { return friction_.plot(); }
 
+  const FrictionPlot& friction() const { return friction_; }
+  /// Changes what the diagram shows beside the present curve: pins, axes, a difference.
+  void editCurve(const std::function<void(FrictionPlot&)>& edit);
+
   /// The newest state of a curve of the present scene; null before the first and once it is stale.
   const CurveUpdate* curve() const { return curve_ && !friction_.isStale() ? &*curve_ : nullptr; }
 
@@ -60,6 +66,8 @@ class Session : public QObject {
   void playingChanged(bool playing);
   void frameArrived();
   void plotChanged();
+  /// Only the marker has: where the line is, and its ranges hold it.
+  void markChanged();
   /// What is wrong with the present scene, by the runner's word or by its frame; key may be empty.
   void complained(const QString& key, const QString& text);
   /// A sound frame of the present scene is here and nothing was said against it: whatever was wrong
@@ -67,6 +75,7 @@ class Session : public QObject {
   void sceneRuns();
 
  private:
+  RunnerOptions withNews(RunnerOptions options);
   void takeMessages();
   void takeCurves();
   void measureRate(const CurveUpdate& update);
@@ -74,6 +83,7 @@ class Session : public QObject {
   void judgeFrame();
 
   Scene scene_;
+  std::atomic<bool> hasNews_ = false;  // told, but not taken yet
   Runner runner_;
   std::uint64_t sceneNumber_ = 0;
   std::uint64_t runningNumber_ = 0;  // newest scene of which a frame was seen
