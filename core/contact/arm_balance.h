@@ -1,5 +1,5 @@
-// Steady sliding of elements with arms: what the arms have yielded at the lowest point is the same
-// after a period, and the force is the wanted one. Repeated passes close only at the rate
+// Steady sliding of elements with arms: their strains at the lowest point are the same after a
+// period, and the force is the wanted one. Repeated passes close only at the rate
 // exp(-L / v tau); here depth and arms move together by Newton's method with the derivatives that
 // a pass gathers beside, kept up by Broyden's update while that is good enough: an arm of any time
 // takes a few passes. At the start slow arms have yielded the mean depth F_N / 4 G L and fast ones
@@ -15,10 +15,10 @@
 namespace asperity {
 
 struct ArmBalance {
-  Balance force;              // depth, all passes, residual of F_N (0 at a given depth)
-  double closure = 0;         // largest change of what an arm has yielded over a period, per depth,
-                              // as if it had as many periods as it takes
-  std::vector<double> yield;  // m, at the lowest point
+  Balance force;               // depth, all passes, residual of F_N (0 at a given depth)
+  double closure = 0;          // largest change of an arm's strain over a period, as if it had as
+                               // many periods as it takes; relative to strains, heights or depth
+  std::vector<double> strain;  // m, at the lowest point
   bool isMet() const { return force.isMet() && closure <= kAcceptedResidual; }
 };
 
