@@ -107,8 +107,10 @@ std::string whyStart(const Scene&, bool runs) {
 
 std::string whySteadyPass(const Scene& scene, bool runs) {
   if (!runs) return "the motion begins at v = 0, where nothing slides";
-  return scene.sliding.kind == SlidingKind::Steady
-             ? "steady sliding is stationary in the line's frame"
+  if (scene.sliding.kind == SlidingKind::Steady)
+    return "steady sliding is stationary in the line's frame";
+  return scene.sliding.kind == SlidingKind::Start || scene.sliding.velocity == 0
+             ? "the friction curve is of steady sliding"
              : "the steady state at the first velocity is where the motion begins";
 }
 
@@ -170,6 +172,8 @@ bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
   if (stage == Stage::SummitCorrelation)
     return isRandom(scene) && scene.surface.summitCorrelation != 0;
   if (!hasElastomer(purpose)) return false;
+  if (purpose == Purpose::Window && stage != Stage::TimeMarch)
+    return callsFor(scene, Purpose::Curve, stage) || callsFor(scene, Purpose::Picture, stage);
   const bool steady = isSteady(scene, purpose);
   switch (stage) {
     case Stage::TemperatureShift:

@@ -34,7 +34,7 @@ enum class Stage {
 };
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Shape) + 1;
 
-/// What a scene is run for.
+/// What a scene is run for. The window moves the picture, and draws the curve beside it.
 enum class Purpose { Curve, Picture, Surface, Window };
 
 /// Whether the scene calls for the stage. Effects of no strength are not called for.
