@@ -46,6 +46,7 @@ class ArmSolver::Search {
   }
 
   ArmBalance run(const ArmBalance* guess) {
+    if (tryComplete()) return best_;
     start(guess);
     Vector residual = evaluate(unknown_, &tangent_);
     bool fresh = true;  // the slope is that of this very pass
@@ -74,6 +75,24 @@ class ArmSolver::Search {
   }
 
  private:
+  /// Complete contact: depth and strains are known, up to what slow arms lose to rounding. A pass
+  /// says whether it is.
+  bool tryComplete() {
+    const double depth = first_ > 0 ? high_ : fixedDepth_;
+    if (depth < *std::max_element(line_.rise.begin(), line_.rise.end())) return false;
+    if (first_ > 0) unknown_[0] = depth;
+    pass_.completeStrains({unknown_.data() + first_, memory_.arms()});
+    for (int i = 0; i < 3; ++i) {
+      const Vector residual = evaluate(unknown_, nullptr);
+      if (!pass_.wasComplete()) break;
+      if (bestWorst_ <= kWantedResidual) return best_.isComplete = true;
+      for (std::size_t k = first_; k < size_; ++k) unknown_[k] -= residual[k];
+    }
+    best_ = {};
+    bestWorst_ = std::numeric_limits<double>::infinity();
+    return false;
+  }
+
   void move(const Vector& from, const Vector& step) {
     for (std::size_t i = 0; i < size_; ++i) unknown_[i] = from[i] + step[i];
   }
@@ -241,6 +260,23 @@ ArmBalance ArmSolver::atLoad(double load, const ArmBalance* guess) {
 
 ArmBalance ArmSolver::atDepth(double depth, const ArmBalance* guess) {
   return Search(*this, 0, depth).run(guess);
+}
+
+bool ArmSolver::isContactComplete(double depth) {
+  Vector strain(memory_.arms());
+  pass_.completeStrains(strain);
+  pass_.run(depth, strain);
+  return pass_.wasComplete();
+}
+
+double ArmSolver::completeAbove() {
+  double low = 0, high = 2 * line_.meanRise;
+  while (high > 0 && !isContactComplete(high)) high *= 2;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (isContactComplete(middle) ? high : low) = middle;
+  }
+  return high;
 }
 
 StateSums ArmSolver::state(const ArmBalance& balance, ArmShape* shape) {

@@ -39,6 +39,7 @@ void ArmPass::go(double depth, std::span<const double> strain, ArmShape* shape) 
   sums_ = {};
   level_ = 0;
   touching_ = true;
+  hasLeft_ = false;
   entryRise_ = 0;
   contactStart_ = 0;
   std::fill(yieldChange_.begin(), yieldChange_.end(), 0);
@@ -56,6 +57,22 @@ void ArmPass::go(double depth, std::span<const double> strain, ArmShape* shape) 
   }
   for (std::size_t i = memory_.slow; i < strain_.size(); ++i)
     yieldChange_[i] = strain[i] - strain_[i];
+}
+
+void ArmPass::completeStrains(std::span<double> strain) {
+  std::fill(strain_.begin(), strain_.end(), 0);
+  depth_ = 0;
+  const std::size_t last = line_.segments() - 1;
+  advance(pieceOf(insideOf(0), 0, 1), 1);
+  for (std::size_t i = 1; i < last; ++i) {
+    const Cubic rise = line_.segment(i);
+    for (std::size_t k = 0; k < strain_.size(); ++k)
+      strain_[k] = memory_.kept[k] * strain_[k] - rise.c1 * memory_.driven[0][k] -
+                   2 * rise.c2 * memory_.driven[1][k] - 3 * rise.c3 * memory_.driven[2][k];
+  }
+  advance(pieceOf(insideOf(last), 1, 0), 1);
+  for (std::size_t k = 0; k < strain_.size(); ++k)
+    strain[k] = strain_[k] / -std::expm1(-line_.length * memory_.inverse[k]);
 }
 
 void ArmPass::refreshSums() {
@@ -178,6 +195,7 @@ void ArmPass::leave(double position, double rise) {
   position = std::max(position, contactStart_);
   if (tangent_) tangent_->leave(position - contactStart_);
   touching_ = false;
+  hasLeft_ = true;
   level_ = 0;
   arcStart_ = position;
   leftRise_ = rise;

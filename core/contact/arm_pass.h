@@ -34,6 +34,12 @@ class ArmPass {
   /// All sums.
   void runForState(double depth, std::span<const double> strain, ArmShape* shape = nullptr);
 
+  /// The arms' strains (m) at the lowest point in complete contact, which do not depend on the
+  /// depth: what a period drives them, over what it lets them forget.
+  void completeStrains(std::span<double> strain);
+  /// Whether everything was in contact all along the last pass.
+  bool wasComplete() const { return !hasLeft_; }
+
   /// Per 4G, G the equilibrium modulus. Pressure, work and dissipation are summed apart; of the
   /// last all terms are positive.
   const StateSums& sums() const { return sums_; }
@@ -92,7 +98,7 @@ class ArmPass {
   const TravelLine& line_;
   const ArmMemory& memory_;
   double depth_ = 0;
-  bool touching_ = true;
+  bool touching_ = true, hasLeft_ = false;
   std::size_t level_ = 0;               // of the block tried next
   std::vector<double> strain_, next_;   // m, e_i in contact
   std::vector<double> mode_, arcMode_;  // m, a_j now and where the arc began

@@ -18,6 +18,7 @@ constexpr std::array<std::string_view, kStages> kNames{"line",
                                                        "arms",
                                                        "start from rest",
                                                        "steady pass",
+                                                       "contact search",
                                                        "closure of the period",
                                                        "force balance",
                                                        "time march",
@@ -114,6 +115,13 @@ std::string whySteadyPass(const Scene& scene, bool runs) {
              : "the steady state at the first velocity is where the motion begins";
 }
 
+std::string whySearch(const Scene& scene, bool runs) {
+  if (!runs) return "nothing slides steadily";
+  return scene.accuracy.scheme == Scheme::Nodal
+             ? "whether an element touches is asked at each node"
+             : "edges of contact are found inside the segments wherever contact is not complete";
+}
+
 std::string whyClosure(const Scene& scene, bool runs) {
   if (runs) return "arms must be after a period as they were before";
   return lawOf(scene.elastomer).arms.empty()
@@ -155,10 +163,10 @@ std::string whyShape(const Scene&, bool runs) {
 }
 
 using Why = std::string (*)(const Scene&, bool runs);
-constexpr std::array<Why, kStages> kReasons{whyLine,        whyRollOff,   whySummits, whyShift,
-                                            whyFreeSurface, whyArms,      whyStart,   whySteadyPass,
-                                            whyClosure,     whyBalance,   whyMarch,   whyInterface,
-                                            whySweep,       whyAveraging, whyShape};
+constexpr std::array<Why, kStages> kReasons{whyLine,        whyRollOff, whySummits,   whyShift,
+                                            whyFreeSurface, whyArms,    whyStart,     whySteadyPass,
+                                            whySearch,      whyClosure, whyBalance,   whyMarch,
+                                            whyInterface,   whySweep,   whyAveraging, whyShape};
 
 std::array<std::atomic<std::uint64_t>, kStages> counts{};
 
@@ -186,6 +194,7 @@ bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
     case Stage::StartFromRest:
       return !steady && (scene.sliding.kind == SlidingKind::Start || scene.sliding.velocity == 0);
     case Stage::SteadyPass:
+    case Stage::ContactSearch:
       return hasSteadyState(scene, purpose);
     case Stage::Closure:
       return hasSteadyState(scene, purpose) && lawOf(scene.elastomer).kind() == ElementKind::Arms;

@@ -5,6 +5,7 @@
 
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/line_plan.h"
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/plan.h"
@@ -48,6 +49,33 @@ TEST(Effects, WhatRunsIsWhatThePlanSays) {
     scene.ensemble.realizations = 1;
     expectPlanned(scene);
   }
+}
+
+/// Whether contact is complete is known on the line alone: at all velocities, at some, at none.
+TEST(Effects, InCompleteContactThereIsNoSearch) {
+  for (const auto& [name, elastomer] : allElastomers())
+    for (const double force : {1e-3, 2.0, 1e5}) {
+      SCOPED_TRACE(testing::Message() << name << ", " << force << " N");
+      Scene scene = smallScene();
+      scene.elastomer = elastomer;
+      scene.load.normalForce = force;
+      scene.ensemble.realizations = 1;
+      const PlanStage planned =
+          planOnLine(scene, Purpose::Curve)[static_cast<std::size_t>(Stage::ContactSearch)];
+      const auto searches = [] {
+        return stageCounts()[static_cast<std::size_t>(Stage::ContactSearch)];
+      };
+      const std::uint64_t before = searches();
+      const Curve curve = frictionCurve(scene);
+      EXPECT_EQ(searches() > before, planned.runs) << planned.reason;
+      EXPECT_EQ(planned.runs, curve.points.back().contactFraction < 1);
+      EXPECT_NE(planned.reason.find("contact is complete"), std::string::npos) << planned.reason;
+      if (force == 1e5) {
+        EXPECT_FALSE(planned.runs);
+      } else if (force == 1e-3) {
+        EXPECT_TRUE(planned.runs);
+      }
+    }
 }
 
 TEST(Effects, EveryRheologyHasACurve) {
