@@ -143,6 +143,25 @@ TEST(Arms, SlowAndFastArmsKeepTheirDigits) {
   EXPECT_LT(relative(friction(1e-9) / 1e-9, friction(1e-12) / 1e-12), 1e-6);
 }
 
+/// Why steady sliding needs an equilibrium: F_N = 4G integral of y, whatever arms and dashpot are.
+TEST(Arms, WithoutAnEquilibriumNothingIsCarried) {
+  const TravelLine line = prepareTravel(roughLine(200, 2), Scheme::Cubic);
+  double last = 0;
+  for (const double g : {1e6, 1e4, 1e2, 1.0}) {
+    const Elastomer elastomer = prony(g, {{1e7, 1e-2}, {1e7, 1e-4}}, 10);
+    const SteadyResult pressed = slide(elastomer, line, 1, force(0.02)).result;
+    EXPECT_EQ(pressed.status, SteadyStatus::Balanced);
+    EXPECT_GE(pressed.indentation, 0.02 / (4 * g * line.length));  // without bound as G falls
+    const SteadyResult held = slide(elastomer, line, 1, indentation(1e-6)).result;
+    EXPECT_EQ(held.status, SteadyStatus::Balanced);
+    EXPECT_LE(held.normalForce, 4 * g * line.length * 1e-6);  // nothing as G falls
+    if (last > 0) {
+      EXPECT_LT(held.normalForce, 0.05 * last);
+    }
+    last = held.normalForce;
+  }
+}
+
 /// Many arms that together are one, and arms without strength.
 TEST(Arms, OfNoStrengthChangeNothing) {
   const TravelLine line = prepareTravel(roughLine(300, 2), Scheme::Cubic);
