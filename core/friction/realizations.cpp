@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "core/contact/scene_sliding.h"
+#include "core/friction/jobs.h"
 
 namespace asperity {
 namespace {
@@ -39,18 +38,13 @@ std::string failureOf(const SteadyResult& result, double velocity, std::int64_t 
 class Realizations {
  public:
   Realizations(const RealizationTask& task, int threads, const std::stop_token& stop)
-      : task_(task),
-        sliding_(task.scene),
-        stop_(stop),
-        arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+      : task_(task), sliding_(task.scene), stop_(stop), jobs_(threads) {}
 
   std::vector<Results> compute(std::int64_t first, std::int64_t count) {
     std::vector<Results> batch(static_cast<std::size_t>(count));
-    arena_.execute([&] {
-      tbb::parallel_for(std::int64_t{0}, count, [&](std::int64_t i) {
-        if (!stop_.stop_requested())
-          batch[static_cast<std::size_t>(i)] = slide(task_.first + first + i);
-      });
+    jobs_.run(count, [&](std::int64_t i) {
+      if (!stop_.stop_requested())
+        batch[static_cast<std::size_t>(i)] = slide(task_.first + first + i);
     });
     return batch;
   }
@@ -87,7 +81,7 @@ class Realizations {
   const RealizationTask& task_;
   SceneSliding sliding_;
   const std::stop_token& stop_;
-  tbb::task_arena arena_;
+  Jobs jobs_;
   tbb::enumerable_thread_specific<Memory> memory_;
 };
 
