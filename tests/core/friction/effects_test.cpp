@@ -111,6 +111,29 @@ TEST(Effects, OfNoStrengthLeaveEveryBit) {
   EXPECT_EQ(bytesOf(elastic), bytesOf(nothing));
 }
 
+/// Not a stage more runs for an effect of no strength: it costs nothing.
+TEST(Effects, OfNoStrengthRunNoStage) {
+  const auto stagesOf = [](const Scene& scene) {
+    const StageCounts before = stageCounts();
+    frictionCurve(scene);
+    StageCounts ran = stageCounts();
+    for (std::size_t i = 0; i < kStages; ++i) ran[i] -= before[i];
+    return ran;
+  };
+  for (const auto& [name, elastomer] : allElastomers()) {
+    Scene plain = smallScene();
+    plain.elastomer = elastomer;
+    Scene with = plain;
+    with.interface = {0, 0};
+    with.surface.rollOffWavelength = plain.surface.length;
+    with.surface.summitCorrelation = 0;
+    with.elastomer.temperature = with.elastomer.shift.referenceTemperature = 320;
+    if (with.elastomer.rheology == Rheology::Prony)
+      with.elastomer.arms.insert(with.elastomer.arms.end(), {{0, 1}, {1e6, 0}});
+    EXPECT_EQ(stagesOf(with), stagesOf(plain)) << name;
+  }
+}
+
 TEST(Effects, LocalFrictionStandsInItsOwnColumns) {
   Scene scene = smallScene();
   const Curve without = frictionCurve(scene);
