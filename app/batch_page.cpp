@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/friction/curve_diagram.h"
 #include "core/friction/curve_file.h"
+#include "core/friction/curve_words.h"
 #include "ui/picture/xml_text.h"
 
 namespace asperity {

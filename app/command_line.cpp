@@ -16,6 +16,7 @@
 #include "core/scene/input_error.h"
 #include "core/scene/parameter_table.h"
 #include "core/scene/scene_file.h"
+#include "ui/window/scene_library.h"
 
 namespace asperity {
 namespace {
@@ -94,7 +95,9 @@ class CommandLine {
   CLI::App* addVerb(const char* name, const char* sentence, CommonOptions& common,
                     std::function<int()> action) {
     CLI::App* verb = app_.add_subcommand(name, sentence);
-    verb->add_option("SCENE", common.scene, "Scene file (JSON)")->required();
+    verb->add_option("SCENE", common.scene,
+                     "Scene file (JSON), or the name of a shipped scene (figure_1.json)")
+        ->required();
     addShared(*verb, common);
     verb->footer("Scene keys (--set KEY=VALUE):\n" + parameterTableText());
     verb->callback([this, action = std::move(action)] { selected_ = action; });
@@ -229,6 +232,10 @@ void fillClosedStreams() {
 
 Scene sceneOf(const CommonOptions& options) {
   if (options.scene.empty()) return readScene("{}", "--set", {}, options.assignments);
+  std::error_code ignored;
+  if (!std::filesystem::exists(options.scene, ignored))
+    if (const auto shipped = libraryFile(options.scene))
+      return readScene(*shipped, options.scene, {}, options.assignments);
   return readSceneFile(options.scene, options.assignments);
 }
 

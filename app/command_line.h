@@ -73,7 +73,8 @@ struct BatchCommand {
   PictureChoice picture;
 };
 
-/// The scene of a command, with its assignments. Throws InputError.
+/// The scene of a command, with its assignments: of a file or, where no file has the name, of a
+/// shipped scene. Throws InputError.
 Scene sceneOf(const CommonOptions& options);
 
 /// Does the work; bad input that names no file of its own is said of the scene's file.

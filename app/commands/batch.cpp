@@ -26,6 +26,8 @@
 namespace asperity {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr int kThumbnail = 480;  // pixels wide
 
 class BatchRun {
@@ -58,9 +60,10 @@ class BatchRun {
         bar.show(static_cast<std::int64_t>(results_.size()), total);
       }
     }
-    pictures.write(fileIn("contact_sheet.png"), sheet_, {batch_.title, "", style_.scale});
+    const std::string made = provenanceLine(origin());
+    pictures.write(fileIn("contact_sheet.png"), sheet_, {batch_.title, made, style_.scale});
     pictures.finish();
-    writeFileAtomically(fileIn("results.csv"), batchTable(results_));
+    writeFileAtomically(fileIn("results.csv"), "# asperity: " + made + "\n" + batchTable(results_));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_));
     return report();
   }
@@ -128,13 +131,28 @@ class BatchRun {
     addPicture(sheet_, PictureComposer(small_, layout, curve).compose(frame), x, y);
   }
 
+  static Json header() {
+    return {
+        {"schema", "asperity-batch-results/1"}, {"verb", "batch"}, {"version", ASPERITY_VERSION}};
+  }
+
+  /// Of what shows all scenes together.
+  Json origin() const {
+    Json origin = header();
+    Json& scenes = origin["scenes"] = Json::array();
+    for (const BatchResult& result : results_)
+      if (result.item.error.empty())
+        scenes.push_back(
+            {{"name", result.item.name}, {"scene", Json::parse(writeScene(result.item.scene))}});
+    return origin;
+  }
+
   int report() const {
     int bad = 0;
-    nlohmann::ordered_json answer = {
-        {"schema", "asperity-batch-results/1"}, {"verb", "batch"}, {"version", ASPERITY_VERSION}};
-    auto& list = answer["scenes"] = nlohmann::ordered_json::array();
+    Json answer = header();
+    auto& list = answer["scenes"] = Json::array();
     for (const BatchResult& result : results_) {
-      nlohmann::ordered_json entry = {{"name", result.item.name}, {"files", result.files}};
+      Json entry = {{"name", result.item.name}, {"files", result.files}};
       if (!result.item.error.empty()) {
         ++bad;
         entry["error"] = result.item.error;
@@ -143,8 +161,7 @@ class BatchRun {
                    stderr);
         std::fputs("\n", stderr);
       } else {
-        entry["mu"] =
-            std::isfinite(result.mu) ? nlohmann::ordered_json(result.mu) : nlohmann::ordered_json();
+        entry["mu"] = std::isfinite(result.mu) ? Json(result.mu) : Json();
         entry["provenance"] = provenance("batch", result.item.scene);
       }
       list.push_back(std::move(entry));

@@ -53,10 +53,11 @@ struct Runner::Body {
 
   struct Orders {
     std::optional<Posted> scene;
+    std::optional<FrameFields> fields;
     bool reset = false;
     bool play = false;
     int steps = 0;
-    bool any() const { return scene || reset || steps > 0; }
+    bool any() const { return scene || fields || reset || steps > 0; }
   };
 
   void march(std::stop_token stop) {
@@ -98,7 +99,9 @@ struct Runner::Body {
       else
         simulation.emplace(orders.scene->scene, orders.scene->number);
     }
+    if (orders.fields) fields = *orders.fields;
     if (!simulation) return;
+    if (orders.fields || orders.scene) simulation->want(fields);
     if (orders.reset) simulation->reset();
     for (int i = 0; i < orders.steps; ++i) simulation->singleStep();
     const auto interval = std::chrono::duration<double>(1 / options.framesPerSecond);
@@ -180,7 +183,8 @@ struct Runner::Body {
   }
 
   const RunnerOptions options;
-  std::mutex lock;  // of everything down to the threads; never held while computing
+  FrameFields fields;  // the march's alone
+  std::mutex lock;     // of everything down to the threads; never held while computing
   std::condition_variable_any changed;
   bool playing = true;
   Orders waiting;
@@ -206,6 +210,12 @@ std::uint64_t Runner::post(Scene scene) {
   body_->orderCurve(*shared);
   body_->changed.notify_all();
   return body_->present.number;
+}
+
+void Runner::want(const FrameFields& fields) {
+  const std::lock_guard guard(body_->lock);
+  body_->waiting.fields = fields;
+  body_->changed.notify_all();
 }
 
 void Runner::play() {

@@ -49,6 +49,9 @@ class Runner {
   /// the present shape of the elastomer where length and elements are unchanged.
   std::uint64_t post(Scene scene);
 
+  /// What frames hold besides, from now on; while paused there is another frame with it.
+  void want(const FrameFields& fields);
+
   void play();
   void pause();
   bool isPlaying() const;

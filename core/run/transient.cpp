@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/contact/interface.h"
+#include "core/run/contact_age.h"
 #include "core/scene/effects.h"
 #include "core/scene/plan.h"
 
@@ -66,6 +67,7 @@ Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
     : load_(scene.load),
       interface_(scene.interface),
       hasInterface_(callsFor(scene, Purpose::Picture, Stage::Interface)),
+      startsAtRest_(callsFor(scene, Purpose::Picture, Stage::StartFromRest)),
       motion_(scene.sliding),
       longestStep_(scene.sliding.duration / static_cast<double>(leastSteps)),
       rigid_(std::move(rigid)),
@@ -74,6 +76,15 @@ Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
   countStage(Stage::TimeMarch);
   if (scene.sliding.kind == SlidingKind::Oscillation)
     longestStep_ = std::min(longestStep_, 1 / (64 * scene.sliding.frequency));
+}
+
+/// Before its first step a motion that began in steady sliding knows when contact was.
+void Transient::record(MarchRecords wanted) {
+  const bool isNew = wanted.sinceContact && march_.sinceContact().empty();
+  march_.record(wanted);
+  if (isNew && steps_ == 0 && !startsAtRest_)
+    march_.setSinceContact(
+        steadyContactAge(march_.pressure(), rigid_->line->spacing, motion_.velocityAt(0)));
 }
 
 /// s. At a constant velocity a node or a whole part of one, so that elements meet the line's nodes

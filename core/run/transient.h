@@ -28,6 +28,9 @@ class Transient {
   /// Steps that marchTo would take.
   double stepsTo(double time) const;
 
+  /// What its march notes of the elements from now on.
+  void record(MarchRecords wanted);
+
   const Motion& motion() const { return motion_; }
   const TimeMarch& march() const { return march_; }
   double time() const { return time_; }
@@ -48,7 +51,7 @@ class Transient {
 
   Load load_;
   Interface interface_;
-  bool hasInterface_;
+  bool hasInterface_, startsAtRest_;
   Motion motion_;
   double longestStep_;  // s
   std::shared_ptr<const RigidLine> rigid_;

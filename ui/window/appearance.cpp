@@ -1,5 +1,7 @@
 #include "ui/window/appearance.h"
 
+#include <QGuiApplication>
+
 #include "ui/picture/text_painter.h"
 
 namespace asperity {
@@ -31,6 +33,11 @@ QColor edge(const Theme& theme) {
 
 bool isDark(const Theme& theme) {
   return colourOf(theme.background).lightness() < 128;
+}
+
+bool systemIsDark() {
+  static const bool dark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
+  return dark;
 }
 
 QPalette paletteOf(const Theme& theme) {

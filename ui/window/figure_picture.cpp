@@ -2,8 +2,8 @@
 
 #include <QPainter>
 
+#include "ui/picture/figure_drawing.h"
 #include "ui/window/appearance.h"
-#include "ui/window/figure_files.h"
 
 namespace asperity {
 
@@ -49,7 +49,7 @@ void FigurePicture::requestPicture() {
   ++asked_;
   worker().request({[this, number = asked_, made = made_, options] {
                       composed_ = number;
-                      return composeFigure(*made, options);
+                      return composeFigure(made->figure, made->contact.get(), options);
                     },
                     scale});
 }

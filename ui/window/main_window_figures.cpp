@@ -10,6 +10,7 @@
 #include "ui/window/contact_canvas.h"
 #include "ui/window/gallery_page.h"
 #include "ui/window/main_window.h"
+#include "ui/window/scene_document.h"
 #include "ui/window/session.h"
 
 namespace asperity {
@@ -34,7 +35,7 @@ void MainWindow::buildFigures() {
   connect(gallery_, &GalleryPage::closed, this, &MainWindow::closeFigures);
   connect(gallery_, &GalleryPage::sceneWanted, this, [this](const Scene& scene) {
     closeFigures();
-    showScene(scene);
+    replaceScene({{}, {}, scene});
   });
 }
 

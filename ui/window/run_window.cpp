@@ -5,6 +5,7 @@
 #include <QStyleFactory>
 
 #include "ui/picture/text_painter.h"
+#include "ui/window/appearance.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_library.h"
 
@@ -20,10 +21,12 @@ Scene firstScene() {
 }  // namespace
 
 void prepareApplication(QApplication& application) {
+  QApplication::setOrganizationName(QStringLiteral("Asperity"));
   QApplication::setApplicationName(QStringLiteral("asperity"));
   QApplication::setApplicationDisplayName({});
   QApplication::setApplicationVersion(QStringLiteral(ASPERITY_VERSION));
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  systemIsDark();  // while the palette is the desktop's
   loadFonts();
   QFont font = application.font();
   if (font.pointSizeF() > 0 && font.pointSizeF() < 9.5) font.setPointSizeF(9.5);
@@ -33,6 +36,7 @@ void prepareApplication(QApplication& application) {
 int runWindow(QApplication& application, const std::optional<Scene>& scene, RunnerOptions options) {
   prepareApplication(application);
   MainWindow window(scene ? *scene : firstScene(), options);
+  window.rememberLayout();
   window.show();
   return application.exec();
 }

@@ -19,6 +19,8 @@ namespace asperity {
 
 namespace {
 
+const QString kFolder = QStringLiteral(":/asperity/scenes");
+
 /// Chapters that the list does not know come last.
 std::size_t rankOf(const std::string& chapter) {
   static const std::string_view order[] = {
@@ -29,10 +31,19 @@ std::size_t rankOf(const std::string& chapter) {
 
 }  // namespace
 
+std::optional<std::string> libraryFile(const std::string& name) {
+  openResources();
+  QFile file(kFolder + "/" + QString::fromStdString(name));
+  if (!name.ends_with(".json") || name.find('/') != std::string::npos ||
+      !file.open(QIODevice::ReadOnly))
+    return std::nullopt;
+  return file.readAll().toStdString();
+}
+
 std::vector<LibraryScene> libraryScenes() {
   openResources();
   std::vector<LibraryScene> scenes;
-  const QDir folder(QStringLiteral(":/asperity/scenes"));
+  const QDir folder(kFolder);
   for (const QFileInfo& entry : folder.entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
     QFile file(entry.filePath());
     if (!file.open(QIODevice::ReadOnly)) continue;

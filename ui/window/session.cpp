@@ -81,7 +81,9 @@ void Session::takeMessages() {
 void Session::takeCurves() {
   bool changed = false;
   for (const CurveUpdate& update : runner_.takeCurveUpdates()) {
-    if (friction_.take(update)) changed = true;
+    if (!friction_.take(update)) continue;
+    curve_ = update;
+    changed = true;
   }
   if (changed) emit plotChanged();
 }

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "core/run/runner.h"
 #include "ui/charts/friction_plot.h"
@@ -35,6 +36,9 @@ class Session : public QObject {
   std::shared_ptr<const Frame> frame() const { return frame_; }
   Plot plot() const { return friction_.plot(); }
 
+  /// The newest state of a curve of the present scene; null before the first and once it is stale.
+  const CurveUpdate* curve() const { return curve_ && !friction_.isStale() ? &*curve_ : nullptr; }
+
  signals:
   void playingChanged(bool playing);
   void frameArrived();
@@ -59,6 +63,7 @@ class Session : public QObject {
   QString trouble_;                  // said of that scene's frames
   std::shared_ptr<const Frame> frame_;
   FrictionPlot friction_;
+  std::optional<CurveUpdate> curve_;
 };
 
 /// One sentence on a frame that cannot be believed; empty where nothing is wrong.

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QTimer>
 #include <cmath>
 
 #include "core/scene/element_law.h"
@@ -10,6 +11,8 @@
 namespace asperity {
 
 namespace {
+
+constexpr int kSaidFor = 5000;  // ms
 
 double orMissing(double value) {
   return std::isfinite(value) ? value : kNotApplicable;
@@ -40,7 +43,13 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   velocity_ = addFact(*line, "factVelocity",
                       tr("Eq. (13) of the paper: relaxation time × velocity × rms slope / "
                          "(√2 × rms height)"));
-  line->addStretch(1);
+  said_ = addFact(*line, "said", {});
+  said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  said_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  line->setStretchFactor(said_, 1);
+  silence_ = new QTimer(this);
+  silence_->setSingleShot(true);
+  connect(silence_, &QTimer::timeout, said_, &QLabel::clear);
   rate_ = addFact(*line, "factRate", tr("Pictures of the contact shown in the last second"));
   backend_ = addFact(*line, "factBackend", tr("What draws the contact"));
 }
@@ -58,6 +67,11 @@ void StatusLine::showFrame(const Frame& frame) {
   force_->setText(tr("dimensionless force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
   velocity_->setText(
       tr("dimensionless velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame))));
+}
+
+void StatusLine::say(const QString& text) {
+  said_->setText(text);
+  silence_->start(kSaidFor);
 }
 
 void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {

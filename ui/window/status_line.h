@@ -8,6 +8,7 @@
 
 class QHBoxLayout;
 class QLabel;
+class QTimer;
 
 namespace asperity {
 
@@ -18,11 +19,16 @@ class StatusLine : public QWidget {
   explicit StatusLine(QWidget* parent = nullptr);
 
   void showFrame(const Frame& frame);
+  /// For a few seconds, in the room between the facts.
+  void say(const QString& text);
+
   void showDrawing(int framesPerSecond, const QString& backend);
 
  private:
   QLabel* addFact(QHBoxLayout& line, const char* name, const QString& tip);
 
+  QLabel* said_;
+  QTimer* silence_;
   QLabel* mu_;
   QLabel* force_;
   QLabel* velocity_;
