@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/contact/decay_moments.h"
-
 namespace asperity {
 namespace {
 
@@ -25,6 +23,7 @@ ArmMemory::ArmMemory(const ElementLaw& law, const RetardationModes& modes, doubl
     const auto moments = decayMoments(z);
     const auto drivenBy = drivenMoments(z);
     kept.push_back(decayed.kept);
+    loss.push_back(lossForm(z));
     if (period * inverseLength * kSlowFrom < 1) {
       ++slow;
       yieldKept.push_back(z * moments[0]);
@@ -36,12 +35,20 @@ ArmMemory::ArmMemory(const ElementLaw& law, const RetardationModes& modes, doubl
       for (std::size_t l = 0; l < 3; ++l) own[k][l] += g * drivenBy[k][l];
     }
   }
-  for (const double perSecond : modes.rate) rate.push_back(perSecond / velocity);
+  for (std::size_t j = 0; j < modes.modes(); ++j) {
+    rate.push_back(modes.rate[j] / velocity);
+    stiffness.push_back(modes.rate[j] / (modes.fluidity[j] * law.equilibriumModulus));
+    settled.push_back(1 / stiffness.back());
+  }
   double blockLength = spacing;
   for (std::size_t level = 0; level < levels; ++level, blockLength *= 4) {
-    std::vector<double> over;
-    for (const double perMetre : rate) over.push_back(std::exp(-perMetre * blockLength));
-    decay.push_back(std::move(over));
+    std::vector<double> left, gone;
+    for (const double perMetre : rate) {
+      left.push_back(std::exp(-perMetre * blockLength));
+      gone.push_back(-std::expm1(-perMetre * blockLength));
+    }
+    decay.push_back(std::move(left));
+    lost.push_back(std::move(gone));
   }
 }
 

@@ -40,7 +40,9 @@ class Spectrum {
   }
 
  private:
-  static constexpr double kLeast = -600, kMost = 600;  // logarithms of offsets
+  // Logarithms of offsets. Of a mode nearer to its arm's pole than this the depth has no part, and
+  // squares of the distance would leave the numbers.
+  static constexpr double kLeast = -280, kMost = 600;
 
   template <class Index>
   double tau(Index i) const {
