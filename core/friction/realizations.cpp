@@ -27,9 +27,8 @@ std::string failureOf(const SteadyResult& result, double velocity, std::int64_t 
       fmt::format("at velocity {:.4g} m/s on realization {}", velocity, realization);
   if (result.residual <= kAcceptedResidual)
     return fmt::format(
-        "two ways to the normal force differ by {:.2g}: contact is too short, or moduli are too "
-        "far "
-        "apart, for the digits that numbers have, {}",
+        "two ways to the normal force differ by {:.2g}: contact is too short, or moduli too far "
+        "apart, for the digits of numbers, {}",
         std::abs(result.forceFromPressure / result.forceFromDepth - 1), where);
   return fmt::format("the force balance is not met {}: relative residual {:.2g}", where,
                      result.residual);
