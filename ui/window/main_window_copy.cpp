@@ -49,11 +49,11 @@ std::optional<ContactShot> MainWindow::shot() const {
   ContactShot shot{session_->frame(), {}};
   if (!shot.frame) return std::nullopt;
   const QSize size = devicePixels(*canvas_);
+  shot.options = canvas_->viewer().frame() ? canvas_->viewer().options() : ContactPictureOptions{};
   shot.options.width = size.width();
   shot.options.height = size.height();
   shot.options.scale = static_cast<float>(canvas_->devicePixelRatioF());
   shot.options.theme = dark_ ? darkTheme() : lightTheme();
-  shot.options.view = fittedView(*shot.frame);
   return shot;
 }
 
@@ -111,6 +111,7 @@ QString MainWindow::pictureCommand() const {
   }
   wish.scale = canvas_->devicePixelRatioF();
   wish.dark = dark_;
+  wish.overlay = QString::fromUtf8(wordFor(canvas_->viewer().overlay()).data());
   return renderCommand(document_->origin(), document_->scene(), wish);
 }
 
