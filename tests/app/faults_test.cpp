@@ -67,10 +67,9 @@ class FaultsTest : public ProgramTest {
   }
 
   /// One line that says why, and no crash.
-  static void expectToldOff(const Said& said, const std::string& what) {
-    EXPECT_EQ(said.status, 1) << what << ": " << said.err;
-    EXPECT_THAT(said.err, StartsWith("asperity: ")) << what;
-    EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1) << said.err;
+  static void expectOneLine(const std::string& err, const std::string& what) {
+    EXPECT_THAT(err, StartsWith("asperity: ")) << what;
+    EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
   }
 };
 
@@ -105,7 +104,8 @@ TEST_F(FaultsTest, WithoutRoomOnTheDiskEveryVerbSaysSo) {
   for (const char* arguments : {kCurve, kRender, kFigure, kAccuracy}) {
     start(arguments);
     const Said said = program.runOnFullDisk(arguments);
-    expectToldOff(said, arguments);
+    EXPECT_EQ(said.status, 1) << arguments;
+    expectOneLine(said.err, arguments);
     EXPECT_THAT(said.err, HasSubstr("cannot be written")) << arguments;
     EXPECT_TRUE(files().empty()) << arguments;
   }
@@ -116,11 +116,14 @@ TEST_F(FaultsTest, AFolderThatGoesAwayMeanwhileIsTold) {
   for (const char* arguments : {kRender, kFigure, kAccuracy}) {
     clear();
     const Said said = program.run(
-        std::string(arguments) + "; status=$?; touch ended; wait; rm -f ended; exit $status",
+        std::string(arguments) + " 2>told; status=$?; touch ended; wait; rm -f ended; exit $status",
         "(until [ -e ended ] || [ -d out ]; do :; done; until [ -e ended ]; do rm -rf out; done) "
         ">/dev/null 2>&1 & ");
-    expectToldOff(said, arguments);
-    EXPECT_THAT(said.err, HasSubstr("out")) << arguments;
+    const std::string told = TemporaryFolder::read(program.folder / "told");
+    // It may find the folder gone at the next file, or fail in the middle of one.
+    EXPECT_THAT(said.status, testing::AnyOf(1, 2)) << arguments;
+    expectOneLine(told, arguments);
+    EXPECT_THAT(told, HasSubstr("out")) << arguments;
   }
 }
 
