@@ -1,20 +1,25 @@
 #include "core/contact/arm_memory.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
 namespace {
 
 constexpr double kSlowFrom = 10;  // periods of memory
+/// Elements of memory below which everything is forgotten to the last digit, and numbers may end.
+constexpr double kLeastMemory = 1e-150;
 
 }  // namespace
 
 ArmMemory::ArmMemory(const ElementLaw& law, const RetardationModes& modes, double velocity,
                      double spacing, double period, std::size_t levels)
     : dashpot(velocity * law.viscosity / law.equilibriumModulus), conversion(modes) {
+  const double shortest = kLeastMemory * spacing;
   for (const Arm& arm : law.arms) {
     const double g = arm.modulus / law.equilibriumModulus;
-    const double inverseLength = 1 / (velocity * arm.relaxationTime), z = spacing * inverseLength;
+    const double inverseLength = 1 / std::max(velocity * arm.relaxationTime, shortest);
+    const double z = spacing * inverseLength;
     modulus.push_back(g);
     inverse.push_back(inverseLength);
     lossRate.push_back(g * inverseLength);
@@ -36,7 +41,7 @@ ArmMemory::ArmMemory(const ElementLaw& law, const RetardationModes& modes, doubl
     }
   }
   for (std::size_t j = 0; j < modes.modes(); ++j) {
-    rate.push_back(modes.rate[j] / velocity);
+    rate.push_back(std::min(modes.rate[j] / velocity, 1 / shortest));
     stiffness.push_back(modes.rate[j] / (modes.fluidity[j] * law.equilibriumModulus));
     settled.push_back(1 / stiffness.back());
   }

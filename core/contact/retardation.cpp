@@ -34,9 +34,10 @@ class Spectrum {
 
   /// 1 - rate tau_i.
   double distance(const Rate& rate, std::size_t i) const {
-    if (rate.base < 0) return 1 - rate.offset * tau(i) / tau(0);
+    // Ratios first: an offset times a time may be below all numbers.
+    if (rate.base < 0) return 1 - rate.offset * (tau(i) / tau(0));
     const double base = tau(rate.base);
-    return ((base - tau(i)) - rate.offset * tau(i)) / base;
+    return (base - tau(i)) / base - rate.offset * (tau(i) / base);
   }
 
  private:
