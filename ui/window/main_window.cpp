@@ -94,10 +94,8 @@ void MainWindow::buildViews() {
   splitter_->setStretchFactor(1, 42);
   splitter_->setSizes({580, 420});
 
-  gallery_ = new GalleryPage;
   pages_ = new QStackedWidget;
   pages_->addWidget(splitter_);
-  pages_->addWidget(gallery_);
 
   messages_ = new MessageBar;
   description_ = new MessageBar;
@@ -166,7 +164,7 @@ void MainWindow::setDark(bool dark) {
   plot_->setColours(plotColoursOf(theme));
   strips_->setColours(plotColoursOf(theme));
   accuracy_->setTheme(theme);
-  gallery_->setTheme(theme);
+  if (gallery_) gallery_->setTheme(theme);
   paintIcons();
 }
 

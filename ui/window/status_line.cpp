@@ -6,6 +6,7 @@
 #include <QProgressBar>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 #include "core/scene/element_law.h"
@@ -21,6 +22,15 @@ constexpr int kSaidFor = 5000;  // ms
 
 double orMissing(double value) {
   return std::isfinite(value) ? value : kNotApplicable;
+}
+
+/// " (mean 0.001198 ± 0.4 %)", with the digits that the error leaves.
+QString meanText(const CurveReading& reading) {
+  const double share = std::abs(reading.error / reading.mu);
+  const double digits = share > 0 ? std::ceil(-std::log10(share)) + 1 : 4;
+  return StatusLine::tr(" (mean %1 ± %2 %)")
+      .arg(numberText(roundedToDigits(reading.mu, static_cast<int>(std::clamp(digits, 2.0, 5.0)))),
+           numberText(roundedToDigits(100 * share, 1)));
 }
 
 /// Three digits are more than a rate has: "12,000".
@@ -129,9 +139,7 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   regime_->setText(reading.regime);
   regime_->setHidden(reading.regime.isEmpty());
   QString mean;
-  if (std::isfinite(reading.mu) && std::isfinite(reading.error))
-    mean = tr(" (mean %1 ± %2)")
-               .arg(readingLabel(reading.mu), numberText(roundedToDigits(reading.error, 1)));
+  if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
   mu_->setText(tr("friction μ = %1%2").arg(readingLabel(frame.muSteady), mean));
   force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
   velocity_->setText(tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame))));
