@@ -122,7 +122,7 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   scroll->setAccessibleName(windowTitle());
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(scroll);
-  ensurePolished();
+  for (QWidget* part : findChildren<QWidget*>()) part->ensurePolished();  // sizes depend on it
   resize(content->sizeHint() + QSize(60, 60));
   if (parent) resize(size().boundedTo(parent->size()));
 }
