@@ -66,14 +66,14 @@ void addZoom(ContactCanvas& canvas, QMenu& menu) {
   add(canvas, menu,
       {"steeper",
        tr("More vertical exaggeration"),
-       tr("Also Ctrl and the wheel, or Shift and Up"),
-       {Qt::Key_PageUp}},
+       tr("Also Ctrl and the wheel"),
+       {Qt::SHIFT | Qt::Key_Up}},
       [&canvas](bool) { canvas.exaggerate(1); });
   add(canvas, menu,
       {"flatter",
        tr("Less vertical exaggeration"),
-       tr("Also Ctrl and the wheel, or Shift and Down"),
-       {Qt::Key_PageDown}},
+       tr("Also Ctrl and the wheel"),
+       {Qt::SHIFT | Qt::Key_Down}},
       [&canvas](bool) { canvas.exaggerate(-1); });
   add(canvas, menu,
       {"fitHeights", tr("Fit heights"), tr("The exaggeration that shows all heights"), {Qt::Key_H}},

@@ -111,6 +111,7 @@ QString MainWindow::pictureCommand() const {
   }
   wish.scale = canvas_->devicePixelRatioF();
   wish.dark = dark_;
+  wish.overlay = QString::fromUtf8(wordFor(canvas_->viewer().overlay()).data());
   return renderCommand(document_->origin(), document_->scene(), wish);
 }
 
