@@ -42,6 +42,11 @@ void ContactCanvas::setTheme(const Theme& theme) {
   refresh();
 }
 
+void ContactCanvas::setTextScale(double scale) {
+  textScale_ = scale;
+  refresh();
+}
+
 QString ContactCanvas::backendName() const {
   return backend_ ? backend_->name() : QString();
 }
@@ -98,6 +103,7 @@ void ContactCanvas::refresh() {
   request.frame = viewer_.frame();
   request.options = viewer_.options();
   request.options.theme = theme_;
+  request.textScale = textScale_;
   backend_->show(request);
 }
 

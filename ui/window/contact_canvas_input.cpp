@@ -29,6 +29,7 @@ QRectF ContactCanvas::plotArea() const {
   PictureRequest request;
   request.frame = viewer_.frame();
   request.options = viewer_.options();
+  request.textScale = textScale_;
   request.scale = devicePixelRatioF();
   request.size = size() * request.scale;
   const Clip plot = contactPlotArea(*request.frame, sizedOptions(request));

@@ -74,6 +74,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   auto* timer = new QTimer(this);
   timer->setTimerType(Qt::PreciseTimer);
   connect(timer, &QTimer::timeout, session_, &Session::poll);
+  session_->begin();
   timer->start(kPollInterval);
 }
 
@@ -95,10 +96,8 @@ void MainWindow::buildViews() {
   splitter_->setStretchFactor(1, 42);
   splitter_->setSizes({580, 420});
 
-  gallery_ = new GalleryPage;
   pages_ = new QStackedWidget;
   pages_->addWidget(splitter_);
-  pages_->addWidget(gallery_);
 
   messages_ = new MessageBar;
   description_ = new MessageBar;
@@ -168,7 +167,7 @@ void MainWindow::setDark(bool dark) {
   for (DiagramView* view : {spectrum_, statistics_}) view->setTheme(theme);
   strips_->setColours(plotColoursOf(theme));
   accuracy_->setTheme(theme);
-  gallery_->setTheme(theme);
+  if (gallery_) gallery_->setTheme(theme);
   paintIcons();
 }
 

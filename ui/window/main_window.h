@@ -58,7 +58,8 @@ class MainWindow : public QMainWindow {
   ContactCanvas& canvas() { return *canvas_; }
   MessageBar& messages() { return *messages_; }
   MessageBar& description() { return *description_; }
-  GalleryPage& gallery() { return *gallery_; }
+  /// Made when it is first asked for.
+  GalleryPage& gallery();
 
   /// Another scene for controls and runner: a fresh document without a history. Asks nothing.
   void showScene(const Scene& scene);

@@ -6,6 +6,7 @@
 #include <QProgressBar>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 #include "core/scene/element_law.h"
@@ -21,6 +22,20 @@ constexpr int kSaidFor = 5000;  // ms
 
 double orMissing(double value) {
   return std::isfinite(value) ? value : kNotApplicable;
+}
+
+/// Of a motion: of the moment.
+double presentFriction(const Frame& frame) {
+  return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
+}
+
+/// " (mean 0.001198 ± 0.4 %)", with the digits that the error leaves.
+QString meanText(const CurveReading& reading) {
+  const double share = std::abs(reading.error / reading.mu);
+  const double digits = share > 0 ? std::ceil(-std::log10(share)) + 1 : 4;
+  return StatusLine::tr(" (mean %1 ± %2 %)")
+      .arg(numberText(roundedToDigits(reading.mu, static_cast<int>(std::clamp(digits, 2.0, 5.0)))),
+           numberText(roundedToDigits(100 * share, 1)));
 }
 
 /// Three digits are more than a rate has: "12,000".
@@ -49,9 +64,10 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   regime_ = addFact(*line, "factRegime",
                     tr("Where the velocity lies on the friction curve: regions I to IV of the "
                        "paper, found on the complete curve"));
-  mu_ = addFact(*line, "factMu",
-                tr("Coefficient of friction of this line in steady sliding; in brackets the mean "
-                   "of all lines at this velocity with its standard error"));
+  mu_ = addFact(
+      *line, "factMu",
+      tr("Coefficient of friction of this line, of a motion at this moment; in brackets the mean "
+         "of all lines at this velocity with its standard error"));
   force_ =
       addFact(*line, "factForce",
               tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
@@ -129,10 +145,8 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   regime_->setText(reading.regime);
   regime_->setHidden(reading.regime.isEmpty());
   QString mean;
-  if (std::isfinite(reading.mu) && std::isfinite(reading.error))
-    mean = tr(" (mean %1 ± %2)")
-               .arg(readingLabel(reading.mu), numberText(roundedToDigits(reading.error, 1)));
-  mu_->setText(tr("friction μ = %1%2").arg(readingLabel(frame.muSteady), mean));
+  if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
+  mu_->setText(tr("friction μ = %1%2").arg(readingLabel(presentFriction(frame)), mean));
   force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
   velocity_->setText(tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame))));
 }

@@ -77,7 +77,7 @@ TEST_F(StatusTest, SaysRegimeMeanAndRateOfTheCurve) {
   EXPECT_TRUE(fact("factMu").contains("mean"));
   ASSERT_TRUE(waitFor([&] { return fact("factSimulations").endsWith(" simulations/s"); }));
   EXPECT_GT(session().simulationsPerSecond(), 0);
-  EXPECT_FALSE(control<QProgressBar>("workProgress").isVisible());
+  ASSERT_TRUE(waitFor([&] { return !control<QProgressBar>("workProgress").isVisible(); }));
   EXPECT_FALSE(control<QToolButton>("workStop").isVisible());
 }
 
