@@ -1,5 +1,6 @@
 #include "ui/panels/parameter_row.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QHBoxLayout>
@@ -11,6 +12,7 @@
 
 #include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/unit_text.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
 
@@ -21,8 +23,8 @@ namespace {
 constexpr int kGap = 5;  // pixels between the columns
 
 // Digits.
-constexpr double kEntryWidth = 9.25;
-constexpr double kUnitWidth = 3.1;
+constexpr double kEntryWidth = 8.2;
+constexpr double kUnitWidth = 4.2;
 constexpr double kResetWidth = 2.25;
 
 ParameterValue sliderValue(const Parameter& parameter, double value) {
@@ -58,6 +60,17 @@ QString rangeText(const Parameter& parameter) {
 bool isText(const Parameter& parameter) {
   return std::holds_alternative<TextField>(parameter.field) ||
          std::holds_alternative<ArmsField>(parameter.field);
+}
+
+UnitText shownText(const Parameter& parameter, const ParameterValue& value) {
+  if (const auto* real = std::get_if<double>(&value))
+    return inReadableUnit(*real, fromUtf8(parameter.unit));
+  return {valueText(value), fromUtf8(parameter.unit)};
+}
+
+QString textWithUnit(const Parameter& parameter, const ParameterValue& value) {
+  const UnitText text = shownText(parameter, value);
+  return (text.number + ' ' + text.unit).trimmed();
 }
 
 double asNumber(const ParameterValue& value) {
@@ -108,19 +121,21 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
 
 void ParameterRow::showEntry(const ParameterValue& value, const std::optional<StandIn>& standIn,
                              bool replace) {
-  const QString text = standIn ? QString() : valueText(value);
+  const UnitText shown = shownText(parameter_, value);
+  const QString text = standIn ? QString() : shown.number;
   if (browse_)  // in words until there is a name that needs the room
     browse_->setText(text.isEmpty() ? tr("choose file…") : QStringLiteral("…"));
   else
     entry_->setPlaceholderText(standIn ? standIn->text : QString());
-  replace ? entry_->replaceText(text) : entry_->showText(text);
+  const QString unit = standIn ? fromUtf8(parameter_.unit) : shown.unit;
+  replace ? entry_->replaceText(text, unit) : entry_->showText(text, unit);
 }
 
 void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& resting) {
   resting_ = resting;
   reset_->setEnabled(value != resting);
   reset_->setToolTip(resting == defaultOf(parameter_)
-                         ? tr("Back to the default, %1").arg(valueText(resting))
+                         ? tr("Back to the default, %1").arg(textWithUnit(parameter_, resting))
                          : tr("As the file says"));
 }
 
@@ -194,11 +209,14 @@ void ParameterRow::addNumber(QHBoxLayout& line) {
 
   entry_ = new ValueEntry;
   describe(*entry_, "entry");
-  connect(entry_, &ValueEntry::textCommitted, this, &ParameterRow::textGiven);
+  connect(entry_, &ValueEntry::textCommitted, this,
+          [this](const QString& text) { emit textGiven(inShownUnit(text, entry_->unit())); });
   line.addWidget(entry_);
 
-  auto* unit = new QLabel(fromUtf8(parameter_.unit));
+  auto* unit = new QLabel;
+  unit->setObjectName("unit:" + fromUtf8(parameter_.key));
   unit->setProperty("role", "unit");
+  connect(entry_, &ValueEntry::unitShown, unit, &QLabel::setText);
   unit_ = unit;
   line.addWidget(unit);
 }
@@ -206,6 +224,7 @@ void ParameterRow::addNumber(QHBoxLayout& line) {
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
   choice_ = new ChoiceBox;
   describe(*choice_, "choice");
+  choice_->view()->setAccessibleName(choice_->accessibleName());
   for (const std::string_view word : field.choices)
     choice_->addItem(wordText(word), fromUtf8(word));
   choice_->setEnabled(field.choices.size() > 1);
@@ -267,6 +286,11 @@ QString ParameterRow::description() const {
   if (!isText(parameter_))
     text += QStringLiteral("<p><small>%1: %2</small></p>")
                 .arg(fromUtf8(parameter_.key), rangeText(parameter_).toHtmlEscaped());
+  if (std::holds_alternative<RealField>(parameter_.field) && !parameter_.unit.empty())
+    text += QStringLiteral("<p><small>%1</small></p>")
+                .arg(tr("A number alone counts in the unit beside it, one with an exponent (1e7) "
+                        "in %1; any unit may be typed with it.")
+                         .arg(fromUtf8(parameter_.unit)));
   return text;
 }
 

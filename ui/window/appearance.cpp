@@ -2,6 +2,8 @@
 
 #include <QGuiApplication>
 
+#include "core/friction/curve_set.h"
+#include "ui/picture/diagram_colours.h"
 #include "ui/picture/text_painter.h"
 
 namespace asperity {
@@ -78,6 +80,10 @@ PlotColours plotColoursOf(const Theme& theme) {
   colours.axis = mixed(colours.background, colours.text, 0.5);
   colours.points = accent(theme);
   colours.line = dark ? QColor(0xb0, 0xb6, 0xbf) : QColor(0x6b, 0x72, 0x7c);
+  colours.span = mixed(colours.background, colours.text, dark ? 0.07 : 0.05);
+  colours.difference = colours.text;
+  for (std::size_t i = 0; i < colours.pinned.size(); ++i)
+    colours.pinned[i] = colourOf(seriesColour(colourOfPin(static_cast<int>(i)), theme));
   colours.marker = dark ? QColor(0xff, 0x9f, 0x43) : QColor(0xd9, 0x5f, 0x02);
   return colours;
 }
@@ -111,6 +117,7 @@ QString windowStyleSheet(const Theme& theme) {
     #messageBar { background: %7; border: none; }
     #messageBar QLabel { color: %8; }
     #messageBar QToolButton { border: none; color: %8; }
+    #shortcutKeys { border: 1px solid %3; border-radius: 4px; padding: 1px 6px; color: %2; }
     #descriptionBar { background: %1; border: none; border-bottom: 1px solid %3; }
     #descriptionBar QLabel { color: %2; }
     #descriptionBar QToolButton { border: none; color: %6; }

@@ -19,6 +19,7 @@
 #include "core/run/frame.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/picture/contact_viewer.h"
+#include "ui/window/picture_request.h"
 
 class QVBoxLayout;
 
@@ -34,6 +35,10 @@ class ContactCanvas : public QWidget {
 
   void setFrame(std::shared_ptr<const Frame> frame);
   void setTheme(const Theme& theme);
+
+  /// Larger texts and lines, for an audience.
+  void setTextScale(double scale);
+  double textScale() const { return textScale_; }
 
   /// "OpenGL" or "software (OSMesa)"; empty where neither works.
   QString backendName() const;
@@ -84,6 +89,7 @@ class ContactCanvas : public QWidget {
   void giveUp(const QString& reason);
   void countPicture();
   void refresh();
+  PictureRequest request() const;
 
   // In contact_canvas_input.cpp.
   std::optional<ViewPlace> placeAt(const QPointF& position) const;
@@ -98,6 +104,7 @@ class ContactCanvas : public QWidget {
   ContactViewer viewer_;
   FrameFields wanted_;
   Theme theme_ = lightTheme();
+  double textScale_ = 1;
   std::optional<QPointF> dragged_;  // the cursor's last place while a button is down
   QElapsedTimer clock_;
   mutable std::deque<qint64> pictures_;  // when they were shown, ms

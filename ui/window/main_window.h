@@ -26,6 +26,7 @@ namespace asperity {
 
 class AccuracyPanel;
 class ContactCanvas;
+class CurveCommands;
 class DiagramView;
 class GalleryPage;
 class GestureCounter;
@@ -53,10 +54,12 @@ class MainWindow : public QMainWindow {
   Session& session() { return *session_; }
   ParameterPanel& panel() { return *panel_; }
   PlotView& plotView() { return *plot_; }
+  CurveCommands& curveCommands() { return *curveCommands_; }
   ContactCanvas& canvas() { return *canvas_; }
   MessageBar& messages() { return *messages_; }
   MessageBar& description() { return *description_; }
-  GalleryPage& gallery() { return *gallery_; }
+  /// Made when it is first asked for.
+  GalleryPage& gallery();
 
   /// Another scene for controls and runner: a fresh document without a history. Asks nothing.
   void showScene(const Scene& scene);
@@ -183,6 +186,10 @@ class MainWindow : public QMainWindow {
   void showAboutScene();
   void showMeasuredCurve();
 
+  // In main_window_status.cpp: the facts below.
+  void buildStatus();
+  void showWork();
+
   // In main_window_view.cpp: the contact's commands and facts.
   void buildViewCommands(QMenu& menu);
   void connectView();
@@ -191,8 +198,6 @@ class MainWindow : public QMainWindow {
   // In main_window_chart.cpp: the friction curve's.
   void buildChartCommands(QMenu& menu);
   void connectChart();
-  void showPlotSoon();
-  void showPlot();
 
   // In main_window_figures.cpp.
   void buildFigures();
@@ -221,8 +226,7 @@ class MainWindow : public QMainWindow {
   GalleryPage* gallery_ = nullptr;
   QDockWidget* dock_ = nullptr;
   QToolBar* tools_ = nullptr;
-  QTimer* plotPause_ = nullptr;  // runs after the diagram was painted
-  bool plotIsDue_ = false;       // and something came meanwhile
+  CurveCommands* curveCommands_ = nullptr;
   QAction *play_ = nullptr, *step_ = nullptr, *reset_ = nullptr;
   QAction *open_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr, *light_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr, *revert_ = nullptr, *resetAll_ = nullptr;

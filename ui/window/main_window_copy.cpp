@@ -46,13 +46,13 @@ void MainWindow::buildCopyCommands() {
 
 /// The picture that is on the screen; none before the first.
 std::optional<ContactShot> MainWindow::shot() const {
-  ContactShot shot{session_->frame(), {}};
+  ContactShot shot{canvas_->viewer().frame(), {}};
   if (!shot.frame) return std::nullopt;
+  shot.options = canvas_->viewer().options();
   const QSize size = devicePixels(*canvas_);
-  shot.options = canvas_->viewer().frame() ? canvas_->viewer().options() : ContactPictureOptions{};
   shot.options.width = size.width();
   shot.options.height = size.height();
-  shot.options.scale = static_cast<float>(canvas_->devicePixelRatioF());
+  shot.options.scale = static_cast<float>(canvas_->devicePixelRatioF() * canvas_->textScale());
   shot.options.theme = dark_ ? darkTheme() : lightTheme();
   return shot;
 }

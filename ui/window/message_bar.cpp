@@ -15,6 +15,7 @@ MessageBar::MessageBar(QWidget* parent)
   label_->setTextFormat(Qt::PlainText);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   accept_->setObjectName("acceptOffer");
+  accept_->setAccessibleName(tr("accept"));
   accept_->setAutoDefault(false);
   accept_->setFocusPolicy(Qt::TabFocus);
   accept_->hide();
@@ -39,6 +40,7 @@ MessageBar::MessageBar(QWidget* parent)
 
 void MessageBar::showOffer(const QString& text, const QString& button) {
   accept_->setText(button);
+  accept_->setAccessibleName(button);
   accept_->show();
   label_->setText(text);
   show();

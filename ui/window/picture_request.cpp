@@ -6,7 +6,7 @@ ContactPictureOptions sizedOptions(const PictureRequest& request) {
   ContactPictureOptions options = request.options;
   options.width = request.size.width();
   options.height = request.size.height();
-  options.scale = static_cast<float>(request.scale);
+  options.scale = static_cast<float>(request.scale * request.textScale);
   return options;
 }
 

@@ -14,6 +14,7 @@ struct PictureRequest {
   ContactPictureOptions options;       // but for size and scale, which the canvas knows
   QSize size;                          // device pixels
   double scale = 1;                    // device pixels for one of the window system's
+  double textScale = 1;                // of fonts and line widths, beside that
 };
 
 /// The options with size and scale.

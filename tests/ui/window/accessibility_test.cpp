@@ -36,7 +36,9 @@ QString pathOf(const QWidget* widget) {
 /// Parts of a control of Qt's that stand for it and speak through it.
 bool isInsideOfAControl(const QWidget* widget) {
   const QString name = widget->objectName();
-  return name.startsWith("qt_") || name.startsWith("ScrollLeft") || name.startsWith("ScrollRight");
+  const bool isCorner = qstrcmp(widget->metaObject()->className(), "QTableCornerButton") == 0;
+  return isCorner || name.startsWith("qt_") || name.startsWith("ScrollLeft") ||
+         name.startsWith("ScrollRight");
 }
 
 TEST_F(AccessibilityTest, WhatTakesTheFocusHasAName) {
@@ -44,6 +46,8 @@ TEST_F(AccessibilityTest, WhatTakesTheFocusHasAName) {
   int count = 0;
   for (QWidget* widget : window_.findChildren<QWidget*>()) {
     if (widget->focusPolicy() == Qt::NoFocus || isInsideOfAControl(widget)) continue;
+    const auto* label = qobject_cast<QLabel*>(widget);
+    if (label && !label->isVisible()) continue;  // its text is its name
     ++count;
     EXPECT_FALSE(nameOf(widget).isEmpty()) << pathOf(widget).toStdString();
   }
@@ -64,8 +68,13 @@ TEST_F(AccessibilityTest, EveryCommandHasAText) {
     if (each->isSeparator()) continue;
     // A line edit's own, and what stands for a widget in a tool bar.
     if (each->objectName().startsWith("_q_") || each->inherits("QWidgetAction")) continue;
+    // What does not fit into the bar goes into a menu of its own.
+    const auto* bar = each->menu() ? qobject_cast<QMenuBar*>(each->parent()->parent()) : nullptr;
+    if (bar && !bar->actions().contains(const_cast<QAction*>(each))) continue;
     ++count;
-    EXPECT_FALSE(each->text().isEmpty()) << each->objectName().toStdString();
+    EXPECT_FALSE(each->text().isEmpty())
+        << each->objectName().toStdString() << " of "
+        << pathOf(qobject_cast<QWidget*>(each->parent())).toStdString();
   }
   EXPECT_GT(count, 50);
 }
@@ -100,8 +109,10 @@ TEST_F(AccessibilityTest, TheSheetSaysEveryKey) {
   extra->setShortcut(Qt::CTRL | Qt::ALT | Qt::Key_J);
   window_.addAction(extra);
   const QList<ShortcutGroup> groups = shortcutGroups(window_);
-  EXPECT_EQ(groups.last().entries.last().text, "Something new");
-  EXPECT_EQ(groups.last().entries.last().keys, "Ctrl+Alt+J");
+  const auto more = std::ranges::find(groups, "More", &ShortcutGroup::title);
+  ASSERT_NE(more, groups.end());
+  EXPECT_EQ(more->entries.last().text, "Something new");
+  EXPECT_EQ(more->entries.last().keys, "Ctrl+Alt+J");
 }
 
 TEST_F(AccessibilityTest, TheSheetOpensByItsKeysAndClosesByEscape) {

@@ -70,7 +70,7 @@ TEST_F(CopyTest, AShippedSceneIsSaidByItsNameAndWhatDiffers) {
   QTest::keyClick(&window_, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_TRUE(clipboardText().startsWith("asperity render region_2.json -o picture.png"));
   EXPECT_FALSE(clipboardText().contains("--set"));
-  type("load.normal_force", "0.02");
+  type("load.normal_force", "0.02 N");
   action("copyCommand").trigger();
   const QStringList words = wordsOf(clipboardText());
   EXPECT_EQ(words.count("--set"), 1);
@@ -82,7 +82,7 @@ TEST_F(CopyTest, AFileIsSaidByItsPathHoweverItIsCalled) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("it's mine.json");
   ASSERT_TRUE(window_.saveScene(file));
-  type("sliding.velocity", "0.125");
+  type("sliding.velocity", "0.125 m/s");
   action("copyCurveCommand").trigger();
   const QStringList words = wordsOf(clipboardText());
   EXPECT_EQ(words.mid(0, 3), (QStringList{"asperity", "curve", file}));

@@ -84,7 +84,7 @@ TEST(SceneDocument, StepsAreNamedAfterWhatTheyChange) {
 TEST_F(DocumentTest, AnEditIsUndoneAndRedoneByItsKeys) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   EXPECT_FALSE(action("undo").isEnabled());
-  type("load.normal_force", "0.5");
+  type("load.normal_force", "0.5 N");
   EXPECT_EQ(action("undo").text(), "Undo Normal force");
   EXPECT_TRUE(action("undo").toolTip().contains("Ctrl+Z"));
   QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
@@ -94,7 +94,7 @@ TEST_F(DocumentTest, AnEditIsUndoneAndRedoneByItsKeys) {
   EXPECT_EQ(action("redo").text(), "Redo Normal force");
   QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_EQ(session().scene().load.normalForce, 0.5);
-  EXPECT_EQ(control<ValueEntry>("entry:load.normal_force").text(), "0.5");
+  EXPECT_EQ(control<ValueEntry>("entry:load.normal_force").text(), "500");
   ASSERT_TRUE(waitForFrame());
   EXPECT_EQ(frame()->scene->load.normalForce, 0.5);
 }
@@ -127,7 +127,7 @@ TEST_F(DocumentTest, KeysPressedOneByOneAreStepsAndAHeldKeyIsOne) {
 
 TEST_F(DocumentTest, EveryParameterGoesBackToItsDefaultAndBackAgain) {
   type("surface.hurst", "0.3");
-  type("load.normal_force", "0.5");
+  type("load.normal_force", "0.5 N");
   const Scene before = session().scene();
   action("resetAll").trigger();
   EXPECT_EQ(session().scene(), Scene{});
@@ -185,7 +185,7 @@ TEST_F(DocumentTest, SaveWritesTheFileBeforeTheSceneIsLeft) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("mine.json");
   ASSERT_TRUE(window_.saveScene(file));
-  type("load.normal_force", "0.75");
+  type("load.normal_force", "0.75 N");
   answer(QMessageBox::Save);
   EXPECT_TRUE(window_.close());
   EXPECT_EQ(asked_, 1);
@@ -252,7 +252,7 @@ TEST_F(DocumentTest, AnOpenedFileIsSavedWhereItCameFrom) {
   window_.showScene(Scene{});
   EXPECT_TRUE(window_.document().file().isEmpty());
   ASSERT_TRUE(window_.openScene(file));
-  type("sliding.velocity", "0.125");
+  type("sliding.velocity", "0.125 m/s");
   QTest::keyClick(&window_, Qt::Key_S, Qt::ControlModifier);
   EXPECT_EQ(readSceneFile(file.toStdString()).sliding.velocity, 0.125);
   EXPECT_FALSE(window_.isWindowModified());

@@ -50,7 +50,7 @@ TEST_F(MainWindowTest, ASliderBringsOneSceneToTheWorkerAndItsFrameBack) {
 
 TEST_F(MainWindowTest, TypingANumberDoesTheSame) {
   ASSERT_TRUE(waitForFrame());
-  type("sliding.velocity", "0.125");  // the dot is text here, not the key of a single step
+  type("sliding.velocity", "0.125 m/s");  // the dot is text here, not the key of a single step
   EXPECT_TRUE(session().isPlaying());
   ASSERT_TRUE(waitForFrame());
   EXPECT_EQ(frame()->scene->sliding.velocity, 0.125);
@@ -147,9 +147,9 @@ TEST_F(MainWindowTest, KeysAreTheWindowsAgainAfterEnterOrAClickOnTheViews) {
   auto& entry = control<ValueEntry>("entry:sliding.velocity");
   QTest::mouseClick(&entry, Qt::LeftButton);
   ASSERT_TRUE(entry.hasFocus());
-  type("sliding.velocity", "0.5");
+  type("sliding.velocity", "0.5 m/s");
   QTest::keyClick(window_.windowHandle(), Qt::Key_Space);
-  EXPECT_EQ(entry.text(), "0.5");
+  EXPECT_EQ(entry.text(), "500");
   EXPECT_FALSE(session().isPlaying());
 
   for (QWidget* view :
@@ -416,12 +416,12 @@ TEST_F(MainWindowTest, LightAndDark) {
 
 TEST_F(MainWindowTest, FactsComeFromTheFrame) {
   ASSERT_TRUE(waitForFrame());
-  EXPECT_EQ(fact("factForce"), QStringLiteral("dimensionless force F̄ = 0.034"));
+  EXPECT_EQ(fact("factForce"), QStringLiteral("force F̄ = 0.034"));
   EXPECT_TRUE(control<QLabel>("factForce").toolTip().contains("Eq. (14)"));
-  EXPECT_TRUE(fact("factVelocity").startsWith(QStringLiteral("dimensionless velocity v̄ = ")));
+  EXPECT_TRUE(fact("factVelocity").startsWith(QStringLiteral("velocity v̄ = ")));
   EXPECT_TRUE(control<QLabel>("factVelocity").toolTip().contains("Eq. (13)"));
-  EXPECT_EQ(fact("factMu"), QStringLiteral("friction coefficient μ = %1")
-                                .arg(QString::number(frame()->muSteady, 'g', 3)));
+  EXPECT_TRUE(fact("factMu").startsWith(
+      QStringLiteral("friction μ = %1").arg(QString::number(frame()->muSteady, 'g', 3))));
   ASSERT_TRUE(waitFor([&] { return fact("factBackend") == "software (OSMesa)"; }));
 }
 

@@ -10,7 +10,9 @@
 #include <QCommandLineParser>
 #include <QPixmap>
 #include <QScreen>
+#include <QSettings>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QWheelEvent>
 #include <cstdio>
@@ -129,6 +131,8 @@ void handle(MainWindow& window, const Wish& wish) {
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
+  const QTemporaryDir settings;  // never the user's own
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   const Wish wish = readWish(application);
   prepareApplication(application);
   const std::vector<LibraryScene> library = libraryScenes();
