@@ -90,7 +90,8 @@ TEST_F(AccuracyCommandTest, ExplainsAMotion) {
       program.run("explain s.json --set sliding.kind=start --set sliding.duration=0.01");
   EXPECT_EQ(said.status, 0) << said.err;
   EXPECT_THAT(said.out, HasSubstr("asperity render runs"));
-  EXPECT_THAT(said.out, HasSubstr("not predicted"));
+  EXPECT_THAT(said.out, HasSubstr("elements, without drawing"));
+  EXPECT_THAT(said.out, HasSubstr("time step"));
 }
 
 TEST_F(AccuracyCommandTest, ACurveToATarget) {
