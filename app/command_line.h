@@ -38,6 +38,7 @@ struct RenderCommand {
   TimeChoice time;
   PictureChoice picture;
   std::string layout = "contact";
+  std::string overlay = "pressure";
   bool resume = false;
 };
 

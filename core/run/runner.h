@@ -63,6 +63,11 @@ class Runner {
   /// Back to the scene's steady state at time 0.
   void reset();
 
+  /// The present scene's curve stays as far as it is; averaging it begins anew. A new curve is
+  /// averaged without being told.
+  void stopCurve();
+  void startCurve();
+
   /// The newest frame, or null before the first. The same pointer until a newer one exists.
   std::shared_ptr<const Frame> newestFrame() const;
 

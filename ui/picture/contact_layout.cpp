@@ -66,6 +66,9 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.sizes = sizesFor(options);
   layout.theme = options.theme;
   layout.view = resolvedView(frame, options.view);
+  layout.scale = {options.overlay, endIn(layout.view, options.overlay)};
+  if (valuesOf(frame, options.overlay).size() != frame.lineHeight.size())
+    layout.scale = {};  // the frame lacks them
   const Sizes& s = layout.sizes;
   const float u = s.unit;
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
@@ -83,7 +86,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   float below = tickRow + pad * 0.6F;
   if (layout.axisTitles) below += titleRow;
   const float exaggeration = textWidth(exaggerationText(layout) + "0000", s.small);
-  const float legendTitle = textWidth(kLegendTitle, s.small);
+  const float legendTitle = textWidth(layout.scale.title(), s.small);
   const float barWidth = std::round(std::clamp(width * 0.2F, 110 * u, 300 * u));
   const bool oneRow = exaggeration + legendTitle + barWidth + 5 * pad < width;
   const bool titleFits = legendTitle + barWidth + 4 * pad < width;
@@ -103,7 +106,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
 
   const float bar = std::round(10 * u);
   const float legendTop = std::round(height - s.small * 1.6F - bar - 3 * u);
-  const bool hasLegend = titleFits && layout.view.pressure > 0;
+  const bool hasLegend = titleFits && layout.scale.isShown();
   layout.legend = {std::round(width - 2 * pad - barWidth), legendTop, hasLegend ? barWidth : 0,
                    bar};
   layout.footer = oneRow ? std::round(legendTop + bar * 0.5F + s.small * 0.36F)
@@ -111,7 +114,6 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   const float footerEnd =
       oneRow && hasLegend ? layout.legend.x - legendTitle - 4 * pad : width - 2 * pad;
   layout.footerWidth = std::max(0.0F, footerEnd - layout.plot.x);
-  layout.pressureTicks = roomyTicks(0, layout.view.pressure, barWidth * 0.8F, s.small, "N/m");
   return layout;
 }
 

@@ -117,6 +117,7 @@ QString windowStyleSheet(const Theme& theme) {
     #messageBar { background: %7; border: none; }
     #messageBar QLabel { color: %8; }
     #messageBar QToolButton { border: none; color: %8; }
+    #shortcutKeys { border: 1px solid %3; border-radius: 4px; padding: 1px 6px; color: %2; }
     #descriptionBar { background: %1; border: none; border-bottom: 1px solid %3; }
     #descriptionBar QLabel { color: %2; }
     #descriptionBar QToolButton { border: none; color: %6; }

@@ -68,6 +68,7 @@ QString renderCommand(const SceneOrigin& origin, const Scene& scene, const Pictu
     words += {"--size", QStringLiteral("%1x%2").arg(wish.size.width()).arg(wish.size.height())};
   if (wish.scale != 1) words += {"--scale", numberText(wish.scale)};
   if (wish.dark) words += {"--theme", "dark"};
+  if (wish.overlay != "pressure") words += {"--overlay", wish.overlay};
   return command(words);
 }
 

@@ -16,6 +16,8 @@
 #include "ui/window/accuracy_panel.h"
 #include "ui/window/appearance.h"
 #include "ui/window/contact_canvas.h"
+#include "ui/window/curve_reading.h"
+#include "ui/window/diagram_view.h"
 #include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/plan_list.h"
@@ -27,8 +29,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPollInterval = 16;     // ms, 60 times a second
-constexpr int kStatusInterval = 500;  // ms
+constexpr int kPollInterval = 16;  // ms, 60 times a second
 
 /// A dock's title in the window's own look.
 QWidget* dockTitle(QDockWidget& dock) {
@@ -73,6 +74,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   auto* timer = new QTimer(this);
   timer->setTimerType(Qt::PreciseTimer);
   connect(timer, &QTimer::timeout, session_, &Session::poll);
+  session_->begin();
   timer->start(kPollInterval);
 }
 
@@ -80,9 +82,8 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::buildViews() {
   canvas_ = new ContactCanvas;
-  canvas_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_ = makePlotView();
-  plot_->setFocusPolicy(Qt::ClickFocus);
+  plot_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(170);
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
@@ -95,10 +96,8 @@ void MainWindow::buildViews() {
   splitter_->setStretchFactor(1, 42);
   splitter_->setSizes({580, 420});
 
-  gallery_ = new GalleryPage;
   pages_ = new QStackedWidget;
   pages_->addWidget(splitter_);
-  pages_->addWidget(gallery_);
 
   messages_ = new MessageBar;
   description_ = new MessageBar;
@@ -117,14 +116,7 @@ void MainWindow::buildViews() {
   column->addWidget(pages_, 1);
   setCentralWidget(centre);
 
-  status_ = new StatusLine;
-  statusBar()->addWidget(status_, 1);
-  statusBar()->setSizeGripEnabled(false);
-  statusBar()->setContentsMargins(0, 0, 0, 0);
-  auto* timer = new QTimer(this);
-  connect(timer, &QTimer::timeout, this,
-          [this] { status_->showDrawing(canvas_->framesPerSecond(), canvas_->backendName()); });
-  timer->start(kStatusInterval);
+  buildStatus();
 }
 
 void MainWindow::buildPanel() {
@@ -142,9 +134,9 @@ void MainWindow::connectSession() {
   connect(session_, &Session::frameArrived, this, [this] {
     const std::shared_ptr<const Frame> frame = session_->frame();
     if (!isShowingFigures()) canvas_->setFrame(frame);
-    status_->showFrame(*frame);
+    status_->showFrame(*frame, readCurve(*frame, session_->curve()));
     if (frame->transient && frame->sceneNumber == session_->sceneNumber())
-      strips_->show(frame->scene->sliding, frame->transient);
+      strips_->show(frame->scene->sliding, frame->transient, frame->spacing, frame->length);
     if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
   });
   connect(accuracy_, &AccuracyPanel::sceneEdited, this,
@@ -172,9 +164,10 @@ void MainWindow::setDark(bool dark) {
   setStyleSheet(windowStyleSheet(theme));
   canvas_->setTheme(theme);
   plot_->setColours(plotColoursOf(theme));
+  for (DiagramView* view : {spectrum_, statistics_}) view->setTheme(theme);
   strips_->setColours(plotColoursOf(theme));
   accuracy_->setTheme(theme);
-  gallery_->setTheme(theme);
+  if (gallery_) gallery_->setTheme(theme);
   paintIcons();
 }
 

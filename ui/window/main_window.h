@@ -27,6 +27,7 @@ namespace asperity {
 class AccuracyPanel;
 class ContactCanvas;
 class CurveCommands;
+class DiagramView;
 class GalleryPage;
 class GestureCounter;
 class MessageBar;
@@ -57,7 +58,8 @@ class MainWindow : public QMainWindow {
   ContactCanvas& canvas() { return *canvas_; }
   MessageBar& messages() { return *messages_; }
   MessageBar& description() { return *description_; }
-  GalleryPage& gallery() { return *gallery_; }
+  /// Made when it is first asked for.
+  GalleryPage& gallery();
 
   /// Another scene for controls and runner: a fresh document without a history. Asks nothing.
   void showScene(const Scene& scene);
@@ -184,9 +186,14 @@ class MainWindow : public QMainWindow {
   void showAboutScene();
   void showMeasuredCurve();
 
+  // In main_window_status.cpp: the facts below.
+  void buildStatus();
+  void showWork();
+
   // In main_window_view.cpp: the contact's commands and facts.
   void buildViewCommands(QMenu& menu);
   void connectView();
+  void wantFields();
 
   // In main_window_chart.cpp: the friction curve's.
   void buildChartCommands(QMenu& menu);
@@ -204,6 +211,7 @@ class MainWindow : public QMainWindow {
   ParameterPanel* panel_ = nullptr;
   QTabWidget* tabs_ = nullptr;  // under the contact
   TransientStrips* strips_ = nullptr;
+  DiagramView *spectrum_ = nullptr, *statistics_ = nullptr;
   PlanList* plan_ = nullptr;
   AccuracyPanel* accuracy_ = nullptr;
   QElapsedTimer curveTime_;  // since the present curve was wanted

@@ -25,9 +25,9 @@ const QString kOffered = QStringLiteral("tour/offered");
 
 void MainWindow::buildHelpCommands() {
   tour_ = addCommand("tour", tr("Guided tour"), {}, Symbol::None, [this] { startTour(); });
-  tourBack_ = addCommand("tourStepBack", tr("Tour: back"), Qt::Key_PageUp, Symbol::None,
+  tourBack_ = addCommand("tourStepBack", tr("Tour: back"), Qt::ALT | Qt::Key_Left, Symbol::None,
                          [this] { showTourStep(tourBar_->step() - 1); });
-  tourNext_ = addCommand("tourStepNext", tr("Tour: next"), Qt::Key_PageDown, Symbol::None,
+  tourNext_ = addCommand("tourStepNext", tr("Tour: next"), Qt::ALT | Qt::Key_Right, Symbol::None,
                          [this] { showTourStep(tourBar_->step() + 1); });
   for (QAction* action : {tourBack_, tourNext_}) action->setEnabled(false);
   shortcuts_ = addCommand("shortcuts", tr("Keyboard shortcuts"), Qt::Key_F1, Symbol::None,
@@ -70,7 +70,7 @@ void MainWindow::showTourStep(int step) {
   const auto count = static_cast<int>(tourSteps().size());
   if (!isTouring_ || step < 0 || step >= count) return;
   const QString name = QString::fromLatin1(tourSteps()[static_cast<std::size_t>(step)].scene);
-  const std::vector<LibraryScene> library = libraryScenes();
+  const std::vector<LibraryScene>& library = libraryScenes();
   const auto found = std::ranges::find(library, name, &LibraryScene::name);
   if (found == library.end()) return endTour();
   showScene({name, {}, found->scene});

@@ -8,13 +8,14 @@
 #include "ui/window/appearance.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_library.h"
+#include "ui/window/start_times.h"
 
 namespace asperity {
 
 namespace {
 
 Scene firstScene() {
-  const std::vector<LibraryScene> scenes = libraryScenes();
+  const std::vector<LibraryScene>& scenes = libraryScenes();
   return scenes.empty() ? Scene{} : scenes.front().scene;
 }
 
@@ -33,11 +34,14 @@ void prepareApplication(QApplication& application) {
   QApplication::setFont(font);
 }
 
-int runWindow(QApplication& application, const std::optional<Scene>& scene, RunnerOptions options) {
+int runWindow(QApplication& application, const std::optional<Scene>& scene, RunnerOptions options,
+              bool timing) {
+  if (timing) sayTime("connected to the display");
   prepareApplication(application);
   MainWindow window(scene ? *scene : firstScene(), options);
   window.rememberLayout();
   window.offerTour();
+  if (timing) new StartTimes(window);
   window.show();
   return application.exec();
 }

@@ -13,8 +13,9 @@ namespace asperity {
 /// Style and fonts for the whole application; call once, before the first widget.
 void prepareApplication(QApplication& application);
 
-/// Shows the scene, or the first of the library, until the window is closed; returns the exit code.
+/// `timing`: says on standard error how long the start takes. Shows the scene, or the first of the
+/// library, until the window is closed; returns the exit code.
 int runWindow(QApplication& application, const std::optional<Scene>& scene,
-              RunnerOptions options = {});
+              RunnerOptions options = {}, bool timing = false);
 
 }  // namespace asperity

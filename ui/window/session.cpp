@@ -9,6 +9,8 @@ namespace asperity {
 
 namespace {
 
+constexpr int kPatience = 200;  // ms, until a person is told what is waited for
+
 bool sameOrBothMissing(double a, double b) {
   return a == b || (!std::isfinite(a) && !std::isfinite(b));
 }
@@ -38,8 +40,12 @@ QString troubleOf(const Frame& frame) {
 }
 
 Session::Session(const Scene& scene, RunnerOptions options, QObject* parent)
-    : QObject(parent), runner_(withNews(std::move(options))) {
-  setScene(scene);
+    : QObject(parent), scene_(scene), runner_(withNews(std::move(options))) {
+  friction_.expect(scene_);
+}
+
+void Session::begin() {
+  setScene(scene_);
   runner_.play();
 }
 
@@ -59,7 +65,13 @@ void Session::editCurve(const std::function<void(FrictionPlot&)>& edit) {
 }
 
 void Session::setScene(const Scene& scene) {
+  const bool sameCurve = sceneTime_.isValid() && haveSameCurve(scene, scene_);
   scene_ = scene;
+  sceneTime_.start();
+  if (!sameCurve) {
+    curveTime_.start();
+    isStopped_ = false;
+  }
   const bool wasStale = friction_.isStale();
   friction_.expect(scene_);
   sceneNumber_ = runner_.post(scene_);
@@ -81,6 +93,38 @@ void Session::reset() {
   runner_.reset();
 }
 
+Session::Averaging Session::averaging() const {
+  const CurveUpdate* present = curve();
+  if (present && present->realizationsDone >= present->realizationsTotal) return Averaging::Done;
+  return isStopped_ || brokenNumber_ == sceneNumber_ ? Averaging::Stopped : Averaging::Running;
+}
+
+void Session::stopCurve() {
+  isStopped_ = true;
+  runner_.stopCurve();
+}
+
+void Session::startCurve() {
+  isStopped_ = false;
+  curve_.reset();
+  curveTime_.start();
+  runner_.startCurve();
+}
+
+bool Session::isWaiting() const {
+  return runningNumber_ != sceneNumber_ && brokenNumber_ != sceneNumber_ &&
+         sceneTime_.elapsed() > kPatience;
+}
+
+/// The same curve may come again under another scene's number.
+void Session::measureRate(const CurveUpdate& update) {
+  const bool isNews = !curve() || update.realizationsDone > curve_->realizationsDone;
+  if (!isNews || curveTime_.nsecsElapsed() == 0) return;
+  rate_ = 1e9 * static_cast<double>(update.realizationsDone) *
+          static_cast<double>(update.points.size()) /
+          static_cast<double>(curveTime_.nsecsElapsed());
+}
+
 void Session::poll() {
   takeMessages();
   takeCurves();
@@ -100,6 +144,7 @@ void Session::takeCurves() {
   bool changed = false;
   for (const CurveUpdate& update : runner_.takeCurveUpdates()) {
     if (!friction_.take(update)) continue;
+    measureRate(update);
     curve_ = update;
     changed = true;
   }

@@ -4,6 +4,7 @@
 // as a signal; the session goes on.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <atomic>
 #include <cstdint>
@@ -22,6 +23,10 @@ class Session : public QObject {
  public:
   Session(const Scene& scene, RunnerOptions options, QObject* parent = nullptr);
 
+  /// The runner gets its first scene, and plays. Not before the window is made: it would wait for
+  /// the processors that the runner takes.
+  void begin();
+
   /// Makes this the scene; the newest wins.
   void setScene(const Scene& scene);
   const Scene& scene() const { return scene_; }
@@ -30,7 +35,23 @@ class Session : public QObject {
   bool isPlaying() const { return runner_.isPlaying(); }
   void setPlaying(bool playing);
   void singleStep();  // pauses first
+  /// What frames hold besides, from now on.
+  void wantFields(const FrameFields& fields) { runner_.want(fields); }
   void reset();
+
+  /// The averaging of the present scene's curve: it may be stopped, keeping what is there, and
+  /// begun anew.
+  enum class Averaging { Running, Stopped, Done };
+  Averaging averaging() const;
+  void stopCurve();
+  void startCurve();
+
+  /// Lines at one velocity each, of the present curve so far or of the last one; 0 before the
+  /// first.
+  double simulationsPerSecond() const { return rate_; }
+
+  /// Whether the present scene's first frame keeps a person waiting.
+  bool isWaiting() const;
 
   /// Takes what the runner has made since the last call.
   void poll();
@@ -61,6 +82,7 @@ class Session : public QObject {
   RunnerOptions withNews(RunnerOptions options);
   void takeMessages();
   void takeCurves();
+  void measureRate(const CurveUpdate& update);
   void takeFrame();
   void judgeFrame();
 
@@ -74,6 +96,9 @@ class Session : public QObject {
   std::shared_ptr<const Frame> frame_;
   FrictionPlot friction_;
   std::optional<CurveUpdate> curve_;
+  QElapsedTimer sceneTime_, curveTime_;  // since the scene came, and since its curve was begun
+  bool isStopped_ = false;
+  double rate_ = 0;  // 1/s
 };
 
 /// One sentence on a frame that cannot be believed; empty where nothing is wrong.

@@ -10,6 +10,7 @@
 #include <QScrollArea>
 #include <QSet>
 #include <algorithm>
+#include <iterator>
 
 namespace asperity {
 
@@ -27,7 +28,9 @@ QString plain(QString text) {
 void addEntry(ShortcutGroup& group, const QAction& action) {
   QStringList keys;
   for (const QKeySequence& key : action.shortcuts()) keys += key.toString(QKeySequence::NativeText);
-  if (!keys.isEmpty()) group.entries += {plain(action.text()), keys.join(tr(" or "))};
+  const QString text = action.property("shortText").toString();
+  if (!keys.isEmpty())
+    group.entries += {text.isEmpty() ? plain(action.text()) : text, keys.join(tr(" or "))};
 }
 
 void addMenu(ShortcutGroup& group, const QMenu& menu, QSet<const QAction*>& seen) {
@@ -50,18 +53,24 @@ ShortcutGroup& groupOf(QList<ShortcutGroup>& groups, const QString& title) {
 
 QWidget* groupWidget(const ShortcutGroup& group) {
   auto* box = new QWidget;
+  box->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 14);
   grid->setHorizontalSpacing(18);
   grid->setVerticalSpacing(4);
-  grid->addWidget(new QLabel("<b>" + group.title.toHtmlEscaped() + "</b>"), 0, 0, 1, 2);
+  auto* title = new QLabel(group.title);
+  QFont bold = title->font();
+  bold.setBold(true);
+  title->setFont(bold);
+  grid->addWidget(title, 0, 0, 1, 2);
   int row = 1;
   for (const ShortcutGroup::Entry& entry : group.entries) {
     auto* keys = new QLabel(entry.keys);
     keys->setObjectName("shortcutKeys");
-    grid->addWidget(keys, row, 0);
+    grid->addWidget(keys, row, 0, Qt::AlignLeft);
     grid->addWidget(new QLabel(entry.text), row++, 1);
   }
+  grid->setColumnMinimumWidth(0, 9 * box->fontMetrics().averageCharWidth());
   grid->setColumnStretch(1, 1);
   return box;
 }
@@ -83,7 +92,7 @@ QList<ShortcutGroup> shortcutGroups(const QMainWindow& window) {
   return groups;
 }
 
-/// In two columns of about the same height.
+/// In columns of about the same height.
 ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDialog(parent) {
   setObjectName("shortcutSheet");
   setWindowTitle(tr("Keyboard shortcuts"));
@@ -94,10 +103,12 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   auto* content = new QWidget;
   auto* row = new QHBoxLayout(content);
   row->setSpacing(40);
-  QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout};
+  QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout, new QVBoxLayout};
+  constexpr qsizetype kColumns = std::size(columns);
   qsizetype before = 0;
   for (const ShortcutGroup& group : groups) {
-    columns[2 * before >= total ? 1 : 0]->addWidget(groupWidget(group));
+    const qsizetype middle = before + group.entries.size() / 2;
+    columns[std::min(kColumns - 1, kColumns * middle / total)]->addWidget(groupWidget(group));
     before += group.entries.size() + 2;
   }
   for (QVBoxLayout* column : columns) {
@@ -111,7 +122,8 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   scroll->setAccessibleName(windowTitle());
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(scroll);
-  resize(content->sizeHint() + QSize(50, 30));
+  for (QWidget* part : findChildren<QWidget*>()) part->ensurePolished();  // sizes depend on it
+  resize(content->sizeHint() + QSize(60, 60));
   if (parent) resize(size().boundedTo(parent->size()));
 }
 

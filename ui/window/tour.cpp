@@ -27,7 +27,7 @@ constexpr std::array kSteps{
                                "line, not by the rubber."),
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "Change the shear modulus or the force: the plateau stays.")},
-    TourStep{"parabola", QT_TRANSLATE_NOOP("asperity::Tour", "One-sided contact"),
+    TourStep{"one_sided", QT_TRANSLATE_NOOP("asperity::Tour", "One-sided contact"),
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "A single summit shows why: the rubber is too slow to touch its "
                                "trailing side, so it pushes only from the front."),
