@@ -99,15 +99,15 @@ double meanOf(const std::vector<double>& values, std::size_t first, std::size_t 
 
 /// Friction at the beginning against that after the way in which a memory fades, or as much of it
 /// as `work` allows. On a rigid line friction in steady sliding does not vary.
-double settlingOf(const Scene& scene, const std::shared_ptr<const RigidLine>& rigid, double work,
-                  const std::stop_token& stop) {
+double settlingOf(const Scene& scene, const std::shared_ptr<const RigidLine>& rigid,
+                  std::int64_t leastSteps, double work, const std::stop_token& stop) {
   const double velocity = std::abs(scene.sliding.velocity);
   if (scene.sliding.kind == SlidingKind::Start || !(velocity > 0)) return kNotApplicable;
   Piece piece{scene};
   Sliding& sliding = piece.scene.sliding;
   sliding.kind = SlidingKind::Step;  // that changes nothing
   sliding.velocityAfter = sliding.velocity;
-  const Transient steady(piece.scene, rigid);
+  const Transient steady(piece.scene, rigid, leastSteps);
   const double step = sliding.duration / std::max(1.0, steady.countSteps());
   double memory = 0;
   for (const double rate : steady.march().modes().rate) memory = std::max(memory, 1 / rate);
@@ -139,7 +139,8 @@ Measured measure(const Scene& scene, const std::shared_ptr<const RigidLine>& rig
   const auto fineLine = std::make_shared<const RigidLine>(fine.scene);
   const double difference = relativeDifference(mu, marchThrough(fine, fineLine, 1, stop).mu);
   (scene.accuracy.scheme == Scheme::Nodal ? error.modelDifference : error.resolution) = difference;
-  error.settling = settlingOf(scene, rigid, 2 * nodesOf(*rigid) * measured.march.steps, stop);
+  error.settling = settlingOf(scene, rigid, Transient::kLeastSteps,
+                              2 * nodesOf(*rigid) * measured.march.steps, stop);
   return measured;
 }
 
@@ -176,6 +177,25 @@ ErrorBudget measureMotionError(const Scene& scene, const std::stop_token& stop) 
   const auto rigid = std::make_shared<const RigidLine>(scene);
   const double steps = Transient(scene, rigid).countSteps();
   return measure(scene, rigid, pieceOf(scene, steps, 1), stop).error;
+}
+
+void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop) {
+  for (RegionPrecision& region : comparison.regions) {
+    Piece piece{comparison.scene};
+    Sliding& sliding = piece.scene.sliding;
+    sliding.kind = SlidingKind::Step;  // that changes nothing
+    sliding.velocity = std::sqrt(region.velocities.front() * region.velocities.back());
+    sliding.velocityAfter = sliding.velocity;
+    const auto rigid = std::make_shared<const RigidLine>(piece.scene);
+    const double steps =
+        std::max(std::floor(kPilotWork / nodesOf(*rigid)), kLeastWindows * kWindow);
+    sliding.duration = steps * rigid->line->spacing / sliding.velocity;
+    piece.leastSteps = 1;  // a node in each step
+    piece.windows = std::floor(steps / kWindow);
+    const March march = marchThrough(piece, rigid, 1, stop);
+    region.timeStepError = relativeDifference(march.mu, marchThrough(piece, rigid, 2, stop).mu);
+    region.settlingError = settlingOf(piece.scene, rigid, piece.leastSteps, 2 * kPilotWork, stop);
+  }
 }
 
 Prediction predictRun(const Scene& scene, int threads, const std::stop_token& stop) {

@@ -16,6 +16,7 @@
 
 #include "core/accuracy/explanation.h"
 #include "core/accuracy/prediction.h"
+#include "core/accuracy/work_precision.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -25,6 +26,9 @@ Prediction predictMotion(const Scene& scene, const std::stop_token& stop = {});
 
 /// The same differences over the whole motion.
 ErrorBudget measureMotionError(const Scene& scene, const std::stop_token& stop = {});
+
+/// The two parts that only a march has, in each region of a comparison, at its middle velocity.
+void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop = {});
 
 /// predictCurve for steady sliding, predictMotion for the rest.
 Prediction predictRun(const Scene& scene, int threads = 0, const std::stop_token& stop = {});

@@ -39,6 +39,8 @@ TEST_F(AccuracyCommandTest, WritesTablesAndDiagrams) {
     const Json& methods = region["methods"];
     EXPECT_LT(methods[11]["relative_error"], 0.01 * methods[7]["relative_error"].get<double>());
     EXPECT_LT(region["reference_error"], methods[11]["relative_error"]);
+    EXPECT_GT(region["march"]["time_step"], 0);
+    EXPECT_GE(region["march"]["settling"], 0);
   }
 }
 
