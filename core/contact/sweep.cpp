@@ -54,10 +54,12 @@ class SweepQueue final : public PassQueue {
     one.column = columnInOrder(begun_ % columns, columns);
     ++begun_;
     one.load = table_.forces[one.row] / stiffness_;
+    double& rest = table_.rests[one.row % DepthTable::kRests];
     if (one.row != restRow_) {
-      table_.rests[one.row % DepthTable::kRests] = depthAtRest(line_, one.load);
+      rest = depthAtRest(line_, one.load);
       restRow_ = one.row;
     }
+    one.rest = rest;
     const double lowest = one.load / line_.length;
     one.balance.start(lowest, lowest + line_.meanRise, table_.guess(one.row, one.column));
     task = taskOf(one);
@@ -77,6 +79,7 @@ class SweepQueue final : public PassQueue {
                       one.balance.bestDepth());
     result.passes = one.balance.passes();
     result.residual = one.balance.residual();
+    result.depthAtRest = one.rest;
     result.status = statusOf(result);
     return begin(lane, task);
   }
@@ -85,6 +88,7 @@ class SweepQueue final : public PassQueue {
   struct Lane {
     std::size_t row, column;
     double load;  // m^2, per 4G
+    double rest;  // m
     StreamBalance balance;
   };
 
@@ -185,11 +189,12 @@ bool sweepNodal(const TravelLine& line, const SlidingConditions& conditions, con
 
 bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
                    std::span<const double> forces, std::span<const double> velocities,
-                   std::span<SteadyResult> results, const std::stop_token& stop) {
+                   std::span<SteadyResult> results, const std::stop_token& stop,
+                   std::span<const SteadyResult> others) {
   const FlushDenormals flush;
   for (SteadyResult& result : results) result.passes = 0;
   if (line.scheme != Scheme::Nodal) {
-    SweepQueue queue(line, conditions, {forces, velocities, results, {}}, stop);
+    SweepQueue queue(line, conditions, {forces, velocities, results, others}, stop);
     passLanes(line, queue);
     return !stop.stop_requested();
   }
@@ -205,9 +210,10 @@ bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
 
 bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
-                const std::stop_token& stop) {
+                const std::stop_token& stop, std::span<const SteadyResult> others) {
   if (load.kind == LoadKind::Force)
-    return slideAtForces(line, conditions, {&load.normalForce, 1}, velocities, results, stop);
+    return slideAtForces(line, conditions, {&load.normalForce, 1}, velocities, results, stop,
+                         others);
   const FlushDenormals flush;
   if (line.scheme == Scheme::Nodal)
     return sweepNodal(line, conditions, load, velocities, results, stop);

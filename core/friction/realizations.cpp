@@ -39,6 +39,7 @@ class Realizations {
         stop_(stop),
         arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
 
+  /// The first call is for one realization, whose depths the others begin from.
   std::vector<Results> compute(std::int64_t first, std::int64_t count) {
     std::vector<Results> batch(static_cast<std::size_t>(count));
     arena_.execute([&] {
@@ -47,6 +48,7 @@ class Realizations {
           batch[static_cast<std::size_t>(i)] = slide(task_.first + first + i);
       });
     });
+    if (first_.empty()) first_ = batch.front();
     return batch;
   }
 
@@ -63,10 +65,13 @@ class Realizations {
     for (const LoadCase& one : task_.cases) count += one.velocities.size();
     Results results(count);
     std::span<SteadyResult> left(results);
+    std::span<const SteadyResult> others(first_);
     for (const LoadCase& one : task_.cases) {
       const std::span<SteadyResult> row = left.first(one.velocities.size());
       left = left.subspan(row.size());
-      if (!sliding_.sweep(memory.travel, one.load, one.velocities, row, stop_)) return {};
+      const auto other = others.first(others.empty() ? 0 : row.size());
+      others = others.subspan(other.size());
+      if (!sliding_.sweep(memory.travel, one.load, one.velocities, row, stop_, other)) return {};
       requireBalance(one, row, realization);
     }
     return results;
@@ -81,6 +86,7 @@ class Realizations {
 
   const RealizationTask& task_;
   SceneSliding sliding_;
+  Results first_;
   const std::stop_token& stop_;
   tbb::task_arena arena_;
   tbb::enumerable_thread_specific<Memory> memory_;
