@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/language.h"
+
 namespace asperity {
 
 namespace {
@@ -45,7 +47,7 @@ QString decadeLabel(int exponent) {
 
 QString readingLabel(double value) {
   if (!std::isfinite(value)) return QStringLiteral("–");
-  const QString plain = QString::number(value, 'g', 3);
+  const QString plain = inLanguage(QString::number(value, 'g', 3));
   const qsizetype e = plain.indexOf('e');
   if (e < 0) return plain;
   const QString digits = plain.left(e);

@@ -38,7 +38,7 @@ struct ContactLayout {
 ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& options,
                             float headerBottom);
 
-inline constexpr std::string_view kLegendTitle = "contact pressure (line load)";
+std::string legendTitle();  // of the pressure
 std::string exaggerationText(const ContactLayout& layout);
 
 }  // namespace asperity

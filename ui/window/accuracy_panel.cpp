@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/accuracy/work_precision_file.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/picture/ticks.h"
 #include "ui/window/figure_picture.h"
@@ -21,8 +22,9 @@ constexpr double kQuick = 0.2, kDecades = 2;  // targets from 20 % to 0.2 %
 constexpr int kControlsWidth = 290;
 
 QString percent(double part) {
-  return std::isfinite(part) ? QString::fromStdString(shortNumber(100 * part, 2)) + " %"
-                             : QStringLiteral("–");
+  return std::isfinite(part)
+             ? QString::fromStdString(shortNumber(100 * part, 2)) + QStringLiteral("\u00A0%")
+             : QStringLiteral("–");
 }
 
 QString seconds(double time) {
@@ -162,7 +164,7 @@ void AccuracyPanel::predict() {
 
 void AccuracyPanel::takePrediction(const PredictionAnswer& answer) {
   if (answer.number != asked_) return;
-  if (!answer.prediction) return predicted_->setText(answer.reason);
+  if (!answer.prediction) return predicted_->setText(translatedText(answer.reason.toStdString()));
   const Prediction& prediction = *answer.prediction;
   predicted_->setText(tr("predicted: %1, error %2 (resolution %3, realizations %4)")
                           .arg(seconds(prediction.seconds), percent(prediction.error.total()),

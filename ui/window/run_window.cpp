@@ -4,10 +4,12 @@
 #include <QFont>
 #include <QStyleFactory>
 
+#include "ui/language/language.h"
 #include "ui/picture/text_painter.h"
 #include "ui/window/appearance.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_library.h"
+#include "ui/window/window_language.h"
 
 namespace asperity {
 
@@ -33,8 +35,10 @@ void prepareApplication(QApplication& application) {
   QApplication::setFont(font);
 }
 
-int runWindow(QApplication& application, const std::optional<Scene>& scene, RunnerOptions options) {
+int runWindow(QApplication& application, const std::optional<Scene>& scene, RunnerOptions options,
+              std::string_view language) {
   prepareApplication(application);
+  useLanguage(language.empty() ? windowLanguage() : language);
   MainWindow window(scene ? *scene : firstScene(), options);
   window.rememberLayout();
   window.show();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "core/run/runner.h"
 #include "core/scene/scene.h"
@@ -14,7 +15,8 @@ namespace asperity {
 void prepareApplication(QApplication& application);
 
 /// Shows the scene, or the first of the library, until the window is closed; returns the exit code.
+/// Without a language (a code, "de") the remembered one or the desktop's.
 int runWindow(QApplication& application, const std::optional<Scene>& scene,
-              RunnerOptions options = {});
+              RunnerOptions options = {}, std::string_view language = {});
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "ui/window/canvas_backend.h"
+#include "ui/window/contact_canvas.h"
 #include "ui/window/picture_source.h"
 #include "ui/window/picture_worker.h"
 
@@ -20,7 +21,7 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
   }
 
   QWidget* widget() override { return this; }
-  QString name() const override { return tr("software (OSMesa)"); }
+  QString name() const override { return ContactCanvas::tr("software (OSMesa)"); }
 
   void show(std::shared_ptr<const Frame> frame, const Theme& theme) override {
     request_.frame = std::move(frame);
