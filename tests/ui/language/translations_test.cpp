@@ -33,7 +33,7 @@ Messages messagesOf(const QString& path) {
     if (xml.name() == u"source") source = xml.readElementText();
     if (xml.name() != u"translation") continue;
     const bool isDone = !xml.attributes().hasAttribute("type");
-    const QString text = xml.readElementText();
+    const QString text = xml.readElementText(QXmlStreamReader::IncludeChildElements);
     messages[{context, source}] = isDone ? text : QString();
   }
   EXPECT_FALSE(xml.hasError()) << path.toStdString() << xml.errorString().toStdString();
@@ -45,6 +45,7 @@ QStringList placesIn(const QString& text) {
   QStringList places;
   for (auto it = place.globalMatch(text); it.hasNext();) places += it.next().captured();
   places.sort();
+  places.removeDuplicates();  // forms of the plural stand side by side
   return places;
 }
 
