@@ -143,6 +143,10 @@ class CommandLine {
     verb->add_option("--layout", render_.layout,
                      "contact, curve, both, or transient: the contact above strips over time")
         ->capture_default_str();
+    verb->add_option("--overlay", render_.overlay,
+                     "What colours the contact: none, pressure, relaxation (time since contact) or "
+                     "power (dissipated)")
+        ->capture_default_str();
     TimeChoice& time = render_.time;
     verb->add_option("--frames", time.frames, "Frames; else 60 a period, or 60 for a motion")
         ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));

@@ -39,6 +39,7 @@ struct RenderCommand {
   TimeChoice time;
   PictureChoice picture;
   std::string layout = "contact";
+  std::string overlay = "pressure";
   bool resume = false;
 };
 

@@ -6,6 +6,7 @@
 #include "core/run/transient_diagram.h"
 #include "core/scene/input_error.h"
 #include "ui/language/words.h"
+#include "ui/picture/contact_overlay.h"
 #include "ui/picture/diagram_picture.h"
 #include "ui/picture/stacked.h"
 
@@ -27,9 +28,17 @@ PictureLayout layoutFrom(const std::string& name) {
                    name.substr(0, 60) + " is not one of contact, curve, both, transient");
 }
 
+ContactOverlay overlayFrom(const std::string& name) {
+  for (const ContactOverlay overlay : {ContactOverlay::None, ContactOverlay::Pressure,
+                                       ContactOverlay::Relaxation, ContactOverlay::Power})
+    if (name == wordFor(overlay)) return overlay;
+  throw InputError("", "--overlay",
+                   name.substr(0, 60) + " is not one of none, pressure, relaxation, power");
+}
+
 PictureComposer::PictureComposer(const PictureStyle& style, PictureLayout layout,
-                                 std::vector<CurvePoint> curve)
-    : style_(style), layout_(layout), curve_(std::move(curve)) {
+                                 std::vector<CurvePoint> curve, ContactOverlay overlay)
+    : style_(style), layout_(layout), overlay_(overlay), curve_(std::move(curve)) {
   if (style_.transparent) style_.theme.background.a = 0;
 }
 
@@ -56,6 +65,7 @@ DrawList PictureComposer::contact(const Frame& frame, int height) {
   options.height = height;
   options.scale = style_.scale;
   options.theme = style_.theme;
+  options.overlay = overlay_;
   view_ = fittedView(frame, view_);
   options.view = *view_;
   return composeContact(frame, options);

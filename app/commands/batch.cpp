@@ -147,9 +147,7 @@ class BatchRun {
       if (result.item.error.empty())
         scenes.push_back(
             {{"name", result.item.name}, {"scene", Json::parse(writeScene(result.item.scene))}});
-    Json picture;
-    addLanguage(picture);
-    if (!picture.is_null()) origin["picture"] = picture;
+    nameLanguage(origin);
     return origin;
   }
 

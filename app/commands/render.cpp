@@ -21,6 +21,7 @@
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 #include "ui/language/translated.h"
+#include "ui/picture/contact_overlay.h"
 #include "ui/picture/png_file.h"
 
 namespace asperity {
@@ -53,14 +54,15 @@ class Rendering {
         scene_(sceneOf(command.common)),
         kind_(kindOf(command.output)),
         style_(styleOf(command.picture, {1280, 720, "light"})),
-        layout_(layoutFrom(command.layout)) {
+        layout_(layoutFrom(command.layout)),
+        overlay_(overlayFrom(command.overlay)) {
     checkUsage();
     saidOfScene(command_.common, [&] {
       checkLayout();
-      frames_.emplace(scene_, command_.time, kind_ == Kind::Picture);
+      frames_.emplace(scene_, command_.time, kind_ == Kind::Picture, fieldsFor(overlay_));
       if (layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both) computeCurve();
     });
-    composer_.emplace(style_, layout_, curve_);
+    composer_.emplace(style_, layout_, curve_, overlay_);
   }
 
   void run() {
@@ -138,6 +140,7 @@ class Rendering {
     Json origin = provenance("render", scene_);
     Json& picture = origin["picture"] = style_.json();
     picture["layout"] = command_.layout;
+    if (overlay_ != ContactOverlay::Pressure) picture["overlay"] = command_.overlay;
     if (kind_ != Kind::Picture) {
       picture["frames"] = count();
       picture["frames_per_second"] = frames_->plan().framesPerSecond;
@@ -238,6 +241,7 @@ class Rendering {
   Kind kind_;
   PictureStyle style_;
   PictureLayout layout_;
+  ContactOverlay overlay_;
   std::vector<CurvePoint> curve_;
   std::optional<FrameSource> frames_;
   std::optional<PictureComposer> composer_;

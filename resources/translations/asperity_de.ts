@@ -100,8 +100,12 @@
         <translation>Erstellt mit Asperity %1.</translation>
     </message>
     <message>
-        <source>contact pressure (line load)</source>
-        <translation>Kontaktdruck (Linienlast)</translation>
+        <source>nothing is dissipated</source>
+        <translation>nichts wird dissipiert</translation>
+    </message>
+    <message>
+        <source>%1 in all, %2 % in the free surface</source>
+        <translation>%1 insgesamt, %2 % in der freien Oberfläche</translation>
     </message>
 </context>
 <context>
@@ -238,6 +242,80 @@
     </message>
 </context>
 <context>
+    <name>asperity::CurveCommands</name>
+    <message>
+        <source>Pin curve</source>
+        <translation>Kurve anheften</translation>
+    </message>
+    <message>
+        <source>Keeps this curve to compare others with</source>
+        <translation>Behält diese Kurve zum Vergleich mit anderen</translation>
+    </message>
+    <message>
+        <source>Unpin all</source>
+        <translation>Alle lösen</translation>
+    </message>
+    <message>
+        <source>Dimensionless axes</source>
+        <translation>Dimensionslose Achsen</translation>
+    </message>
+    <message>
+        <source>v̄ of Eq. (13) and μ over the rms slope of the line</source>
+        <translation>v̄ aus Gl. (13) und μ durch die RMS-Steigung der Linie</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Fit axes</source>
+        <translation>Achsen einpassen</translation>
+    </message>
+    <message>
+        <source>Save curve…</source>
+        <translation>Kurve speichern…</translation>
+    </message>
+    <message>
+        <source>Everything that is shown, as a picture or as a table</source>
+        <translation>Alles Gezeigte als Bild oder als Tabelle</translation>
+    </message>
+    <message>
+        <source>Copy curve picture</source>
+        <translation>Kurvenbild kopieren</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Save curve</source>
+        <translation>Kurve speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf);;Table (*.csv)</source>
+        <translation>Bilder (*.png *.svg *.pdf);;Tabelle (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::CurveReadingText</name>
+    <message>
+        <source>region %1, %2</source>
+        <translation>Bereich %1, %2</translation>
+    </message>
+    <message>
+        <source>full contact</source>
+        <translation>Vollkontakt</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+</context>
+<context>
     <name>asperity::FigureGallery</name>
     <message>
         <source>Master curve</source>
@@ -310,18 +388,6 @@
         <translation>diese Linie, jetzt</translation>
     </message>
     <message>
-        <source>this line</source>
-        <translation>diese Linie</translation>
-    </message>
-    <message>
-        <source>mean of the lines ± standard error</source>
-        <translation>Mittel über die Linien ± Standardfehler</translation>
-    </message>
-    <message>
-        <source>Eq. (11)</source>
-        <translation>Gl. (11)</translation>
-    </message>
-    <message>
         <source>no curve yet</source>
         <translation>noch keine Kurve</translation>
     </message>
@@ -340,6 +406,113 @@
     <message>
         <source>no positive coefficient of friction to show on a logarithmic axis</source>
         <translation>keine positive Reibungszahl für eine logarithmische Achse</translation>
+    </message>
+    <message>
+        <source>friction μ</source>
+        <translation>Reibungszahl μ</translation>
+    </message>
+    <message>
+        <source>dimensionless velocity v̄ = τ v ∇z / (√2 h)</source>
+        <translation>dimensionslose Geschwindigkeit v̄ = τ v ∇z / (√2 h)</translation>
+    </message>
+    <message>
+        <source>normalized friction μ / ∇z</source>
+        <translation>normierte Reibungszahl μ / ∇z</translation>
+    </message>
+    <message>
+        <source>v̄ = %1</source>
+        <translation>v̄ = %1</translation>
+    </message>
+    <message>
+        <source>no dimensionless axes: they need a line with roughness and one relaxation time</source>
+        <translation>keine dimensionslosen Achsen: Sie brauchen eine raue Linie und eine einzige Relaxationszeit</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::FrictionSeries</name>
+    <message>
+        <source>%1 of %2 lines</source>
+        <translation>%1 von %2 Linien</translation>
+    </message>
+    <message>
+        <source>this line</source>
+        <translation>diese Linie</translation>
+    </message>
+    <message>
+        <source>mean of the lines ± standard error</source>
+        <translation>Mittel über die Linien ± Standardfehler</translation>
+    </message>
+    <message>
+        <source>Eq. (11)</source>
+        <translation>Gl. (11)</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>Region I: friction grows in proportion to velocity, Eqs. (5) to (8). It ends where the curve is 20 % below that line.</source>
+        <translation>Bereich I: Die Reibung wächst proportional zur Geschwindigkeit, Gl. (5) bis (8). Er endet, wo die Kurve 20 % unter dieser Geraden liegt.</translation>
+    </message>
+    <message>
+        <source>transition</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Region II: from the line to the plateau. It ends where 95 % of the maximum is reached.</source>
+        <translation>Bereich II: von der Geraden zum Plateau. Er endet, wo 95 % des Maximums erreicht sind.</translation>
+    </message>
+    <message>
+        <source>plateau</source>
+        <translation>Plateau</translation>
+    </message>
+    <message>
+        <source>Region III: contacts carry on their leading sides only, Eq. (9). It ends where friction falls below 95 % of the maximum.</source>
+        <translation>Bereich III: Kontakte tragen nur an ihren Vorderseiten, Gl. (9). Er endet, wo die Reibung unter 95 % des Maximums fällt.</translation>
+    </message>
+    <message>
+        <source>decrease</source>
+        <translation>Abfall</translation>
+    </message>
+    <message>
+        <source>Region IV: the contact is so small that the slope in it falls, Eq. (15). It begins below 95 % of the maximum.</source>
+        <translation>Bereich IV: Der Kontakt ist so klein, dass die Steigung in ihm fällt, Gl. (15). Er beginnt unter 95 % des Maximums.</translation>
+    </message>
+    <message>
+        <source>Borders are read from this curve, not from theory.</source>
+        <translation>Die Grenzen sind aus dieser Kurve abgelesen, nicht aus der Theorie.</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>%1, less the curve above</source>
+        <translation>%1, minus obere Kurve</translation>
+    </message>
+    <message>
+        <source>same parameters</source>
+        <translation>gleiche Parameter</translation>
+    </message>
+    <message>
+        <source>v = %1 m/s</source>
+        <translation>v = %1 m/s</translation>
+    </message>
+    <message>
+        <source>in contact %1 %</source>
+        <translation>in Kontakt %1 %</translation>
+    </message>
+    <message>
+        <source>Eq. (11): %1</source>
+        <translation>Gl. (11): %1</translation>
+    </message>
+    <message>
+        <source>difference %1</source>
+        <translation>Unterschied %1</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>mit %1</translation>
     </message>
 </context>
 <context>
@@ -759,12 +932,52 @@
         <source>Dark</source>
         <translation>Dunkel</translation>
     </message>
+    <message>
+        <source>The curve&apos;s picture is on the clipboard</source>
+        <translation>Das Bild der Kurve ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Guided tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Tour: back</source>
+        <translation>Rundgang: zurück</translation>
+    </message>
+    <message>
+        <source>Tour: next</source>
+        <translation>Rundgang: weiter</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>New here? A tour of six steps shows what there is to see.</source>
+        <translation>Neu hier? Ein Rundgang in sechs Schritten zeigt, was es zu sehen gibt.</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rundgang beginnen</translation>
+    </message>
+    <message>
+        <source>about the scene</source>
+        <translation>über die Szene</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MessageBar</name>
     <message>
         <source>close message</source>
         <translation>Meldung schließen</translation>
+    </message>
+    <message>
+        <source>accept</source>
+        <translation>annehmen</translation>
     </message>
 </context>
 <context>
@@ -812,6 +1025,10 @@
     <message>
         <source>Interface</source>
         <translation>Grenzfläche</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
     </message>
 </context>
 <context>
@@ -881,6 +1098,24 @@
     </message>
 </context>
 <context>
+    <name>asperity::PlotLegend</name>
+    <message>
+        <source>legend of the plot</source>
+        <translation>Legende des Diagramms</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click to unpin this curve</source>
+        <translation>Klicken, um diese Kurve zu lösen</translation>
+    </message>
+</context>
+<context>
     <name>asperity::SceneDocument</name>
     <message>
         <source>%1 parameters</source>
@@ -899,11 +1134,22 @@
     </message>
 </context>
 <context>
-    <name>asperity::StatusLine</name>
+    <name>asperity::ShortcutSheet</name>
     <message>
-        <source>Coefficient of friction of this line in steady sliding</source>
-        <translation>Reibungszahl dieser Linie beim stationären Gleiten</translation>
+        <source> or </source>
+        <translation> oder </translation>
     </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::StatusLine</name>
     <message>
         <source>Eq. (14) of the paper: normal force / (shear modulus × rms height × length)</source>
         <translation>Gl. (14) der Arbeit: Normalkraft / (Schubmodul × RMS-Höhe × Länge)</translation>
@@ -921,20 +1167,154 @@
         <translation>Was den Kontakt zeichnet</translation>
     </message>
     <message>
-        <source>friction coefficient μ = %1</source>
-        <translation>Reibungszahl μ = %1</translation>
-    </message>
-    <message>
-        <source>dimensionless force F̄ = %1</source>
-        <translation>dimensionslose Kraft F̄ = %1</translation>
-    </message>
-    <message>
-        <source>dimensionless velocity v̄ = %1</source>
-        <translation>dimensionslose Geschwindigkeit v̄ = %1</translation>
-    </message>
-    <message>
         <source>%1 frames/s</source>
         <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source> (mean %1 ± %2 %)</source>
+        <translation> (Mittel %1 ± %2 %)</translation>
+    </message>
+    <message>
+        <source>Where the velocity lies on the friction curve: regions I to IV of the paper, found on the complete curve</source>
+        <translation>Wo die Geschwindigkeit auf der Reibungskurve liegt: Bereiche I bis IV der Arbeit, gefunden auf der vollständigen Kurve</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction of this line in steady sliding; in brackets the mean of all lines at this velocity with its standard error</source>
+        <translation>Reibungszahl dieser Linie beim stationären Gleiten; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
+    </message>
+    <message>
+        <source>Lines at one velocity each, computed in a second for the curve</source>
+        <translation>Linien bei je einer Geschwindigkeit, die in einer Sekunde für die Kurve berechnet werden</translation>
+    </message>
+    <message>
+        <source>making the line</source>
+        <translation>die Linie entsteht</translation>
+    </message>
+    <message>
+        <source>progress of the curve</source>
+        <translation>Fortschritt der Kurve</translation>
+    </message>
+    <message>
+        <source>Making the line… Back to the scene before</source>
+        <translation>Die Linie entsteht… Zurück zur vorigen Szene</translation>
+    </message>
+    <message>
+        <source>The curve is not complete: average it again</source>
+        <translation>Die Kurve ist nicht vollständig: erneut mitteln</translation>
+    </message>
+    <message>
+        <source>Stop averaging the curve</source>
+        <translation>Mittelung der Kurve anhalten</translation>
+    </message>
+    <message>
+        <source>%1 simulations/s</source>
+        <translation>%1 Simulationen/s</translation>
+    </message>
+    <message>
+        <source>friction μ = %1%2</source>
+        <translation>Reibungszahl μ = %1%2</translation>
+    </message>
+    <message>
+        <source>force F̄ = %1</source>
+        <translation>Kraft F̄ = %1</translation>
+    </message>
+    <message>
+        <source>velocity v̄ = %1</source>
+        <translation>Geschwindigkeit v̄ = %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::Tour</name>
+    <message>
+        <source>Press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>A rough line rests on rubber: only its highest summits touch.</source>
+        <translation>Eine raue Linie ruht auf Gummi: Nur ihre höchsten Gipfel berühren ihn.</translation>
+    </message>
+    <message>
+        <source>Drag the normal force up: contacts grow in number and length.</source>
+        <translation>Die Normalkraft erhöhen: Die Kontakte wachsen an Zahl und Länge.</translation>
+    </message>
+    <message>
+        <source>Slide slowly</source>
+        <translation>Langsam gleiten</translation>
+    </message>
+    <message>
+        <source>The rubber has time to come back behind every summit, and friction grows in proportion to the velocity.</source>
+        <translation>Der Gummi hat Zeit, hinter jedem Gipfel zurückzukehren, und die Reibung wächst proportional zur Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Double the velocity: the coefficient of friction doubles.</source>
+        <translation>Die Geschwindigkeit verdoppeln: Die Reibungszahl verdoppelt sich.</translation>
+    </message>
+    <message>
+        <source>The plateau</source>
+        <translation>Das Plateau</translation>
+    </message>
+    <message>
+        <source>Faster, friction stops growing: it is now set by the slope of the line, not by the rubber.</source>
+        <translation>Schneller wächst die Reibung nicht mehr: Sie wird nun von der Steigung der Linie bestimmt, nicht vom Gummi.</translation>
+    </message>
+    <message>
+        <source>Change the shear modulus or the force: the plateau stays.</source>
+        <translation>Schubmodul oder Kraft ändern: Das Plateau bleibt.</translation>
+    </message>
+    <message>
+        <source>One-sided contact</source>
+        <translation>Einseitiger Kontakt</translation>
+    </message>
+    <message>
+        <source>A single summit shows why: the rubber is too slow to touch its trailing side, so it pushes only from the front.</source>
+        <translation>Ein einzelner Gipfel zeigt, warum: Der Gummi ist zu langsam, um seine Rückseite zu berühren, und drückt daher nur von vorn.</translation>
+    </message>
+    <message>
+        <source>Lower the velocity to 0.001 m/s: contact becomes even on both sides, and friction vanishes.</source>
+        <translation>Die Geschwindigkeit auf 0,001 m/s senken: Der Kontakt wird auf beiden Seiten gleich, und die Reibung verschwindet.</translation>
+    </message>
+    <message>
+        <source>Region IV</source>
+        <translation>Bereich IV</translation>
+    </message>
+    <message>
+        <source>Faster still, only the tips of the highest summits touch, and they are smooth: friction falls again.</source>
+        <translation>Noch schneller berühren nur die Spitzen der höchsten Gipfel, und die sind glatt: Die Reibung fällt wieder.</translation>
+    </message>
+    <message>
+        <source>Raise the elements: finer tips move the fall to higher velocities.</source>
+        <translation>Die Zahl der Elemente erhöhen: Feinere Spitzen verschieben den Abfall zu höheren Geschwindigkeiten.</translation>
+    </message>
+    <message>
+        <source>Full contact</source>
+        <translation>Vollkontakt</translation>
+    </message>
+    <message>
+        <source>Under a high load the rubber fills every valley, and friction is known exactly.</source>
+        <translation>Unter hoher Last füllt der Gummi jedes Tal, und die Reibung ist exakt bekannt.</translation>
+    </message>
+    <message>
+        <source>Raise the velocity until the first valleys open: there the straight line ends.</source>
+        <translation>Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen: Dort endet die Gerade.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TourBar</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>%1 of %2&amp;ensp;&lt;b&gt;%3.&lt;/b&gt; %4 &lt;i&gt;Try: %5&lt;/i&gt;</source>
+        <translation>%1 von %2&amp;ensp;&lt;b&gt;%3.&lt;/b&gt; %4 &lt;i&gt;Versuch: %5&lt;/i&gt;</translation>
     </message>
 </context>
 <context>
@@ -962,6 +1342,113 @@
     <message>
         <source>contact length ℓ</source>
         <translation>Kontaktlänge ℓ</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ViewActionText</name>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>At the crosshair, or in the middle; also the wheel</source>
+        <translation>Am Fadenkreuz oder in der Mitte; auch mit dem Mausrad</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Also the wheel</source>
+        <translation>Auch mit dem Mausrad</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>The whole period, heights fitted; also a double click</source>
+        <translation>Die ganze Periode, Höhen eingepasst; auch mit Doppelklick</translation>
+    </message>
+    <message>
+        <source>More vertical exaggeration</source>
+        <translation>Stärker überhöhen</translation>
+    </message>
+    <message>
+        <source>Also Ctrl and the wheel, or Shift and Up</source>
+        <translation>Auch mit Strg und Mausrad oder Umschalt und Pfeil nach oben</translation>
+    </message>
+    <message>
+        <source>Less vertical exaggeration</source>
+        <translation>Schwächer überhöhen</translation>
+    </message>
+    <message>
+        <source>Also Ctrl and the wheel, or Shift and Down</source>
+        <translation>Auch mit Strg und Mausrad oder Umschalt und Pfeil nach unten</translation>
+    </message>
+    <message>
+        <source>Fit heights</source>
+        <translation>Höhen einpassen</translation>
+    </message>
+    <message>
+        <source>The exaggeration that shows all heights</source>
+        <translation>Die Überhöhung, die alle Höhen zeigt</translation>
+    </message>
+    <message>
+        <source>Follow the line</source>
+        <translation>Der Linie folgen</translation>
+    </message>
+    <message>
+        <source>The line stands still in the picture and the elastomer passes by</source>
+        <translation>Die Linie steht im Bild still, und das Elastomer zieht vorbei</translation>
+    </message>
+    <message>
+        <source>Magnifier</source>
+        <translation>Lupe</translation>
+    </message>
+    <message>
+        <source>Enlarges the asperity at the crosshair, or the one pressed most</source>
+        <translation>Vergrößert die Rauheitsspitze am Fadenkreuz oder die am stärksten gedrückte</translation>
+    </message>
+    <message>
+        <source>Contact pressure</source>
+        <translation>Kontaktdruck</translation>
+    </message>
+    <message>
+        <source>Where the bodies press on each other</source>
+        <translation>Wo die Körper aufeinander drücken</translation>
+    </message>
+    <message>
+        <source>Time since contact</source>
+        <translation>Zeit seit dem Kontakt</translation>
+    </message>
+    <message>
+        <source>How long the free surface has had to come back</source>
+        <translation>Wie lange die freie Oberfläche zur Rückkehr hatte</translation>
+    </message>
+    <message>
+        <source>Dissipated power</source>
+        <translation>Dissipierte Leistung</translation>
+    </message>
+    <message>
+        <source>Where friction turns into heat: in contact and where the surface comes back</source>
+        <translation>Wo Reibung zu Wärme wird: im Kontakt und wo die Oberfläche zurückkehrt</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Colours show</source>
+        <translation>Farben zeigen</translation>
+    </message>
+    <message>
+        <source>Next colours</source>
+        <translation>Nächste Farben</translation>
+    </message>
+    <message>
+        <source>Goes through what colours can show</source>
+        <translation>Geht durch, was Farben zeigen können</translation>
     </message>
 </context>
 <context>
@@ -1104,6 +1591,54 @@
     <message>
         <source>the line shown, at its velocity</source>
         <translation>die gezeigte Linie bei ihrer Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>, arrow %1×</source>
+        <translation>, Pfeil %1×</translation>
+    </message>
+    <message>
+        <source>time since contact</source>
+        <translation>Zeit seit dem Kontakt</translation>
+    </message>
+    <message>
+        <source>dissipated power (log scale)</source>
+        <translation>dissipierte Leistung (log. Skala)</translation>
+    </message>
+    <message>
+        <source>contact pressure (line load)</source>
+        <translation>Kontaktdruck (Linienlast)</translation>
+    </message>
+    <message>
+        <source>position x</source>
+        <translation>Ort x</translation>
+    </message>
+    <message>
+        <source>rigid line z</source>
+        <translation>starre Linie z</translation>
+    </message>
+    <message>
+        <source>elastomer u</source>
+        <translation>Elastomer u</translation>
+    </message>
+    <message>
+        <source>pressure p</source>
+        <translation>Druck p</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>Spalt</translation>
+    </message>
+    <message>
+        <source>slope z′</source>
+        <translation>Steigung z′</translation>
+    </message>
+    <message>
+        <source>free for</source>
+        <translation>frei seit</translation>
+    </message>
+    <message>
+        <source>dissipates</source>
+        <translation>dissipiert</translation>
     </message>
 </context>
 </TS>

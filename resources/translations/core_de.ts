@@ -1993,5 +1993,109 @@
         <source>IV decrease</source>
         <translation>IV Abfall</translation>
     </message>
+    <message>
+        <source>One-sided contact</source>
+        <translation>Einseitiger Kontakt</translation>
+    </message>
+    <message>
+        <source>A single summit, seen closely: the rubber is pushed down in front of it and is still on its way up behind, so only the leading side is touched. Lower the velocity to 0.001 m/s: contact becomes even on both sides, and friction vanishes.</source>
+        <translation>Ein einzelner Gipfel, aus der Nähe: Vor ihm wird der Gummi hinabgedrückt, hinter ihm ist er noch auf dem Weg nach oben, daher wird nur die Vorderseite berührt. Die Geschwindigkeit auf 0,001 m/s senken: Der Kontakt wird auf beiden Seiten gleich, und die Reibung verschwindet.</translation>
+    </message>
+    <message>
+        <source>Pressed in and at rest</source>
+        <translation>Eingedrückt und in Ruhe</translation>
+    </message>
+    <message>
+        <source>contact pressure p</source>
+        <translation>Kontaktdruck p</translation>
+    </message>
+    <message>
+        <source>share of the contact</source>
+        <translation>Anteil am Kontakt</translation>
+    </message>
+    <message>
+        <source>elements in contact</source>
+        <translation>Elemente in Kontakt</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>slope z′ / rms slope</source>
+        <translation>Steigung z′ / RMS-Steigung</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>whole line</source>
+        <translation>ganze Linie</translation>
+    </message>
+    <message>
+        <source>in contact</source>
+        <translation>in Kontakt</translation>
+    </message>
+    <message>
+        <source>normal distribution</source>
+        <translation>Normalverteilung</translation>
+    </message>
+    <message>
+        <source>wave number q</source>
+        <translation>Wellenzahl q</translation>
+    </message>
+    <message>
+        <source>power spectral density C</source>
+        <translation>Leistungsspektraldichte C</translation>
+    </message>
+    <message>
+        <source>wanted, H = %1</source>
+        <translation>gewünscht, H = %1</translation>
+    </message>
+    <message>
+        <source>fitted, H = %1</source>
+        <translation>angepasst, H = %1</translation>
+    </message>
+    <message>
+        <source>C(q) ~ q^(−2H−1) is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing.</source>
+        <translation>C(q) ~ q^(−2H−1) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π durch Elementabstand.</translation>
+    </message>
+    <message>
+        <source>Points are means over equal stretches of log q.</source>
+        <translation>Punkte sind Mittel über gleiche Strecken von log q.</translation>
+    </message>
+    <message>
+        <source>No element is in contact.</source>
+        <translation>Kein Element ist in Kontakt.</translation>
+    </message>
+    <message>
+        <source>%1 % of the contact is on slopes that climb (%2 %: one-sided, %3 %: both sides alike); rms slope in contact %4 of the line's.</source>
+        <translation>%1 % des Kontakts liegt auf steigenden Flanken (%2 %: einseitig, %3 %: beide Seiten gleich); RMS-Steigung im Kontakt das %4-Fache der Linie.</translation>
+    </message>
+    <message>
+        <source>contact search</source>
+        <translation>Kontaktsuche</translation>
+    </message>
+    <message>
+        <source>whether an element touches is asked at each node</source>
+        <translation>ob ein Element berührt, wird an jedem Knoten gefragt</translation>
+    </message>
+    <message>
+        <source>edges of contact are found inside the segments wherever contact is not complete</source>
+        <translation>Kontaktränder werden innerhalb der Segmente gefunden, wo der Kontakt nicht vollständig ist</translation>
+    </message>
+    <message>
+        <source>the friction curve is of steady sliding</source>
+        <translation>die Reibungskurve gilt für stationäres Gleiten</translation>
+    </message>
+    <message>
+        <source>nothing slides steadily</source>
+        <translation>nichts gleitet stationär</translation>
+    </message>
+    <message>
+        <source>Nothing slides, so there is no friction: the line rests on the summits that reach deepest, and the rubber between them stays flat. Raise the force: contacts grow in number and in length.</source>
+        <translation>Nichts gleitet, daher gibt es keine Reibung: Die Linie ruht auf den Gipfeln, die am tiefsten reichen, und der Gummi dazwischen bleibt eben. Die Kraft erhöhen: Die Kontakte wachsen an Zahl und Länge.</translation>
+    </message>
 </context>
 </TS>

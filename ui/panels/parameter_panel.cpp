@@ -81,6 +81,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
   auto* content = new QWidget;
   content->setObjectName("parameterRows");
   content->setFocusPolicy(Qt::ClickFocus);
+  content->setAccessibleName(tr("parameters"));
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(14, 5, 5, 5);
   column->setSpacing(3);
@@ -90,6 +91,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
   auto* scroll = new QScrollArea;
   scroll->setWidget(content);
   scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);  // its rows take it
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* layout = new QVBoxLayout(this);

@@ -1,5 +1,6 @@
 #include "ui/panels/parameter_row.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QHBoxLayout>
@@ -231,6 +232,7 @@ void ParameterRow::addNumber(QHBoxLayout& line) {
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
   choice_ = new ChoiceBox;
   describe(*choice_, "choice");
+  choice_->view()->setAccessibleName(choice_->accessibleName());
   for (const std::string_view word : field.choices)
     choice_->addItem(wordText(word), fromUtf8(word));
   choice_->setEnabled(field.choices.size() > 1);
@@ -275,9 +277,16 @@ void ParameterRow::addReset(QHBoxLayout& line) {
 
 void ParameterRow::describe(QWidget& control, const char* kind) {
   control.setObjectName(QString(kind) + ":" + fromUtf8(parameter_.key));
-  control.setAccessibleName(fromUtf8(parameter_.key));
+  control.setAccessibleName(accessibleLabel());
   control.setAccessibleDescription(translatedText(parameter_.sentence));
   control.setToolTip(description());
+}
+
+/// "normal force (N)".
+QString ParameterRow::accessibleLabel() const {
+  const QString unit = fromUtf8(parameter_.unit);
+  return unit.isEmpty() ? labelOf(parameter_)
+                        : QStringLiteral("%1 (%2)").arg(labelOf(parameter_), unit);
 }
 
 QString ParameterRow::description() const {

@@ -121,14 +121,14 @@ void addUndeformedLevel(DrawLayer& layer, const ContactLayout& layout) {
 }
 
 /// A wide faint line under a narrow bright one; a single point is a dot.
-void addContact(DrawLayer& layer, const Curve& stretch, const ContactLayout& layout) {
+void addStretch(DrawLayer& layer, const Curve& stretch, const ContactLayout& layout) {
   const float u = layout.sizes.unit;
   DrawLine core, halo;
   core.width = 3.6F * u;
   halo.width = 9 * u;
   for (const CurveVertex& v : stretch) {
     const float x = layout.px(v.x), y = layout.py(v.height);
-    const Rgba colour = pressureColour(static_cast<float>(v.pressure / layout.view.pressure));
+    const Rgba colour = layout.scale.colour(v.value);
     core.vertices.push_back({x, y, colour});
     halo.vertices.push_back({x, y, withAlpha(colour, 0.22F)});
   }
@@ -136,13 +136,36 @@ void addContact(DrawLayer& layer, const Curve& stretch, const ContactLayout& lay
   layer.lines.push_back(std::move(core));
 }
 
+/// The free surface in the colours of its age, with a band of them below; nothing in contact and
+/// where contact was never seen.
+void addAge(DrawLayer& below, DrawLayer& curves, const Curve& surface,
+            const ContactLayout& layout) {
+  const float u = layout.sizes.unit, depth = 0.1F * layout.plot.height;
+  DrawLine line;
+  line.width = 3.6F * u;
+  for (const CurveVertex& v : surface) {
+    const bool isFree = v.value > 0 && std::isfinite(v.value);
+    line.vertices.push_back({layout.px(v.x), layout.py(v.height),
+                             withAlpha(layout.scale.colour(v.value), isFree ? 1.0F : 0.0F)});
+  }
+  for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i) {
+    const auto at = [&](const DrawVertex& v, float down, float alpha) {
+      return DrawVertex{v.x, v.y + down, withAlpha(v.colour, v.colour.a * alpha)};
+    };
+    const DrawVertex &a = line.vertices[i], &b = line.vertices[i + 1];
+    if (a.colour.a == 0 && b.colour.a == 0) continue;
+    addQuad(below, at(a, 0, 0.55F), at(b, 0, 0.55F), at(b, depth, 0), at(a, depth, 0));
+  }
+  curves.lines.push_back(std::move(line));
+}
+
 /// A contact that is too narrow for a line, in every period shown: bright on a dark rim.
 void addMark(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) {
   const std::size_t point = *layout.marked;
   const float u = layout.sizes.unit, y = layout.py(frame.surfaceHeight[point]);
-  const double pressure = frame.pressure[point];
-  const Rgba bright =
-      pressureColour(pressure > 0 ? static_cast<float>(pressure / layout.view.pressure) : 1);
+  const std::vector<double>& values = valuesOf(frame, layout.scale.overlay);
+  const double value = values.empty() ? 0 : values[point];
+  const Rgba bright = value > 0 ? layout.scale.colour(value) : layout.scale.colourAt(1);
   const double period = frame.spacing * static_cast<double>(frame.lineHeight.size());
   const double at = frame.spacing * static_cast<double>(point);
   for (double k = std::ceil((layout.view.left - at) / period);
@@ -161,22 +184,28 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
   const Clip clip{layout.plot.x, layout.plot.y, layout.plot.width, layout.plot.height};
   const PointRange range = pointsWithin(frame, layout.view.left, layout.view.width);
   const Columns columns{layout.view.left, layout.pixelsPerMetreAlong()};
+  const std::vector<double>& values = valuesOf(frame, layout.scale.overlay);
+  const bool coloursAge = layout.scale.overlay == ContactOverlay::Relaxation;
   const Curve line = decimated(frame, frame.lineHeight, range, columns);
-  const Curve surface = decimated(frame, frame.surfaceHeight, range, columns);
+  const Curve surface = decimated(frame, frame.surfaceHeight, range, columns, values);
   // Stretches closer than the width of a hairline are one to the eye.
   const double hairlines = columns.pixelsPerMetre / std::max(1.0F, layout.sizes.unit);
-  const std::vector<Curve> contacts = contactStretches(frame, range, {columns.left, hairlines});
+  std::vector<Curve> stretches;
+  if (layout.scale.isShown() && !coloursAge)
+    stretches =
+        stretchesAbove(frame, range, {columns.left, hairlines}, values, layout.scale.leastShown());
 
   DrawLayer rigid = rigidLayer(frame, layout);
   DrawLayer elastomer = elastomerLayer(line, surface, layout);
-  addGlow(elastomer, surface, contacts, layout);
+  addGlow(elastomer, surface, stretches, layout);
   DrawLayer curves;
   const float u = layout.sizes.unit;
   addGrid(curves, layout);
   addUndeformedLevel(curves, layout);
   addCurve(curves, surface, layout, 1.7F * u, layout.theme.elastomerEdge);
   addCurve(curves, line, layout, 1.7F * u, layout.theme.rigidEdge);
-  for (const Curve& stretch : contacts) addContact(curves, stretch, layout);
+  if (coloursAge && layout.scale.isShown()) addAge(elastomer, curves, surface, layout);
+  for (const Curve& stretch : stretches) addStretch(curves, stretch, layout);
   if (layout.marked) addMark(curves, frame, layout);
   for (DrawLayer* layer : {&rigid, &elastomer, &curves}) {
     layer->clip = clip;

@@ -7,6 +7,7 @@
 #include "ui/language/words.h"
 #include "ui/picture/clear_place.h"
 #include "ui/picture/colours.h"
+#include "ui/picture/contact_forces.h"
 #include "ui/picture/contact_parts.h"
 #include "ui/picture/contact_tags.h"
 #include "ui/picture/decimate.h"
@@ -15,11 +16,6 @@
 
 namespace asperity {
 namespace {
-
-/// m/s, now.
-double velocityOf(const Frame& frame) {
-  return frame.transient ? frame.velocity : frame.scene->sliding.velocity;
-}
 
 std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
   if (!frame.scene) return std::nullopt;
@@ -30,27 +26,34 @@ std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
              {{"v = " + quantity(v, "m/s")}}};
 }
 
-Tag frictionTag(const Frame& frame) {
-  const bool backwards = frame.scene && velocityOf(frame) < 0;
-  return {{{Words::tr("friction F")},
+/// The arrows in the tags only say which way; where there is room they are drawn in scale instead.
+Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
+  const bool backwards = velocityOf(frame) < 0;
+  Tag tag{{{Words::tr("friction F")},
            {"x", false, true},
            {" = " + quantity(frame.tangentialForce, "N")}},
           backwards ? ArrowWay::Right : ArrowWay::Left,
           {}};
+  if (!(arrows.down > 0)) return tag;
+  tag.arrow = ArrowWay::None;
+  if (arrows.enlarged > 1)
+    tag.before.push_back({filled(Words::tr(", arrow %1\u00D7"), {shortNumber(arrows.enlarged)})});
+  return tag;
 }
 
-Tag pressingTag(const Frame& frame) {
-  return {
-      {{"F"}, {"N", false, true}, {" = " + quantity(frame.normalForce, "N")}}, ArrowWay::Down, {}};
+Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
+  return {{{"F"}, {"N", false, true}, {" = " + quantity(frame.normalForce, "N")}},
+          arrows.down > 0 ? ArrowWay::None : ArrowWay::Down,
+          {}};
 }
 
 /// The more important first.
-std::vector<Tag> forceTags(const Frame& frame) {
+std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows) {
   std::vector<Tag> tags;
-  if (frame.normalForce > 0) tags.push_back(pressingTag(frame));
+  if (frame.normalForce > 0) tags.push_back(pressingTag(frame, arrows));
   // No steady friction (none at all, or a state that has none): no arrow for what rounding leaves.
-  const double mu = frame.transient ? frame.muMarch : frame.muSteady;
-  if (mu > 0 && frame.tangentialForce > 0) tags.push_back(frictionTag(frame));
+  if (frictionOf(frame) > 0 && frame.tangentialForce > 0)
+    tags.push_back(frictionTag(frame, arrows));
   return tags;
 }
 
@@ -93,7 +96,8 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
     return;
   }
   left += painter.width(name) + gap;
-  for (const Tag& force : forceTags(frame)) {
+  const ForceArrows arrows = forceArrows(frame, layout);
+  for (const Tag& force : forceTags(frame, arrows)) {
     const float needed = painter.width(force) + gap;
     if (right - left < needed + (motion ? painter.width(*motion) + gap : 0)) break;
     painter.paint(force, {right - painter.width(force), y}, plate);
@@ -105,13 +109,27 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   painter.paint(*motion, {std::round(std::clamp(middle, left, right - width)), y}, plate);
 }
 
+/// "23 % of it in the free surface": what comes back takes power, too.
+std::string freePowerText(const Frame& frame) {
+  double free = 0, whole = 0;
+  for (std::size_t i = 0; i < frame.power.size(); ++i) {
+    whole += frame.power[i];
+    if (!(frame.pressure[i] > 0)) free += frame.power[i];
+  }
+  if (!(whole > 0)) return Words::tr("nothing is dissipated");
+  return filled(Words::tr("%1 in all, %2 % in the free surface"),
+                {quantity(whole * frame.spacing, "W"), shortNumber(100 * free / whole, 2)});
+}
+
 Notes notesFor(const Frame& frame, const ContactLayout& layout) {
   Notes notes{exaggerationText(layout)};
   const bool pressed = greatestPressure(frame) > 0;
   if (layout.marked)
     notes.push_back(pressed ? Words::tr("dot: the deepest contact")
                             : Words::tr("dot: contact between two points"));
-  if (pressed) notes.push_back(Words::tr("glow: pressure, not depth"));
+  if (layout.scale.overlay == ContactOverlay::Power) notes.push_back(freePowerText(frame));
+  if (pressed && layout.scale.overlay == ContactOverlay::Pressure)
+    notes.push_back(Words::tr("glow: pressure, not depth"));
   return notes;
 }
 
@@ -166,6 +184,13 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout)
   const float rows = 2 * painter.height() + 3 * margin;
   if (!isDrawable(frame) || rows > 0.75F * layout.plot.height) return notes;
   addRigidRow(painter, frame, layout, layout.plot.y + margin);
+  const ForceArrows arrows = forceArrows(frame, layout);
+  const float reach = arrows.pointsRight ? arrows.sideways : 0;
+  if (arrows.down > 0)
+    addForceArrows(
+        layer, arrows,
+        {layout.plot.right() - 3 * margin - reach, layout.plot.y + 2 * margin + painter.height()},
+        layout);
   nameElastomer(painter, frame, layout, notes);
   list.layers.push_back(std::move(layer));
   return notes;

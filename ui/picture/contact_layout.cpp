@@ -54,10 +54,6 @@ float ContactLayout::py(double metres) const {
   return static_cast<float>(std::clamp<double>(pixels, -kFarOutside, kFarOutside));
 }
 
-std::string legendTitle() {
-  return Words::tr("contact pressure (line load)");
-}
-
 std::string exaggerationText(const ContactLayout& layout) {
   const double ratio = layout.pixelsPerMetreUp() / layout.pixelsPerMetreAlong();
   return filled(Words::tr("vertical exaggeration %1\u00D7"), {shortNumber(ratio, 2)});
@@ -71,6 +67,9 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.sizes = sizesFor(options);
   layout.theme = options.theme;
   layout.view = resolvedView(frame, options.view);
+  layout.scale = {options.overlay, endIn(layout.view, options.overlay)};
+  if (valuesOf(frame, options.overlay).size() != frame.lineHeight.size())
+    layout.scale = {};  // the frame lacks them
   const Sizes& s = layout.sizes;
   const float u = s.unit;
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
@@ -88,7 +87,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   float below = tickRow + pad * 0.6F;
   if (layout.axisTitles) below += titleRow;
   const float exaggeration = textWidth(exaggerationText(layout) + "0000", s.small);
-  const float titleWidth = textWidth(legendTitle(), s.small);
+  const float titleWidth = textWidth(layout.scale.title(), s.small);
   const float barWidth = std::round(std::clamp(width * 0.2F, 110 * u, 300 * u));
   const bool oneRow = exaggeration + titleWidth + barWidth + 5 * pad < width;
   const bool titleFits = titleWidth + barWidth + 4 * pad < width;
@@ -108,7 +107,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
 
   const float bar = std::round(10 * u);
   const float legendTop = std::round(height - s.small * 1.6F - bar - 3 * u);
-  const bool hasLegend = titleFits && layout.view.pressure > 0;
+  const bool hasLegend = titleFits && layout.scale.isShown();
   layout.legend = {std::round(width - 2 * pad - barWidth), legendTop, hasLegend ? barWidth : 0,
                    bar};
   layout.footer = oneRow ? std::round(legendTop + bar * 0.5F + s.small * 0.36F)
@@ -116,7 +115,6 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   const float footerEnd =
       oneRow && hasLegend ? layout.legend.x - titleWidth - 4 * pad : width - 2 * pad;
   layout.footerWidth = std::max(0.0F, footerEnd - layout.plot.x);
-  layout.pressureTicks = roomyTicks(0, layout.view.pressure, barWidth * 0.8F, s.small, "N/m");
   return layout;
 }
 

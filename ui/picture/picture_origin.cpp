@@ -9,11 +9,15 @@ void addLanguage(nlohmann::ordered_json& picture) {
   if (presentLanguage() != "en") picture["language"] = presentLanguage();
 }
 
-std::string pictureOrigin(const std::string& verb, const Scene& scene) {
-  nlohmann::ordered_json origin = provenance(verb, scene);
+void nameLanguage(nlohmann::ordered_json& origin) {
   nlohmann::ordered_json picture;
   addLanguage(picture);
   if (!picture.is_null()) origin["picture"] = picture;
+}
+
+std::string pictureOrigin(const std::string& verb, const Scene& scene) {
+  nlohmann::ordered_json origin = provenance(verb, scene);
+  nameLanguage(origin);
   return provenanceLine(origin);
 }
 

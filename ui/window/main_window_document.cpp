@@ -103,6 +103,7 @@ void MainWindow::showScene(const Scene& scene) {
 }
 
 void MainWindow::showScene(const SceneOrigin& origin) {
+  endTour();
   document_->open(origin);
   panel_->setScene(origin.scene);
   session_->setScene(origin.scene);
@@ -114,9 +115,10 @@ void MainWindow::replaceScene(const SceneOrigin& origin) {
   if (mayLeaveScene()) showScene(origin);
 }
 
-/// Whether the present scene may go: it is unchanged, was saved just now, or nobody wants it.
+/// Whether the present scene may go: it is unchanged, was saved just now, or nobody wants it; what
+/// was tried on the tour is not asked about.
 bool MainWindow::mayLeaveScene() {
-  if (!document_->isChanged()) return true;
+  if (!document_->isChanged() || isTouring_) return true;
   QMessageBox box(QMessageBox::Question, tr("Asperity"),
                   tr("The scene was changed. Save the changes?"),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);

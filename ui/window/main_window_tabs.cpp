@@ -25,6 +25,7 @@ QTabWidget* MainWindow::buildTabs() {
   plan_ = new PlanList;
   tabs_ = new QTabWidget;
   tabs_->setObjectName("tabs");
+  tabs_->setAccessibleName(tr("about the scene"));
   tabs_->setDocumentMode(true);
   tabs_->tabBar()->setFocusPolicy(Qt::NoFocus);  // Space is the run's
   tabs_->tabBar()->setDrawBase(false);
@@ -62,7 +63,7 @@ void MainWindow::showMeasuredCurve() {
   int count = 0;
   for (const PlotSeries& series : plot.series)
     for (const PlotPoint& point : series.points)
-      if (series.style == PlotStyle::Points && std::isfinite(point.error)) {
+      if (series.id == kPresentCurve && std::isfinite(point.error)) {
         squares += std::pow(point.error / point.y, 2);
         ++count;
       }

@@ -2,6 +2,7 @@
 #include <QMenu>
 
 #include "ui/window/contact_canvas.h"
+#include "ui/window/contact_view_actions.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/session.h"
@@ -12,10 +13,12 @@ namespace asperity {
 /// menu.
 void MainWindow::buildViewCommands(QMenu& menu) {
   menu.setToolTipsVisible(true);
+  addContactViewActions(*canvas_, menu);
 }
 
 void MainWindow::connectView() {
   connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
+  connect(canvas_, &ContactCanvas::fieldsWanted, session_, &Session::wantFields);
 }
 
 }  // namespace asperity

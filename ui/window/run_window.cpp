@@ -9,6 +9,7 @@
 #include "ui/window/appearance.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_library.h"
+#include "ui/window/start_times.h"
 #include "ui/window/window_language.h"
 
 namespace asperity {
@@ -16,7 +17,7 @@ namespace asperity {
 namespace {
 
 Scene firstScene() {
-  const std::vector<LibraryScene> scenes = libraryScenes();
+  const std::vector<LibraryScene>& scenes = libraryScenes();
   return scenes.empty() ? Scene{} : scenes.front().scene;
 }
 
@@ -36,11 +37,14 @@ void prepareApplication(QApplication& application) {
 }
 
 int runWindow(QApplication& application, const std::optional<Scene>& scene, RunnerOptions options,
-              std::string_view language) {
+              const WindowStart& start) {
+  if (start.timing) sayTime("connected to the display");
   prepareApplication(application);
-  useLanguage(language.empty() ? windowLanguage() : language);
+  useLanguage(start.language.empty() ? windowLanguage() : start.language);
   MainWindow window(scene ? *scene : firstScene(), options);
   window.rememberLayout();
+  window.offerTour();
+  if (start.timing) new StartTimes(window);
   window.show();
   return application.exec();
 }
