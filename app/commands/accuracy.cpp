@@ -14,7 +14,9 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
+#include "ui/language/translated.h"
 #include "ui/picture/diagram_picture.h"
+#include "ui/picture/picture_origin.h"
 
 namespace asperity {
 namespace {
@@ -43,11 +45,12 @@ WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
 
 void writePictures(const std::string& folder, const WorkPrecision& comparison) {
   HeadlessPictures pictures;
-  const std::string origin = provenanceLine(provenance("accuracy", comparison.scene));
+  const std::string origin = pictureOrigin("accuracy", comparison.scene);
   const auto write = [&](const DiagramSheet& sheet, const char* png, const char* svg) {
     const DrawList list = composeDiagrams(sheet, printOptions(sheet));
     for (const char* name : {png, svg})
-      pictures.write(fileIn(folder, name), list, {sheet.title, origin, printOptions(sheet).scale});
+      pictures.write(fileIn(folder, name), list,
+                     {translated(sheet.title), origin, printOptions(sheet).scale});
   };
   write(workPrecisionSheet(comparison), "work_precision.png", "work_precision.svg");
   write(standardErrorSheet(comparison), "standard_error.png", "standard_error.svg");

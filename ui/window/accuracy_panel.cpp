@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/accuracy/work_precision_file.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/picture/ticks.h"
 #include "ui/window/comparison_box.h"
@@ -22,8 +23,9 @@ constexpr double kQuick = 0.2, kDecades = 2;  // targets from 20 % to 0.2 %
 constexpr int kControlsWidth = 320;
 
 QString percent(double part) {
-  return std::isfinite(part) ? QString::fromStdString(shortNumber(100 * part, 2)) + " %"
-                             : QStringLiteral("–");
+  return std::isfinite(part)
+             ? QString::fromStdString(shortNumber(100 * part, 2)) + QStringLiteral("\u00A0%")
+             : QStringLiteral("–");
 }
 
 QString seconds(double time) {
@@ -171,7 +173,7 @@ void AccuracyPanel::predict() {
 
 void AccuracyPanel::takePrediction(const PredictionAnswer& answer) {
   if (answer.number != asked_) return;
-  if (!answer.prediction) return predicted_->setText(answer.reason);
+  if (!answer.prediction) return predicted_->setText(translatedText(answer.reason.toStdString()));
   const Prediction& prediction = *answer.prediction;
   if (prediction.steps > 0)
     return predicted_->setText(

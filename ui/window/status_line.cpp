@@ -11,6 +11,7 @@
 
 #include "core/scene/element_law.h"
 #include "ui/charts/decade_range.h"
+#include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/curve_reading.h"
 
@@ -34,13 +35,14 @@ QString meanText(const CurveReading& reading) {
   const double share = std::abs(reading.error / reading.mu);
   const double digits = share > 0 ? std::ceil(-std::log10(share)) + 1 : 4;
   return StatusLine::tr(" (mean %1 ± %2 %)")
-      .arg(numberText(roundedToDigits(reading.mu, static_cast<int>(std::clamp(digits, 2.0, 5.0)))),
-           numberText(roundedToDigits(100 * share, 1)));
+      .arg(shownNumber(roundedToDigits(reading.mu, static_cast<int>(std::clamp(digits, 2.0, 5.0)))),
+           shownNumber(roundedToDigits(100 * share, 1)));
 }
 
 /// Three digits are more than a rate has: "12,000".
 QString rateText(double rate) {
-  return QLocale(QLocale::English).toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
+  const QLocale locale(fromUtf8(presentLanguage()));
+  return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
 }
 
 }  // namespace

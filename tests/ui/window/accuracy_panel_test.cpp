@@ -115,7 +115,7 @@ TEST_F(AccuracyPanelTest, AComparisonCanBeCancelled) {
 
 TEST_F(AccuracyPanelTest, MeasuredNumbersGoWithTheirScene) {
   panel_.showMeasured(2, 0.015);
-  EXPECT_EQ(text("accuracyMeasured"), "measured: 2 s, standard error 1.5 %");
+  EXPECT_EQ(text("accuracyMeasured"), "measured: 2 s, standard error 1.5\u00A0%");
   panel_.showScene(smallScene());
   EXPECT_EQ(text("accuracyMeasured"), "");
 }
