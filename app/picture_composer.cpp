@@ -5,6 +5,7 @@
 #include "core/friction/curve_diagram.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/input_error.h"
+#include "ui/language/words.h"
 #include "ui/picture/contact_overlay.h"
 #include "ui/picture/diagram_picture.h"
 #include "ui/picture/stacked.h"
@@ -84,7 +85,7 @@ DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float s
 DiagramSheet PictureComposer::curveWithPresent(const Frame& frame) const {
   DiagramSheet sheet = curveSheet(*frame.scene, curve_);
   DiagramSeries present;
-  present.name = "the line shown, at its velocity";
+  present.name = Words::tr("the line shown, at its velocity");
   present.mark = SeriesMark::Diamond;
   present.stroke = SeriesStroke::None;
   present.points = {{frame.scene->sliding.velocity, frame.muSteady}};

@@ -20,6 +20,7 @@
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
+#include "ui/language/translated.h"
 #include "ui/picture/contact_overlay.h"
 #include "ui/picture/png_file.h"
 
@@ -157,14 +158,18 @@ class Rendering {
   void writePicture() {
     HeadlessPictures pictures(style_.backend);
     pictures.write(command_.output, compose(0),
-                   {scene_.title, provenanceLine(origin()), style_.scale});
+                   {translated(scene_.title), provenanceLine(origin()), style_.scale});
     pictures.finish();
     files_ = {command_.output};
   }
 
   void writeFilm() {
-    FilmOptions options{style_.width,       style_.height, command_.time.framesPerSecond,
-                        style_.transparent, scene_.title,  provenanceLine(origin())};
+    FilmOptions options{style_.width,
+                        style_.height,
+                        command_.time.framesPerSecond,
+                        style_.transparent,
+                        translated(scene_.title),
+                        provenanceLine(origin())};
     HeadlessPictures pictures(style_.backend);
     FilmFile film(command_.output, options);
     PipelineStages stages = stagesOf(pictures);
@@ -189,7 +194,7 @@ class Rendering {
       std::string png;
       {
         const StageTimer timer(seconds.encode);
-        png = pngOf(image, {scene_.title, sequence.metadata(index), 96 * style_.scale});
+        png = pngOf(image, {translated(scene_.title), sequence.metadata(index), 96 * style_.scale});
       }
       const StageTimer timer(seconds.write);
       writeFileAtomically(sequence.file(index), png);

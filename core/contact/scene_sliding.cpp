@@ -1,5 +1,6 @@
 #include "core/contact/scene_sliding.h"
 
+#include "core/contact/complete_contact.h"
 #include "core/contact/interface.h"
 #include "core/contact/sweep.h"
 #include "core/scene/effects.h"
@@ -57,11 +58,12 @@ bool SceneSliding::sweepArms(const TravelLine& line, const Load& load,
 
 bool SceneSliding::sweep(const TravelLine& line, const Load& load,
                          std::span<const double> velocities, std::span<SteadyResult> results,
-                         const std::stop_token& stop) const {
+                         const std::stop_token& stop, std::span<const SteadyResult> others) const {
   countSteady(load);
   if (velocities.size() > 1) countStage(Stage::Sweep);
-  const bool done = hasArms_ ? sweepArms(line, load, velocities, results, stop)
-                             : slideSweep(line, conditions(0), load, velocities, results, stop);
+  const bool done = hasArms_
+                        ? sweepArms(line, load, velocities, results, stop)
+                        : slideSweep(line, conditions(0), load, velocities, results, stop, others);
   if (done)
     for (SteadyResult& result : results) addInterface(line, result);
   return done;
@@ -78,6 +80,17 @@ SteadyState SceneSliding::at(const TravelLine& line, double velocity) const {
   }
   addInterface(line, state.result);
   return state;
+}
+
+bool SceneSliding::isComplete(const TravelLine& line, double depth, double velocity) const {
+  return hasArmsAt(velocity)
+             ? ArmSolver(line, law_, modes_, velocity).isContactComplete(depth)
+             : isContactComplete(line, depth, velocity * law_.relaxationTime);
+}
+
+double SceneSliding::completeAbove(const TravelLine& line, double velocity) const {
+  return hasArmsAt(velocity) ? ArmSolver(line, law_, modes_, velocity).completeAbove()
+                             : asperity::completeAbove(line, velocity * law_.relaxationTime);
 }
 
 SteadyShape SceneSliding::shape(const TravelLine& line, double velocity,

@@ -36,12 +36,17 @@ class SceneSliding {
   const ElementLaw& law() const { return law_; }
   const RetardationModes& modes() const { return modes_; }
 
-  /// results[i] is for velocities[i] (m/s, ascending); as slideSweep.
+  /// results[i] is for velocities[i] (m/s, ascending); others: of another line; as slideSweep.
   bool sweep(const TravelLine& line, const Load& load, std::span<const double> velocities,
-             std::span<SteadyResult> results, const std::stop_token& stop = {}) const;
+             std::span<SteadyResult> results, const std::stop_token& stop = {},
+             std::span<const SteadyResult> others = {}) const;
 
   /// Under the scene's load. velocity: m/s, >= 0.
   SteadyState at(const TravelLine& line, double velocity) const;
+  /// Whether everything is in contact at this depth (m), and the depth above which it is. Not for
+  /// nodal.
+  bool isComplete(const TravelLine& line, double depth, double velocity) const;
+  double completeAbove(const TravelLine& line, double velocity) const;
   SteadyShape shape(const TravelLine& line, double velocity, const SteadyState& state) const;
 
  private:

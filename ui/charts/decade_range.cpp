@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/language.h"
+
 namespace asperity {
 
 namespace {
@@ -39,7 +41,7 @@ DecadeRange steadyRange(const DecadeRange& shown, const DecadeRange& needed, boo
 
 QString readingLabel(double value, int digits) {
   if (!std::isfinite(value)) return QStringLiteral("–");
-  const QString plain = QString::number(value, 'g', digits);
+  const QString plain = inLanguage(QString::number(value, 'g', digits));
   const qsizetype e = plain.indexOf('e');
   if (e < 0) return plain;
   const QString front = plain.left(e);

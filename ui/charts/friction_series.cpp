@@ -7,6 +7,8 @@
 #include "core/friction/curve_regions.h"
 #include "core/friction/curve_words.h"
 #include "ui/charts/decade_range.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/picture/ticks.h"
 
 namespace asperity {
@@ -43,7 +45,7 @@ QString withError(const QString& name, double value, double error) {
 }
 
 QString signedPercent(double part) {
-  const QString text = QString::number(std::abs(100 * part), 'g', 3);
+  const QString text = inLanguage(QString::number(std::abs(100 * part), 'g', 3));
   return (part < 0 ? "−" : "+") + text + " %";
 }
 
@@ -142,8 +144,7 @@ PlotStrip FrictionSeries::strip(const CurveDifference& difference, const CurveUp
   const double factor = factorsOf(curve.points, axes).velocity;
   PlotStrip strip;
   strip.title = tr("difference");
-  strip.name =
-      tr("%1, less the curve above").arg(QString::fromStdString(nameOf(difference.setting)));
+  strip.name = tr("%1, less the curve above").arg(translatedText(nameOf(difference.setting)));
   if (difference.done < difference.total)
     strip.note = tr("%1 of %2 lines").arg(difference.done).arg(difference.total);
   for (std::size_t i = 0; i < difference.points.size(); ++i) {
@@ -156,7 +157,7 @@ PlotStrip FrictionSeries::strip(const CurveDifference& difference, const CurveUp
 }
 
 QString FrictionSeries::nameOfPinned(const CurveUpdate& curve, const Scene& present) {
-  const QString words = QString::fromStdString(differencesInWords(*curve.scene, present));
+  const QString words = translatedText(differencesInWords(*curve.scene, present));
   const QString name = words.isEmpty() ? tr("same parameters") : words;
   const QString share = shareText(curve);
   return share.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, share);
@@ -179,10 +180,10 @@ QString FrictionSeries::reading(const CurvePoint& point, CurveAxes axes) {
 QString FrictionSeries::reading(const DifferencePoint& point, const CurveSetting& setting) {
   QString difference = tr("difference %1").arg(signedPercent(point.relative));
   if (std::isfinite(point.standardError))
-    difference += " ± " + QString::number(100 * point.standardError, 'g', 2) + " %";
+    difference += " ± " + inLanguage(QString::number(100 * point.standardError, 'g', 2)) + " %";
   return tr("v = %1 m/s").arg(readingLabel(point.velocity)) + '\n' + difference + '\n' +
          withError(QStringLiteral("μ"), point.mu, point.muStandardError) + ' ' +
-         tr("with %1").arg(QString::fromStdString(nameOf(setting)));
+         tr("with %1").arg(translatedText(nameOf(setting)));
 }
 
 }  // namespace asperity

@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include "ui/language/words.h"
+#include "ui/picture/colours.h"
 #include "ui/picture/contact_parts.h"
 #include "ui/picture/text_metrics.h"
 
@@ -36,7 +38,7 @@ void addAlong(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
              layout.theme.faintText);
   }
   if (!layout.axisTitles) return;
-  addLabel(list, "position (" + layout.xTicks.unit + ")",
+  addLabel(list, Words::tr("position") + " (" + layout.xTicks.unit + ")",
            {layout.plot.x + layout.plot.width / 2, std::round(baseline + s.small * 1.45F)}, s.small,
            TextAnchor::Centre, layout.theme.text);
 }
@@ -54,8 +56,8 @@ void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   }
   if (!layout.axisTitles) return;
   const std::string unit = " (" + layout.heightTicks.unit + ")";
-  std::string title = "height above the undeformed surface" + unit;
-  if (textWidth(title, s.small) > layout.plot.height) title = "height" + unit;
+  std::string title = Words::tr("height above the undeformed surface") + unit;
+  if (textWidth(title, s.small) > layout.plot.height) title = Words::tr("height") + unit;
   addLabel(list, title, {std::round(s.small * 1.5F), layout.plot.y + layout.plot.height / 2},
            s.small, TextAnchor::Centre, layout.theme.text, 1.57079633F);
 }
@@ -100,7 +102,7 @@ void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
                        layout.scale.colourAt(static_cast<float>(i + 1) / kSteps));
   }
   addLegendLabels(list, layer, layout);
-  addLabel(list, std::string(layout.scale.title()),
+  addLabel(list, layout.scale.title(),
            {bar.x - 10 * s.unit, std::round(bar.y + bar.height / 2 + s.small * 0.36F)}, s.small,
            TextAnchor::Right, layout.theme.text);
 }

@@ -6,6 +6,7 @@
 
 #include "core/contact/retardation.h"
 #include "core/scene/element_law.h"
+#include "ui/language/words.h"
 #include "ui/picture/colours.h"
 #include "ui/picture/narrow_contact.h"
 #include "ui/picture/ticks.h"
@@ -74,14 +75,14 @@ Rgba ColourScale::colourAt(float share) const {
   return overlay == ContactOverlay::Relaxation ? ageColour(share) : pressureColour(share);
 }
 
-std::string_view ColourScale::title() const {
+std::string ColourScale::title() const {
   switch (overlay) {
     case ContactOverlay::Relaxation:
-      return "time since contact";
+      return Words::tr("time since contact");
     case ContactOverlay::Power:
-      return "dissipated power (log scale)";
+      return Words::tr("dissipated power (log scale)");
     default:
-      return "contact pressure (line load)";
+      return Words::tr("contact pressure (line load)");
   }
 }
 

@@ -34,7 +34,7 @@ struct ColourScale {
   double leastShown() const;
   Rgba colour(double value) const { return colourAt(share(value)); }
   Rgba colourAt(float share) const;
-  std::string_view title() const;
+  std::string title() const;
   /// Both ends, and round values between them that keep this distance (shares of the bar).
   std::vector<LegendTick> ticks(int most) const;
 };

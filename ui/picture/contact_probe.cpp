@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/words.h"
 #include "ui/picture/decimate.h"
 #include "ui/picture/ticks.h"
 
@@ -33,18 +34,19 @@ std::optional<ProbeReading> probeReading(const Frame& frame, double x) {
 }
 
 std::vector<ProbeLine> probeLines(const ProbeReading& reading) {
-  std::vector<ProbeLine> lines{{"position x", quantity(reading.position, "m", 4, Zeros::Keep)},
-                               {"rigid line z", quantity(reading.line, "m", 3, Zeros::Keep)},
-                               {"elastomer u", quantity(reading.surface, "m", 3, Zeros::Keep)}};
+  std::vector<ProbeLine> lines{
+      {Words::tr("position x"), quantity(reading.position, "m", 4, Zeros::Keep)},
+      {Words::tr("rigid line z"), quantity(reading.line, "m", 3, Zeros::Keep)},
+      {Words::tr("elastomer u"), quantity(reading.surface, "m", 3, Zeros::Keep)}};
   if (reading.pressure > 0)
-    lines.push_back({"pressure p", quantity(reading.pressure, "N/m", 3, Zeros::Keep)});
+    lines.push_back({Words::tr("pressure p"), quantity(reading.pressure, "N/m", 3, Zeros::Keep)});
   else
-    lines.push_back({"gap", quantity(reading.gap, "m", 3, Zeros::Keep)});
-  lines.push_back({"slope z\u2032", shortNumber(reading.slope, 3, Zeros::Keep)});
+    lines.push_back({Words::tr("gap"), quantity(reading.gap, "m", 3, Zeros::Keep)});
+  lines.push_back({Words::tr("slope z\u2032"), shortNumber(reading.slope, 3, Zeros::Keep)});
   if (reading.age && *reading.age > 0)
-    lines.push_back({"free for", quantity(*reading.age, "s", 3, Zeros::Keep)});
+    lines.push_back({Words::tr("free for"), quantity(*reading.age, "s", 3, Zeros::Keep)});
   if (reading.power)
-    lines.push_back({"dissipates", quantity(*reading.power, "W/m", 3, Zeros::Keep)});
+    lines.push_back({Words::tr("dissipates"), quantity(*reading.power, "W/m", 3, Zeros::Keep)});
   return lines;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/accuracy/work_precision_file.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/picture/ticks.h"
 #include "ui/window/comparison_box.h"
@@ -22,8 +23,9 @@ constexpr double kQuick = 0.2, kDecades = 2;  // targets from 20 % to 0.2 %
 constexpr int kControlsWidth = 320;
 
 QString percent(double part) {
-  return std::isfinite(part) ? QString::fromStdString(shortNumber(100 * part, 2)) + " %"
-                             : QStringLiteral("–");
+  return std::isfinite(part)
+             ? QString::fromStdString(shortNumber(100 * part, 2)) + QStringLiteral("\u00A0%")
+             : QStringLiteral("–");
 }
 
 QString seconds(double time) {
@@ -171,8 +173,15 @@ void AccuracyPanel::predict() {
 
 void AccuracyPanel::takePrediction(const PredictionAnswer& answer) {
   if (answer.number != asked_) return;
-  if (!answer.prediction) return predicted_->setText(answer.reason);
+  if (!answer.prediction) return predicted_->setText(translatedText(answer.reason.toStdString()));
   const Prediction& prediction = *answer.prediction;
+  if (prediction.steps > 0)
+    return predicted_->setText(
+        tr("predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)")
+            .arg(seconds(prediction.seconds))
+            .arg(prediction.steps, 0, 'f', 0)
+            .arg(percent(prediction.error.total()), percent(prediction.error.timeStep),
+                 percent(prediction.error.resolution), percent(prediction.error.settling)));
   predicted_->setText(tr("predicted: %1, error %2 (resolution %3, realizations %4)")
                           .arg(seconds(prediction.seconds), percent(prediction.error.total()),
                                percent(prediction.error.resolution),

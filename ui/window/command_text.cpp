@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/scene/assignments.h"
+#include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/scene_library.h"
 
@@ -69,6 +70,7 @@ QString renderCommand(const SceneOrigin& origin, const Scene& scene, const Pictu
   if (wish.scale != 1) words += {"--scale", numberText(wish.scale)};
   if (wish.dark) words += {"--theme", "dark"};
   if (wish.overlay != "pressure") words += {"--overlay", wish.overlay};
+  if (presentLanguage() != "en") words += {"--language", fromUtf8(presentLanguage())};
   return command(words);
 }
 

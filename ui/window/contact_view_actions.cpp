@@ -13,10 +13,9 @@ namespace asperity {
 
 namespace {
 
-/// In one context for translations.
-QString tr(const char* text) {
-  return QCoreApplication::translate("ContactViewActions", text);
-}
+struct ViewActionText {
+  Q_DECLARE_TR_FUNCTIONS(asperity::ViewActionText)
+};
 
 struct Command {
   const char* name;  // of the object
@@ -46,54 +45,59 @@ void addSeparator(ContactCanvas& canvas, QMenu& menu) {
 void addZoom(ContactCanvas& canvas, QMenu& menu) {
   add(canvas, menu,
       {"zoomIn",
-       tr("Zoom in"),
-       tr("At the crosshair, or in the middle; also the wheel"),
+       ViewActionText::tr("Zoom in"),
+       ViewActionText::tr("At the crosshair, or in the middle; also the wheel"),
        {Qt::Key_Plus, Qt::Key_Equal, QKeySequence(QKeySequence::ZoomIn)}},
       [&canvas](bool) { canvas.zoom(1); });
   add(canvas, menu,
       {"zoomOut",
-       tr("Zoom out"),
-       tr("Also the wheel"),
+       ViewActionText::tr("Zoom out"),
+       ViewActionText::tr("Also the wheel"),
        {Qt::Key_Minus, QKeySequence(QKeySequence::ZoomOut)}},
       [&canvas](bool) { canvas.zoom(-1); });
   add(canvas, menu,
       {"zoomFit",
-       tr("Show all"),
-       tr("The whole period, heights fitted; also a double click"),
+       ViewActionText::tr("Show all"),
+       ViewActionText::tr("The whole period, heights fitted; also a double click"),
        {Qt::Key_0, Qt::Key_F, Qt::Key_Home}},
       [&canvas](bool) { canvas.fit(); });
   addSeparator(canvas, menu);
   add(canvas, menu,
       {"steeper",
-       tr("More vertical exaggeration"),
-       tr("Also Ctrl and the wheel"),
+       ViewActionText::tr("More vertical exaggeration"),
+       ViewActionText::tr("Also Ctrl and the wheel"),
        {Qt::SHIFT | Qt::Key_Up}},
       [&canvas](bool) { canvas.exaggerate(1); });
   add(canvas, menu,
       {"flatter",
-       tr("Less vertical exaggeration"),
-       tr("Also Ctrl and the wheel"),
+       ViewActionText::tr("Less vertical exaggeration"),
+       ViewActionText::tr("Also Ctrl and the wheel"),
        {Qt::SHIFT | Qt::Key_Down}},
       [&canvas](bool) { canvas.exaggerate(-1); });
   add(canvas, menu,
-      {"fitHeights", tr("Fit heights"), tr("The exaggeration that shows all heights"), {Qt::Key_H}},
+      {"fitHeights",
+       ViewActionText::tr("Fit heights"),
+       ViewActionText::tr("The exaggeration that shows all heights"),
+       {Qt::Key_H}},
       [&canvas](bool) { canvas.fitHeights(); });
 }
 
 /// What can be switched on and off; the check marks follow the canvas.
 void addSwitches(ContactCanvas& canvas, QMenu& menu) {
-  QAction* follow = add(canvas, menu,
-                        {"followLine",
-                         tr("Follow the line"),
-                         tr("The line stands still in the picture and the elastomer passes by"),
-                         {Qt::Key_L}},
-                        [&canvas](bool on) { canvas.follow(on); });
-  QAction* magnify = add(canvas, menu,
-                         {"magnify",
-                          tr("Magnifier"),
-                          tr("Enlarges the asperity at the crosshair, or the one pressed most"),
-                          {Qt::Key_M}},
-                         [&canvas](bool on) { canvas.magnify(on); });
+  QAction* follow =
+      add(canvas, menu,
+          {"followLine",
+           ViewActionText::tr("Follow the line"),
+           ViewActionText::tr("The line stands still in the picture and the elastomer passes by"),
+           {Qt::Key_L}},
+          [&canvas](bool on) { canvas.follow(on); });
+  QAction* magnify =
+      add(canvas, menu,
+          {"magnify",
+           ViewActionText::tr("Magnifier"),
+           ViewActionText::tr("Enlarges the asperity at the crosshair, or the one pressed most"),
+           {Qt::Key_M}},
+          [&canvas](bool on) { canvas.magnify(on); });
   for (QAction* action : {follow, magnify}) action->setCheckable(true);
   QObject::connect(&canvas, &ContactCanvas::viewChanged, follow, [&canvas, follow, magnify] {
     follow->setChecked(canvas.viewer().navigation().followsLine());
@@ -103,15 +107,16 @@ void addSwitches(ContactCanvas& canvas, QMenu& menu) {
 
 void addColours(ContactCanvas& canvas, QMenu& menu) {
   const std::array<std::tuple<ContactOverlay, QString, QString>, 4> choices{{
-      {ContactOverlay::Pressure, tr("Contact pressure"),
-       tr("Where the bodies press on each other")},
-      {ContactOverlay::Relaxation, tr("Time since contact"),
-       tr("How long the free surface has had to come back")},
-      {ContactOverlay::Power, tr("Dissipated power"),
-       tr("Where friction turns into heat: in contact and where the surface comes back")},
-      {ContactOverlay::None, tr("Nothing"), {}},
+      {ContactOverlay::Pressure, ViewActionText::tr("Contact pressure"),
+       ViewActionText::tr("Where the bodies press on each other")},
+      {ContactOverlay::Relaxation, ViewActionText::tr("Time since contact"),
+       ViewActionText::tr("How long the free surface has had to come back")},
+      {ContactOverlay::Power, ViewActionText::tr("Dissipated power"),
+       ViewActionText::tr(
+           "Where friction turns into heat: in contact and where the surface comes back")},
+      {ContactOverlay::None, ViewActionText::tr("Nothing"), {}},
   }};
-  auto* colours = new QMenu(tr("Colours show"), &menu);
+  auto* colours = new QMenu(ViewActionText::tr("Colours show"), &menu);
   colours->setObjectName("overlayMenu");
   colours->setToolTipsVisible(true);
   auto* group = new QActionGroup(&canvas);
@@ -131,7 +136,10 @@ void addColours(ContactCanvas& canvas, QMenu& menu) {
   menu.addMenu(colours);
   canvas.addAction(colours->menuAction());
   add(canvas, menu,
-      {"nextOverlay", tr("Next colours"), tr("Goes through what colours can show"), {Qt::Key_C}},
+      {"nextOverlay",
+       ViewActionText::tr("Next colours"),
+       ViewActionText::tr("Goes through what colours can show"),
+       {Qt::Key_C}},
       [&canvas, group](bool) {
         const QList<QAction*> all = group->actions();
         const auto now = all.indexOf(group->checkedAction());

@@ -5,7 +5,9 @@
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
+#include "ui/language/translated.h"
 #include "ui/picture/diagram_picture.h"
+#include "ui/picture/picture_origin.h"
 #include "ui/picture/text_painter.h"
 #include "ui/render/osmesa_context.h"
 #include "ui/window/picture_files.h"
@@ -39,12 +41,15 @@ DiagramOptions printed(const CurveSet& set) {
 }  // namespace
 
 void writeCurves(const std::filesystem::path& file, const CurveSet& set) {
-  const std::string origin = provenanceLine(originOf(set));
+  nlohmann::ordered_json origin = originOf(set);
   if (file.extension() == ".csv")
-    return writeFileAtomically(file, "# asperity: " + origin + "\n" + curveSetCsv(set));
+    return writeFileAtomically(file,
+                               "# asperity: " + provenanceLine(origin) + "\n" + curveSetCsv(set));
+  nameLanguage(origin);
   const DiagramSheet sheet = curveSheet(set);
   try {
-    writePicture(file, composeDiagrams(sheet, printed(set)), {sheet.title, origin, kScale});
+    writePicture(file, composeDiagrams(sheet, printed(set)),
+                 {translated(sheet.title), provenanceLine(origin), kScale});
   } catch (const InputError&) {
     throw InputError(file.string(), "",
                      "'" + file.extension().string() + "' is not one of .png, .svg, .pdf, .csv");

@@ -6,15 +6,16 @@
 #include <string>
 
 #include "core/friction/curve_regions.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 
 namespace asperity {
 
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("asperity::CurveReading", text);
-}
+struct CurveReadingText {
+  Q_DECLARE_TR_FUNCTIONS(asperity::CurveReadingText)
+};
 
 bool isKnown(const CurvePoint& point) {
   return point.realizations > 0 && point.mu > 0;
@@ -42,9 +43,8 @@ void readMean(const CurveUpdate& curve, double velocity, CurveReading& reading) 
 QString regionAt(const CurveUpdate& curve, double velocity) {
   for (const CurveRegion& region : regionsOfCurve(*curve.scene, curve.points))
     if (velocity >= region.from && velocity <= region.to)
-      return tr("region %1, %2")
-          .arg(QString::fromStdString(region.name),
-               tr(std::string(wordOfRegion(region.name)).c_str()));
+      return CurveReadingText::tr("region %1, %2")
+          .arg(QString::fromStdString(region.name), translatedText(wordOfRegion(region.name)));
   return {};
 }
 
@@ -54,9 +54,9 @@ CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
   const double velocity = frame.scene->sliding.velocity;
   CurveReading reading;
   if (frame.contactFraction >= 1)
-    reading.regime = tr("full contact");
+    reading.regime = CurveReadingText::tr("full contact");
   else if (velocity == 0 && !frame.transient)
-    reading.regime = tr("at rest");
+    reading.regime = CurveReadingText::tr("at rest");
   if (!curve || velocity <= 0 || frame.transient) return reading;
   readMean(*curve, velocity, reading);
   if (reading.regime.isEmpty() && curve->realizationsDone == curve->realizationsTotal)

@@ -12,6 +12,7 @@
 
 #include "ui/charts/plot_view.h"
 #include "ui/charts/transient_strips.h"
+#include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/accuracy_panel.h"
 #include "ui/window/appearance.h"
@@ -141,7 +142,8 @@ void MainWindow::connectSession() {
   });
   connect(accuracy_, &AccuracyPanel::sceneEdited, this,
           [this](const Scene& scene) { editScene(scene); });
-  connect(session_, &Session::complained, this, [this](const QString& key, const QString& text) {
+  connect(session_, &Session::complained, this, [this](const QString& key, const QString& english) {
+    const QString text = translatedText(english.toStdString());
     messages_->showMessage(key.isEmpty() ? text : key + ": " + text);
     panel_->showError(key, text);
   });
@@ -153,7 +155,7 @@ void MainWindow::connectSession() {
 }
 
 void MainWindow::showDescription() {
-  const QString text = QString::fromStdString(session_->scene().description);
+  const QString text = translatedText(session_->scene().description);
   text.isEmpty() || isTouring_ ? description_->hide() : description_->showMessage(text);
 }
 

@@ -8,13 +8,16 @@
 #include <string>
 #include <utility>
 
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/appearance.h"
 #include "ui/window/command_words.h"
 #include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
 #include "ui/window/scene_document.h"
 #include "ui/window/scene_library.h"
 #include "ui/window/session.h"
+#include "ui/window/window_language.h"
 
 namespace asperity {
 
@@ -65,6 +68,10 @@ void MainWindow::buildMenus() {
   buildViewCommands(*view);
   view->addSeparator();
   fillLayout(*view);
+  view->addSeparator();
+  addLanguages(*view, [this] {
+    messages_->showMessage(tr("The language changes when Asperity is started again."));
+  });
 
   buildChartCommands(*menuBar()->addMenu(tr("&Curve")));
 
@@ -89,14 +96,14 @@ void MainWindow::fillScenes(QMenu& menu) {
   for (const LibraryScene& entry : libraryScenes()) {
     if (entry.scene.chapter != chapter) {
       chapter = entry.scene.chapter;
-      part = chapter.empty() ? &menu : menu.addMenu(fromUtf8(chapter));
+      part = chapter.empty() ? &menu : menu.addMenu(translatedText(chapter));
       part->setToolTipsVisible(true);
     }
-    const QString title = QString::fromStdString(entry.scene.title);
+    const QString title = translatedText(entry.scene.title);
     QAction* action = part->addAction(title.isEmpty() ? entry.name : title, this, [this, entry] {
       replaceScene({entry.name, {}, entry.scene});
     });
-    action->setToolTip(wrappedTip(fromUtf8(entry.scene.description)));
+    action->setToolTip(wrappedTip(translatedText(entry.scene.description)));
     action->setObjectName("scene:" + entry.name);
   }
 }

@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/command_words.h"
 #include "ui/window/gesture_counter.h"
@@ -68,7 +69,7 @@ void MainWindow::showHistory() {
 }
 
 void MainWindow::showTitle() {
-  const QString title = QString::fromStdString(document_->scene().title);
+  const QString title = translatedText(document_->scene().title);
   const QString name = title.isEmpty() ? QFileInfo(document_->file()).fileName() : title;
   setWindowTitle(name.isEmpty() ? tr("Asperity[*]") : tr("%1[*] – Asperity").arg(name));
   setWindowModified(document_->isChanged());

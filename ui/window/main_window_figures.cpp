@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/gallery_page.h"
@@ -19,7 +20,7 @@ namespace {
 
 /// As it stands in the menu: "Figure 2: Typical dependence …"; the two others by their headlines.
 QString menuText(const FigureEntry& entry) {
-  const QString headline = fromUtf8(entry.headline);
+  const QString headline = translatedText(entry.headline);
   return entry.name < FigureName::Master
              ? MainWindow::tr("%1: %2").arg(figureLabel(entry.name), headline)
              : headline;

@@ -4,11 +4,13 @@
 #include <QFont>
 #include <QStyleFactory>
 
+#include "ui/language/language.h"
 #include "ui/picture/text_painter.h"
 #include "ui/window/appearance.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_library.h"
 #include "ui/window/start_times.h"
+#include "ui/window/window_language.h"
 
 namespace asperity {
 
@@ -35,13 +37,14 @@ void prepareApplication(QApplication& application) {
 }
 
 int runWindow(QApplication& application, const std::optional<Scene>& scene, RunnerOptions options,
-              bool timing) {
-  if (timing) sayTime("connected to the display");
+              const WindowStart& start) {
+  if (start.timing) sayTime("connected to the display");
   prepareApplication(application);
+  useLanguage(start.language.empty() ? windowLanguage() : start.language);
   MainWindow window(scene ? *scene : firstScene(), options);
   window.rememberLayout();
   window.offerTour();
-  if (timing) new StartTimes(window);
+  if (start.timing) new StartTimes(window);
   window.show();
   return application.exec();
 }

@@ -1,7 +1,6 @@
 #include "ui/window/shortcut_sheet.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMainWindow>
@@ -16,10 +15,6 @@ namespace asperity {
 
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("asperity::ShortcutSheet", text);
-}
-
 QString plain(QString text) {
   return text.remove('&').remove(u'…');
 }
@@ -30,7 +25,8 @@ void addEntry(ShortcutGroup& group, const QAction& action) {
   for (const QKeySequence& key : action.shortcuts()) keys += key.toString(QKeySequence::NativeText);
   const QString text = action.property("shortText").toString();
   if (!keys.isEmpty())
-    group.entries += {text.isEmpty() ? plain(action.text()) : text, keys.join(tr(" or "))};
+    group.entries +=
+        {text.isEmpty() ? plain(action.text()) : text, keys.join(ShortcutSheet::tr(" or "))};
 }
 
 void addMenu(ShortcutGroup& group, const QMenu& menu, QSet<const QAction*>& seen) {
@@ -86,7 +82,7 @@ QList<ShortcutGroup> shortcutGroups(const QMainWindow& window) {
   for (const QAction* action : window.actions()) {
     if (seen.contains(action)) continue;
     const QString title = action->property("group").toString();
-    addEntry(groupOf(groups, title.isEmpty() ? tr("More") : title), *action);
+    addEntry(groupOf(groups, title.isEmpty() ? ShortcutSheet::tr("More") : title), *action);
   }
   groups.removeIf([](const ShortcutGroup& group) { return group.entries.isEmpty(); });
   return groups;

@@ -2,6 +2,7 @@
 // no menu by the action's property "group". GUI thread; belongs to its parent.
 #pragma once
 
+#include <QCoreApplication>
 #include <QDialog>
 #include <QList>
 #include <QString>
@@ -23,6 +24,8 @@ struct ShortcutGroup {
 QList<ShortcutGroup> shortcutGroups(const QMainWindow& window);
 
 class ShortcutSheet : public QDialog {
+  Q_DECLARE_TR_FUNCTIONS(asperity::ShortcutSheet)
+
  public:
   ShortcutSheet(const QMainWindow& window, QWidget* parent);
 

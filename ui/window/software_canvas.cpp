@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "ui/window/canvas_backend.h"
+#include "ui/window/contact_canvas.h"
 #include "ui/window/picture_worker.h"
 
 namespace asperity {
@@ -19,7 +20,7 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
   }
 
   QWidget* widget() override { return this; }
-  QString name() const override { return tr("software (OSMesa)"); }
+  QString name() const override { return ContactCanvas::tr("software (OSMesa)"); }
 
   void show(const PictureRequest& request) override {
     request_ = request;

@@ -11,6 +11,7 @@
 
 #include "core/scene/element_law.h"
 #include "ui/charts/decade_range.h"
+#include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/curve_reading.h"
 
@@ -29,21 +30,22 @@ double presentFriction(const Frame& frame) {
   return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
 }
 
-/// " (mean 0.001198 ± 0.4 %)", with the digits that the error leaves; without it where it is only
-/// rounding.
+/// " (mean 0.001198 ± 0.4 %)", with the digits that the error leaves; nothing where all lines agree
+/// but for rounding.
 QString meanText(const CurveReading& reading) {
   constexpr double kRounding = 1e-5;
   const double share = std::abs(reading.error / reading.mu);
-  if (!(share > kRounding)) return StatusLine::tr(" (mean %1)").arg(readingLabel(reading.mu));
+  if (!(share > kRounding)) return {};
   const double digits = std::clamp(std::ceil(-std::log10(share)) + 1, 2.0, 5.0);
   return StatusLine::tr(" (mean %1 ± %2 %)")
       .arg(readingLabel(reading.mu, static_cast<int>(digits)),
-           numberText(roundedToDigits(100 * share, 1)));
+           shownNumber(roundedToDigits(100 * share, 1)));
 }
 
 /// Three digits are more than a rate has: "12,000".
 QString rateText(double rate) {
-  return QLocale(QLocale::English).toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
+  const QLocale locale(fromUtf8(presentLanguage()));
+  return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
 }
 
 }  // namespace

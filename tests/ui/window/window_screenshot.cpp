@@ -1,7 +1,7 @@
 // Shows the window on a real display, waits until it is alive, and saves a picture of the screen.
 // Usage: window_screenshot FILE.png [--dark] [--size WxH] [--scene FILE [--set KEY=VALUE]...]
 //        [--wait MS] [--expect-message] [--figure WORD] [--tab NUMBER]
-//        [--do ACTION]... [--point X,Y] [--zoom X,Y,STEPS]
+//        [--do ACTION]... [--point X,Y] [--zoom X,Y,STEPS] [--language CODE]
 // ACTION: an action's object name; X and Y: shares of the contact's plot from its left lower
 // corner. Exit: 0 when the window was exposed, animated and showed a curve (or, with
 // --expect-message, a message); 1 with the reason otherwise.
@@ -21,6 +21,7 @@
 
 #include "core/scene/scene_file.h"
 #include "ui/charts/plot_view.h"
+#include "ui/language/language.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/figure_picture.h"
 #include "ui/window/gallery_page.h"
@@ -35,7 +36,7 @@ namespace {
 using namespace asperity;
 
 struct Wish {
-  QString picture, scene, figure;
+  QString picture, scene, figure, language;
   QSize size{1280, 800};
   std::vector<std::string> assignments;
   QStringList actions;
@@ -55,6 +56,7 @@ Wish readWish(const QApplication& application) {
                      {"set", "over the scene file", "KEY=VALUE"},
                      {"figure", "of the paper, on its page", "WORD"},
                      {"tab", "under the contact, from 0", "NUMBER"},
+                     {"language", "of all texts", "CODE"},
                      {"do", "to trigger before the picture", "ACTION"},
                      {"point", "where the cursor is over the contact", "X,Y"},
                      {"zoom", "wheel turned over the contact", "X,Y,STEPS"},
@@ -66,6 +68,7 @@ Wish readWish(const QApplication& application) {
   wish.picture = parser.positionalArguments().constFirst();
   wish.scene = parser.value("scene");
   wish.figure = parser.value("figure");
+  wish.language = parser.value("language");
   for (const QString& text : parser.values("set")) wish.assignments.push_back(text.toStdString());
   if (parser.isSet("tab")) wish.tab = parser.value("tab").toInt();
   wish.actions = parser.values("do");
@@ -135,6 +138,7 @@ int main(int argc, char** argv) {
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   const Wish wish = readWish(application);
   prepareApplication(application);
+  useLanguage(wish.language.toStdString());
   const std::vector<LibraryScene> library = libraryScenes();
   const Scene scene = !wish.scene.isEmpty()
                           ? readSceneFile(wish.scene.toStdString(), wish.assignments)
