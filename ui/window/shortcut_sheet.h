@@ -25,6 +25,12 @@ QList<ShortcutGroup> shortcutGroups(const QMainWindow& window);
 class ShortcutSheet : public QDialog {
  public:
   ShortcutSheet(const QMainWindow& window, QWidget* parent);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* content_;
 };
 
 }  // namespace asperity
