@@ -55,8 +55,9 @@ DrawList PictureComposer::compose(const Frame& frame) {
     return stacked(contact(frame, above), *below_);
   }
   const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
-  return stacked(contact(frame, above), diagram(transientSheet(*frame.scene, samples),
-                                                style_.height - above, kStripScale));
+  return stacked(contact(frame, above),
+                 diagram(transientSheet(*frame.scene, samples, frame.spacing, frame.length),
+                         style_.height - above, kStripScale));
 }
 
 DrawList PictureComposer::contact(const Frame& frame, int height) {

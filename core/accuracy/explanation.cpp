@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/accuracy/target_curve.h"
+#include "core/friction/line_plan.h"
 #include "core/scene/provenance.h"
 
 namespace asperity {
@@ -81,7 +82,7 @@ Explanation explain(const Scene& scene, int threads) {
   const bool isSteady = scene.sliding.kind == SlidingKind::Steady;
   Explanation explanation{scene,
                           isSteady ? "curve" : "render",
-                          planOf(scene, isSteady ? Purpose::Curve : Purpose::Picture),
+                          planOnLine(scene, isSteady ? Purpose::Curve : Purpose::Picture),
                           {},
                           {}};
   if (isSteady) explanation.predicted = predictCurve(scene, threads);

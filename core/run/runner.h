@@ -38,7 +38,7 @@ struct RunnerOptions {
   double framesPerSecond = 60;   // frames made at most
   double secondsPerPeriod = 12;  // on screen, for the line to pass by once
   /// Called where a curve update is there, on the curve's thread; returns at once. May be empty.
-  std::function<void()> curveNews;
+  std::function<void()> curveNews{};
 };
 
 class Runner {

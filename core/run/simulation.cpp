@@ -61,6 +61,7 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   const bool goesOn = next->isSteady && ready_->isSteady &&
                       next->line().nodes() == ready_->line().nodes() &&
                       next->line().length == ready_->line().length;
+  const bool isSameLine = next->rigid == ready_->rigid;
   ready_ = next;
   if (!goesOn) return reset();
   if (shape == Shape::Steady) return settle(march_->distance());
@@ -68,6 +69,13 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   march.goOnFrom(*march_);
   march_ = std::move(march);
   recordFields();
+  // Another line may stand in the present shape, or above it: the load presses it in before it
+  // shows.
+  if (!isSameLine) {
+    const double velocity = ready_->velocity();
+    march_->step(marchLoadOf(ready_->scene->load),
+                 velocity > 0 ? naturalStep() / velocity : restingStep(), 0);
+  }
   clearReading();
 }
 

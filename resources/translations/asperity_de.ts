@@ -227,6 +227,37 @@
     </message>
 </context>
 <context>
+    <name>asperity::ComparisonBox</name>
+    <message>
+        <source>Compare the curve with</source>
+        <translation>Kurve vergleichen mit</translation>
+    </message>
+    <message>
+        <source>Computes the curve in this way, too, on the same lines, and plots the difference below it</source>
+        <translation>Berechnet die Kurve auf denselben Linien auch auf diese Weise und zeigt den Unterschied darunter</translation>
+    </message>
+    <message>
+        <source>scheme to compare with</source>
+        <translation>Verfahren zum Vergleich</translation>
+    </message>
+    <message>
+        <source>points per element to compare with</source>
+        <translation>Punkte je Element zum Vergleich</translation>
+    </message>
+    <message>
+        <source>lines to compare with</source>
+        <translation>Linien zum Vergleich</translation>
+    </message>
+    <message>
+        <source> lines</source>
+        <translation> Linien</translation>
+    </message>
+    <message>
+        <source>Compare the curve (needs no target)</source>
+        <translation>Kurve vergleichen (nur ohne Ziel)</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ContactCanvas</name>
     <message>
         <source>contact view</source>
@@ -968,6 +999,22 @@
         <source>about the scene</source>
         <translation>über die Szene</translation>
     </message>
+    <message>
+        <source>spectrum of the rigid line</source>
+        <translation>Spektrum der starren Linie</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>pressures and slopes in contact</source>
+        <translation>Drücke und Steigungen im Kontakt</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MessageBar</name>
@@ -1375,16 +1422,8 @@
         <translation>Stärker überhöhen</translation>
     </message>
     <message>
-        <source>Also Ctrl and the wheel, or Shift and Up</source>
-        <translation>Auch mit Strg und Mausrad oder Umschalt und Pfeil nach oben</translation>
-    </message>
-    <message>
         <source>Less vertical exaggeration</source>
         <translation>Schwächer überhöhen</translation>
-    </message>
-    <message>
-        <source>Also Ctrl and the wheel, or Shift and Down</source>
-        <translation>Auch mit Strg und Mausrad oder Umschalt und Pfeil nach unten</translation>
     </message>
     <message>
         <source>Fit heights</source>
@@ -1449,6 +1488,10 @@
     <message>
         <source>Goes through what colours can show</source>
         <translation>Geht durch, was Farben zeigen können</translation>
+    </message>
+    <message>
+        <source>Also Ctrl and the wheel</source>
+        <translation>Auch mit Strg und Mausrad</translation>
     </message>
 </context>
 <context>

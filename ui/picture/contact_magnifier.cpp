@@ -91,7 +91,7 @@ void addScaleBars(DrawList& list, DrawLayer& layer, const ContactLayout& inset) 
       std::max(textWidth(upText, s.small), width + 5 * u + textWidth(alongText, s.small));
   const float above = height + 5 * u + s.small;
   addRectangle(layer, {corner.x - 5 * u, corner.y - above - 3 * u, texts + 10 * u, above + 8 * u},
-               withAlpha(inset.theme.elastomer, 0.7F));
+               withAlpha(mix(inset.theme.elastomer, {0, 0, 0, 1}, 0.3F), 0.75F));
   addLine(layer, {{corner.x, corner.y - height}, corner, {corner.x + width, corner.y}}, 2 * u, ink);
   addLabel(list, upText, {corner.x - 2 * u, std::round(corner.y - height - 5 * u)}, s.small,
            TextAnchor::Left, ink);

@@ -12,6 +12,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/picture/ticks.h"
+#include "ui/window/comparison_box.h"
 #include "ui/window/figure_picture.h"
 
 namespace asperity {
@@ -19,7 +20,7 @@ namespace asperity {
 namespace {
 
 constexpr double kQuick = 0.2, kDecades = 2;  // targets from 20 % to 0.2 %
-constexpr int kControlsWidth = 290;
+constexpr int kControlsWidth = 320;
 
 QString percent(double part) {
   return std::isfinite(part)
@@ -90,6 +91,9 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), slider_(new QSl
   predicted_ = addLine(*column, "accuracyPredicted");
   measured_ = addLine(*column, "accuracyMeasured");
   column->addStretch(1);
+  comparisonBox_ = new ComparisonBox;
+  connect(comparisonBox_, &ComparisonBox::settingChanged, this, &AccuracyPanel::comparisonChanged);
+  column->addWidget(comparisonBox_);
   free_ = new QPushButton(tr("No target"));
   free_->setObjectName("accuracyFree");
   free_->setToolTip(tr("Scheme, oversampling and realizations as the parameters say"));
@@ -120,6 +124,7 @@ void AccuracyPanel::showScene(const Scene& scene) {
   target_->setText(target > 0 ? tr("target: %1 of μ at every velocity").arg(percent(target))
                               : tr("no target: as scheme and realizations say"));
   free_->setEnabled(target > 0);
+  comparisonBox_->allow(!choosesAccuracy(scene));
   measured_->clear();
   predict();
 }
@@ -127,6 +132,10 @@ void AccuracyPanel::showScene(const Scene& scene) {
 void AccuracyPanel::showMeasured(double time, double standardError) {
   measured_->setText(
       tr("measured: %1, standard error %2").arg(seconds(time), percent(standardError)));
+}
+
+std::optional<CurveSetting> AccuracyPanel::comparison() const {
+  return comparisonBox_->setting();
 }
 
 void AccuracyPanel::setTheme(const Theme& theme) {

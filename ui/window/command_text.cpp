@@ -70,6 +70,7 @@ QString renderCommand(const SceneOrigin& origin, const Scene& scene, const Pictu
   if (wish.scale != 1) words += {"--scale", numberText(wish.scale)};
   if (wish.dark) words += {"--theme", "dark"};
   if (presentLanguage() != "en") words += {"--language", fromUtf8(presentLanguage())};
+  if (wish.overlay != "pressure") words += {"--overlay", wish.overlay};
   return command(words);
 }
 

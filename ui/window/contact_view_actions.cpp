@@ -65,14 +65,14 @@ void addZoom(ContactCanvas& canvas, QMenu& menu) {
   add(canvas, menu,
       {"steeper",
        ViewActionText::tr("More vertical exaggeration"),
-       ViewActionText::tr("Also Ctrl and the wheel, or Shift and Up"),
-       {Qt::Key_PageUp}},
+       ViewActionText::tr("Also Ctrl and the wheel"),
+       {Qt::SHIFT | Qt::Key_Up}},
       [&canvas](bool) { canvas.exaggerate(1); });
   add(canvas, menu,
       {"flatter",
        ViewActionText::tr("Less vertical exaggeration"),
-       ViewActionText::tr("Also Ctrl and the wheel, or Shift and Down"),
-       {Qt::Key_PageDown}},
+       ViewActionText::tr("Also Ctrl and the wheel"),
+       {Qt::SHIFT | Qt::Key_Down}},
       [&canvas](bool) { canvas.exaggerate(-1); });
   add(canvas, menu,
       {"fitHeights",

@@ -18,6 +18,7 @@
 #include "ui/window/appearance.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/curve_reading.h"
+#include "ui/window/diagram_view.h"
 #include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/plan_list.h"
@@ -135,7 +136,7 @@ void MainWindow::connectSession() {
     if (!isShowingFigures()) canvas_->setFrame(frame);
     status_->showFrame(*frame, readCurve(*frame, session_->curve()));
     if (frame->transient && frame->sceneNumber == session_->sceneNumber())
-      strips_->show(frame->scene->sliding, frame->transient);
+      strips_->show(frame->scene->sliding, frame->transient, frame->spacing, frame->length);
     if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
   });
   connect(accuracy_, &AccuracyPanel::sceneEdited, this,
@@ -164,6 +165,7 @@ void MainWindow::setDark(bool dark) {
   setStyleSheet(windowStyleSheet(theme));
   canvas_->setTheme(theme);
   plot_->setColours(plotColoursOf(theme));
+  for (DiagramView* view : {spectrum_, statistics_}) view->setTheme(theme);
   strips_->setColours(plotColoursOf(theme));
   accuracy_->setTheme(theme);
   if (gallery_) gallery_->setTheme(theme);

@@ -27,6 +27,7 @@ namespace asperity {
 class AccuracyPanel;
 class ContactCanvas;
 class CurveCommands;
+class DiagramView;
 class GalleryPage;
 class GestureCounter;
 class MessageBar;
@@ -192,6 +193,7 @@ class MainWindow : public QMainWindow {
   // In main_window_view.cpp: the contact's commands and facts.
   void buildViewCommands(QMenu& menu);
   void connectView();
+  void wantFields();
 
   // In main_window_chart.cpp: the friction curve's.
   void buildChartCommands(QMenu& menu);
@@ -209,6 +211,7 @@ class MainWindow : public QMainWindow {
   ParameterPanel* panel_ = nullptr;
   QTabWidget* tabs_ = nullptr;  // under the contact
   TransientStrips* strips_ = nullptr;
+  DiagramView *spectrum_ = nullptr, *statistics_ = nullptr;
   PlanList* plan_ = nullptr;
   AccuracyPanel* accuracy_ = nullptr;
   QElapsedTimer curveTime_;  // since the present curve was wanted

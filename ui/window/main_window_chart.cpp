@@ -3,13 +3,22 @@
 #include <QMenu>
 
 #include "ui/charts/plot_view.h"
+#include "ui/window/accuracy_panel.h"
 #include "ui/window/curve_commands.h"
+#include "ui/window/curve_comparison.h"
 #include "ui/window/curve_display.h"
 #include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
 #include "ui/window/session.h"
 #include "ui/window/status_line.h"
 
 namespace asperity {
+
+namespace {
+
+constexpr int kOnePlot = 170, kTwoPlots = 300;  // least heights, pixels
+
+}  // namespace
 
 /// Called once, when menus, views and session are there.
 void MainWindow::buildChartCommands(QMenu& menu) {
@@ -32,6 +41,13 @@ void MainWindow::connectChart() {
   auto* display = new CurveDisplay(*session_, *plot_, this);
   connect(display, &CurveDisplay::sceneEdited, this,
           [this](const Scene& scene) { editScene(scene, tr("Velocity")); });
+  auto* comparison = new CurveComparison(*session_, this);
+  connect(accuracy_, &AccuracyPanel::comparisonChanged, this, [this, comparison] {
+    comparison->setSetting(accuracy_->comparison());
+    // Two plots need more room than one.
+    plot_->setMinimumHeight(accuracy_->comparison() ? kTwoPlots : kOnePlot);
+  });
+  connect(comparison, &CurveComparison::failed, messages_, &MessageBar::showMessage);
 }
 
 }  // namespace asperity

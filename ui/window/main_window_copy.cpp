@@ -50,6 +50,7 @@ std::optional<ContactShot> MainWindow::shot() const {
   if (!shot.frame) return std::nullopt;
   shot.options = canvas_->viewer().options();
   const QSize size = devicePixels(*canvas_);
+  shot.options = canvas_->viewer().frame() ? canvas_->viewer().options() : ContactPictureOptions{};
   shot.options.width = size.width();
   shot.options.height = size.height();
   shot.options.scale = static_cast<float>(canvas_->devicePixelRatioF() * canvas_->textScale());
@@ -111,6 +112,7 @@ QString MainWindow::pictureCommand() const {
   }
   wish.scale = canvas_->devicePixelRatioF();
   wish.dark = dark_;
+  wish.overlay = QString::fromUtf8(wordFor(canvas_->viewer().overlay()).data());
   return renderCommand(document_->origin(), document_->scene(), wish);
 }
 

@@ -3,9 +3,12 @@
 // otherwise. For the eye; the tests check the same by themselves.
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QCommandLineParser>
 #include <QDir>
 #include <QMouseEvent>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QTest>
 #include <cstdio>
@@ -42,6 +45,15 @@ class Walk {
         [&] { return !window_.session().friction().isStale() && plot().plot().progress >= 1; },
         20000);
   }
+  void tab(int index) { window_.findChild<QTabWidget*>("tabs")->setCurrentIndex(index); }
+  void compare(Scheme scheme, int oversampling) {
+    pointer({2, 2});
+    window_.findChild<QComboBox*>("comparisonScheme")->setCurrentIndex(static_cast<int>(scheme));
+    window_.findChild<QSpinBox*>("comparisonOversampling")->setValue(oversampling);
+    window_.findChild<QCheckBox*>("comparisonWanted")->setChecked(true);
+    (void)QTest::qWaitFor(
+        [&] { return plot().plot().strip && plot().plot().strip->note.isEmpty(); }, 20000);
+  }
   /// The pointer over a point of the plot's series.
   void hover(std::size_t series, std::size_t point) {
     const PlotPoint& at = plot().plot().series[series].points[point];
@@ -62,11 +74,11 @@ void walk(Walk& walk) {
   walk.save("2_reading");
   const auto& span = walk.plot().plot().spans;
   if (!span.empty()) {
-    walk.pointer(walk.plot().positionOf(1.5 * span.back().from, 1) - QPointF(0, 0));
     const double top = walk.plot().window().y.to;
     walk.pointer(walk.plot().positionOf(1.5 * span.back().from, std::pow(10, top)) - QPointF(0, 8));
     walk.save("3_region");
   }
+  walk.pointer({2, 2});
   walk.trigger("pinCurve");
   walk.show([](Scene& scene) { scene.elastomer.shearModulus *= 4; });
   walk.trigger("pinCurve");
@@ -80,6 +92,13 @@ void walk(Walk& walk) {
   walk.plot().zoom(0.4);
   walk.save("6_zoomed");
   walk.plot().fit();
+  walk.trigger("unpinAll");
+  walk.compare(Scheme::Linear, 4);
+  walk.save("7_difference");
+  walk.compare(Scheme::Nodal, 1);
+  walk.save("8_difference_nodal");
+  walk.tab(2);
+  walk.save("9_accuracy");
 }
 
 }  // namespace

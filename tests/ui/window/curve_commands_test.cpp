@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QCheckBox>
 #include <QClipboard>
+#include <QComboBox>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QMenu>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <cmath>
@@ -155,6 +158,49 @@ TEST_F(CurveCommandsTest, ThePictureGoesToTheClipboard) {
   action("copyCurvePicture").trigger();
   ASSERT_TRUE(waitFor([&] { return exported.count() == 1; }));
   EXPECT_GE(QGuiApplication::clipboard()->image().width(), 900);
+}
+
+TEST_F(CurveCommandsTest, ASettingChosenInTheAccuracyPanelIsComparedBelowTheCurve) {
+  ASSERT_TRUE(waitForCurve());
+  control<QComboBox>("comparisonScheme").setCurrentIndex(static_cast<int>(Scheme::Linear));
+  control<QSpinBox>("comparisonOversampling").setValue(3);
+  control<QSpinBox>("comparisonLines").setValue(5);
+  EXPECT_FALSE(plot().plot().strip);
+  control<QCheckBox>("comparisonWanted").setChecked(true);
+  const auto isComplete = [this] {
+    const auto strip = session().plot().strip;
+    return strip && !strip->faded && strip->note.isEmpty();
+  };
+  ASSERT_TRUE(waitFor(isComplete));
+  EXPECT_TRUE(session().plot().strip->name.startsWith("linear x3, 5 lines"));
+  const auto own = frictionCurve(session().scene()).points;
+  const auto other = frictionCurve(withSetting(session().scene(), {Scheme::Linear, 3, 5})).points;
+  const PlotPoint shown = session().plot().strip->points[2];
+  EXPECT_NEAR(shown.y, 100 * (other[2].mu / own[2].mu - 1), 1e-6);
+  EXPECT_GT(shown.error, 0);
+
+  Scene scene = session().scene();
+  scene.load.normalForce *= 5;
+  window_.editScene(scene);
+  EXPECT_TRUE(session().plot().strip->faded) << "until that of the new scene is there";
+  ASSERT_TRUE(waitForCurve());
+  ASSERT_TRUE(waitFor(isComplete));
+  EXPECT_NE(session().plot().strip->points[2].y, shown.y);
+  ASSERT_TRUE(waitFor([this] { return plot().plot().strip == session().plot().strip; }));
+
+  control<QCheckBox>("comparisonWanted").setChecked(false);
+  ASSERT_TRUE(waitFor([this] { return !plot().plot().strip; }));
+}
+
+TEST_F(CurveCommandsTest, ATargetLeavesNothingToCompare) {
+  ASSERT_TRUE(waitForCurve());
+  control<QCheckBox>("comparisonWanted").setChecked(true);
+  ASSERT_TRUE(waitFor([this] { return plot().plot().strip.has_value(); }));
+  Scene scene = session().scene();
+  scene.accuracy.targetRelativeError = 0.1;
+  window_.editScene(scene);
+  EXPECT_FALSE(control<QWidget>("comparisonBox").isEnabled());
+  ASSERT_TRUE(waitFor([this] { return !plot().plot().strip; }));
 }
 
 /// Counts what is painted of the diagram while a fresh curve is the one to paint.

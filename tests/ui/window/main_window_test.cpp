@@ -216,7 +216,7 @@ TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   QTest::qWait(100);
   EXPECT_TRUE(window_.messages().isVisible());
-  EXPECT_LT(window_.messages().text().size(), 160);
+  EXPECT_LT(window_.messages().text().size(), 160) << window_.messages().text().toStdString();
 }
 
 TEST_F(MainWindowTest, AProfileWithoutAFileIsNeitherRunNorSaved) {
