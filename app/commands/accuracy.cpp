@@ -2,6 +2,7 @@
 // diagrams.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/command_line.h"
@@ -9,6 +10,7 @@
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/work_precision_file.h"
+#include "core/run/motion_accuracy.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
@@ -34,7 +36,11 @@ WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
   options.progress = [&bar](double part) {
     bar.show(static_cast<std::int64_t>(1000 * part), 1000);
   };
-  return saidOfScene(common, [&] { return workPrecision(scene, options); });
+  return saidOfScene(common, [&] {
+    WorkPrecision comparison = workPrecision(scene, options);
+    addMarchErrors(comparison);
+    return comparison;
+  });
 }
 
 void writePictures(const std::string& folder, const WorkPrecision& comparison) {
@@ -64,6 +70,11 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
                           point.isOnFront ? "  best for its time" : "",
                           isPresent ? "  <- this scene" : "");
     }
+    text += fmt::format("  a march in time: half the step changes friction by {:.2g} %{}\n",
+                        100 * region.timeStepError,
+                        std::isfinite(region.settlingError)
+                            ? fmt::format(", settling by {:.2g} %", 100 * region.settlingError)
+                            : std::string());
   }
   for (const char* name : kFiles) text += fmt::format("wrote {}\n", fileIn(folder, name));
   return text;

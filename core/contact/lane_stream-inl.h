@@ -229,7 +229,7 @@ class LaneStream {
         if (!kLinear || level > 0) return above;
         // A straight segment that rises faster than the free surface, from above it, stays there.
         const One left = negMulAdd(over, One::load(lost + k), over);
-        return above | (memory * One::load(steepest + k) >= left);
+        return above | (memory * One::load(steepest + k) > left);  // 0 without memory
       });
     };
     place.segment = skip(place.segment, place.last, isFree,

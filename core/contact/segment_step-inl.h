@@ -119,8 +119,9 @@ HWY_INLINE WideRoot rootBetween(const WideGap& gap, Wide low, Wide high, WideMas
     t = next;
     if (!any(wanted & (abs(further) > enough))) break;
   }
-  // The last step is short: two terms of its series are all there is.
-  const Wide x = gap.arc.rate * further;
+  // The last step is short: two terms of its series are all there is. But where hardly anything is
+  // remembered all is lost, however short it was.
+  const Wide x = min(max(gap.arc.rate * further, -one), one);
   return {t, mulAdd(one - lost, negMulAdd(times(0.5, x), x, x), lost)};
 }
 

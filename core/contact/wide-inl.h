@@ -92,11 +92,11 @@ HWY_INLINE bool any(OneMask x) { return !hn::AllFalse(kTag, x.m); }
 HWY_INLINE unsigned bitsOf(OneMask x) { std::uint8_t bits[8] = {}; hn::StoreMaskBits(kTag, x.m, bits); return bits[0]; }
 // clang-format on
 
-/// 1 - exp(-x) to two units in the last place; more than 350 counts as 350. Half as long as the
-/// library's, whose steps wait for each other, as edges of contact wait for this.
+/// 1 - exp(-x) to two units in the last place; beyond -350 to 350 x counts as that. Half as long as
+/// the library's, whose steps wait for each other, as edges of contact wait for this.
 HWY_INLINE One lostAfter(One x) {
   constexpr double kWhole = 6755399441055744.0;  // added to it, numbers lose their fractions
-  x = min(x, One::all(350));
+  x = max(min(x, One::all(350)), One::all(-350));
   // -x = n ln 2 + r
   const One moved = negMulAdd(x, One::all(1.4426950408889634), One::all(kWhole));
   const One n = moved - One::all(kWhole);

@@ -178,6 +178,10 @@
         <source>measuring every method on this scene&apos;s lines …</source>
         <translation>Jedes Verfahren wird auf den Linien dieser Szene gemessen …</translation>
     </message>
+    <message>
+        <source>predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)</source>
+        <translation>vorhergesagte Bewegung: %1 für %2 Schritte, Fehler %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ClaimsTable</name>
@@ -1226,10 +1230,6 @@
         <translation>Wo die Geschwindigkeit auf der Reibungskurve liegt: Bereiche I bis IV der Arbeit, gefunden auf der vollständigen Kurve</translation>
     </message>
     <message>
-        <source>Coefficient of friction of this line in steady sliding; in brackets the mean of all lines at this velocity with its standard error</source>
-        <translation>Reibungszahl dieser Linie beim stationären Gleiten; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
-    </message>
-    <message>
         <source>Lines at one velocity each, computed in a second for the curve</source>
         <translation>Linien bei je einer Geschwindigkeit, die in einer Sekunde für die Kurve berechnet werden</translation>
     </message>
@@ -1268,6 +1268,10 @@
     <message>
         <source>velocity v̄ = %1</source>
         <translation>Geschwindigkeit v̄ = %1</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction of this line, of a motion at this moment; in brackets the mean of all lines at this velocity with its standard error</source>
+        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
     </message>
 </context>
 <context>

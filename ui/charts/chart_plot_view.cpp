@@ -24,7 +24,7 @@ constexpr double kSpanDepth = 1, kFineGridDepth = 1.5;  // between background an
 constexpr double kOverlayDepth = 100;                   // over everything in it
 constexpr double kLabelWidth = 44;                      // a label needs this much of its axis
 constexpr double kLabelHeight = 24;
-constexpr double kStripGap = 12;      // between the plot and the strip below
+constexpr double kStripGap = 18;      // between the plot and the strip below
 constexpr double kSlim = 0.32;        // height of the strip, of the whole
 constexpr double kTitleHeight = 150;  // of an upright title, pixels
 
@@ -65,6 +65,10 @@ ChartPlotView::ChartPlotView(QWidget* parent)
   tip_->setZValue(kOverlayDepth + 2);
   connect(chart_, &QChart::plotAreaChanged, this, [this] { updateItems(); });
   connect(legend_, &PlotLegend::unpinWanted, this, &PlotView::unpinWanted);
+  connect(legend_, &PlotLegend::entered, this, [this] {
+    hover_.reset();
+    tip_->clear();
+  });
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

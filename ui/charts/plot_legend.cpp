@@ -1,5 +1,6 @@
 #include "ui/charts/plot_legend.h"
 
+#include <QEnterEvent>
 #include <QEvent>
 #include <QFontMetricsF>
 #include <QMouseEvent>
@@ -137,6 +138,11 @@ void PlotLegend::mouseMoveEvent(QMouseEvent* event) {
   if (under == under_) return;
   under_ = under;
   update();
+}
+
+void PlotLegend::enterEvent(QEnterEvent* event) {
+  QWidget::enterEvent(event);
+  emit entered();
 }
 
 void PlotLegend::leaveEvent(QEvent* event) {

@@ -24,6 +24,7 @@ class PlotLegend : public QWidget {
 
  signals:
   void unpinWanted(int id);
+  void entered();  // the pointer came from the plot, which does not see it leave
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -31,6 +32,7 @@ class PlotLegend : public QWidget {
   void changeEvent(QEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void enterEvent(QEnterEvent* event) override;
   void leaveEvent(QEvent* event) override;
 
  private:

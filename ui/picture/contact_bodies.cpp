@@ -49,8 +49,16 @@ void addRim(DrawLayer& layer, const std::vector<Place>& curve, float depth) {
   }
 }
 
+/// The row below which a curve does not come, within the plot; what lies under other bodies further
+/// down would be drawn for nothing.
+float lowestRow(const std::vector<Place>& curve, const ContactLayout& layout) {
+  float low = layout.plot.y;
+  for (const Place& place : curve) low = std::max(low, place.y);
+  return std::min(std::ceil(low) + 1, layout.plot.bottom());
+}
+
 /// The usual sign for a rigid body; the strokes travel with the line.
-void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) {
+void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layout, float bottom) {
   const Box& p = layout.plot;
   const double gap = std::round(13 * layout.sizes.unit);
   const double velocity = frame.scene ? frame.scene->sliding.velocity : 1;
@@ -61,19 +69,22 @@ void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layo
   const Rgba edge = withAlpha(layout.theme.rigidEdge, 0);
   const float half = 1.4F * std::max(1.0F, layout.sizes.unit);
   for (double x = p.x + offset - gap; x < p.right() + p.height; x += gap) {
-    const auto top = static_cast<float>(x), bottom = top - p.height;
+    const auto top = static_cast<float>(x), end = top - (bottom - p.y);
     for (const float side : {-half, half})
-      addQuad(layer, {top, p.y, middle}, {top + side, p.y, edge}, {bottom + side, p.bottom(), edge},
-              {bottom, p.bottom(), middle});
+      addQuad(layer, {top, p.y, middle}, {top + side, p.y, edge}, {end + side, bottom, edge},
+              {end, bottom, middle});
   }
 }
 
-DrawLayer rigidLayer(const Frame& frame, const ContactLayout& layout) {
+DrawLayer rigidLayer(const Frame& frame, const Curve& line, const ContactLayout& layout) {
   DrawLayer layer;
   const Theme& t = layout.theme;
-  addRectangle(layer, layout.plot, mix(t.rigid, {1, 1, 1, 1}, 0.12F),
-               mix(t.rigid, {0, 0, 0, 1}, 0.16F));
-  addHatching(layer, frame, layout);
+  const Box& p = layout.plot;
+  const float bottom = lowestRow(pixelsOf(line, layout), layout);
+  const Rgba high = mix(t.rigid, {1, 1, 1, 1}, 0.12F), low = mix(t.rigid, {0, 0, 0, 1}, 0.16F);
+  addRectangle(layer, {p.x, p.y, p.width, bottom - p.y}, high,
+               mix(high, low, (bottom - p.y) / p.height));
+  addHatching(layer, frame, layout, bottom);
   return layer;
 }
 
@@ -81,13 +92,14 @@ DrawLayer elastomerLayer(const Curve& line, const Curve& surface, const ContactL
   DrawLayer layer;
   const Theme& t = layout.theme;
   const float bottom = layout.plot.bottom();
-  fillBelow(layer, pixelsOf(line, layout), bottom, [&](float) { return t.panel; });
+  const std::vector<Place> places = pixelsOf(surface, layout);
+  fillBelow(layer, pixelsOf(line, layout), lowestRow(places, layout),
+            [&](float) { return t.panel; });
   const Rgba light = mix(t.elastomer, {1, 1, 1, 1}, 0.14F);
   const Rgba dark = mix(t.elastomer, {0, 0, 0, 1}, 0.34F);
   const auto shade = [&](float y) {
     return mix(light, dark, std::clamp((y - layout.plot.y) / layout.plot.height, 0.0F, 1.0F));
   };
-  const std::vector<Place> places = pixelsOf(surface, layout);
   fillBelow(layer, places, bottom, shade);
   addRim(layer, places, 26 * layout.sizes.unit);
   return layer;
@@ -195,7 +207,7 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
     stretches =
         stretchesAbove(frame, range, {columns.left, hairlines}, values, layout.scale.leastShown());
 
-  DrawLayer rigid = rigidLayer(frame, layout);
+  DrawLayer rigid = rigidLayer(frame, line, layout);
   DrawLayer elastomer = elastomerLayer(line, surface, layout);
   addGlow(elastomer, surface, stretches, layout);
   DrawLayer curves;

@@ -175,6 +175,13 @@ void AccuracyPanel::takePrediction(const PredictionAnswer& answer) {
   if (answer.number != asked_) return;
   if (!answer.prediction) return predicted_->setText(translatedText(answer.reason.toStdString()));
   const Prediction& prediction = *answer.prediction;
+  if (prediction.steps > 0)
+    return predicted_->setText(
+        tr("predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)")
+            .arg(seconds(prediction.seconds))
+            .arg(prediction.steps, 0, 'f', 0)
+            .arg(percent(prediction.error.total()), percent(prediction.error.timeStep),
+                 percent(prediction.error.resolution), percent(prediction.error.settling)));
   predicted_->setText(tr("predicted: %1, error %2 (resolution %3, realizations %4)")
                           .arg(seconds(prediction.seconds), percent(prediction.error.total()),
                                percent(prediction.error.resolution),

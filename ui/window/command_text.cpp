@@ -69,8 +69,8 @@ QString renderCommand(const SceneOrigin& origin, const Scene& scene, const Pictu
     words += {"--size", QStringLiteral("%1x%2").arg(wish.size.width()).arg(wish.size.height())};
   if (wish.scale != 1) words += {"--scale", numberText(wish.scale)};
   if (wish.dark) words += {"--theme", "dark"};
-  if (presentLanguage() != "en") words += {"--language", fromUtf8(presentLanguage())};
   if (wish.overlay != "pressure") words += {"--overlay", wish.overlay};
+  if (presentLanguage() != "en") words += {"--language", fromUtf8(presentLanguage())};
   return command(words);
 }
 

@@ -98,13 +98,19 @@ void ContactCanvas::countPicture() {
 }
 
 void ContactCanvas::refresh() {
-  if (!backend_ || !viewer_.frame()) return;
+  if (backend_ && viewer_.frame()) backend_->show(request());
+}
+
+/// What is on the screen: the backend fills this widget.
+PictureRequest ContactCanvas::request() const {
   PictureRequest request;
   request.frame = viewer_.frame();
   request.options = viewer_.options();
   request.options.theme = theme_;
   request.textScale = textScale_;
-  backend_->show(request);
+  request.scale = devicePixelRatioF();
+  request.size = size() * request.scale;
+  return request;
 }
 
 }  // namespace asperity

@@ -19,6 +19,7 @@
 #include "core/run/frame.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/picture/contact_viewer.h"
+#include "ui/window/picture_request.h"
 
 class QVBoxLayout;
 
@@ -88,6 +89,7 @@ class ContactCanvas : public QWidget {
   void giveUp(const QString& reason);
   void countPicture();
   void refresh();
+  PictureRequest request() const;
 
   // In contact_canvas_input.cpp.
   std::optional<ViewPlace> placeAt(const QPointF& position) const;

@@ -26,15 +26,10 @@ double stepsOf(double factor) {
 
 QRectF ContactCanvas::plotArea() const {
   if (!viewer_.frame()) return {};
-  PictureRequest request;
-  request.frame = viewer_.frame();
-  request.options = viewer_.options();
-  request.textScale = textScale_;
-  request.scale = devicePixelRatioF();
-  request.size = size() * request.scale;
-  const Clip plot = contactPlotArea(*request.frame, sizedOptions(request));
-  return QRectF(plot.x / request.scale, plot.y / request.scale, plot.width / request.scale,
-                plot.height / request.scale);
+  const PictureRequest shown = request();
+  const Clip plot = contactPlotArea(*shown.frame, sizedOptions(shown));
+  return QRectF(plot.x / shown.scale, plot.y / shown.scale, plot.width / shown.scale,
+                plot.height / shown.scale);
 }
 
 std::optional<ViewPlace> ContactCanvas::placeAt(const QPointF& position) const {

@@ -12,8 +12,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPause = 400;         // ms between two pictures
-constexpr float kTextScale = 1.4F;  // views are low, which would make their texts small
+constexpr int kPause = 400;          // ms between two pictures
+constexpr float kLeastText = 0.85F;  // views are low, which would make their texts small
 
 DiagramSheet sheetOf(const DiagramView::Maker& maker) {
   try {
@@ -58,8 +58,8 @@ void DiagramView::request() {
   pause_->start();
   const double scale = devicePixelRatioF();
   const QSize pixels = size() * scale;
-  const DiagramOptions options{pixels.width(), pixels.height(),
-                               kTextScale * static_cast<float>(scale), theme_};
+  const DiagramOptions options{pixels.width(), pixels.height(), static_cast<float>(scale), theme_,
+                               kLeastText};
   ++asked_;
   worker().request({[this, number = asked_, maker = maker_, options] {
                       composed_ = number;

@@ -75,6 +75,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   auto* timer = new QTimer(this);
   timer->setTimerType(Qt::PreciseTimer);
   connect(timer, &QTimer::timeout, session_, &Session::poll);
+  session_->begin();
   timer->start(kPollInterval);
 }
 

@@ -50,7 +50,6 @@ std::optional<ContactShot> MainWindow::shot() const {
   if (!shot.frame) return std::nullopt;
   shot.options = canvas_->viewer().options();
   const QSize size = devicePixels(*canvas_);
-  shot.options = canvas_->viewer().frame() ? canvas_->viewer().options() : ContactPictureOptions{};
   shot.options.width = size.width();
   shot.options.height = size.height();
   shot.options.scale = static_cast<float>(canvas_->devicePixelRatioF() * canvas_->textScale());

@@ -29,6 +29,9 @@ void MainWindow::buildHelpCommands() {
                          [this] { showTourStep(tourBar_->step() - 1); });
   tourNext_ = addCommand("tourStepNext", tr("Tour: next"), Qt::ALT | Qt::Key_Right, Symbol::None,
                          [this] { showTourStep(tourBar_->step() + 1); });
+  // A presenter's remote control sends the second ones.
+  tourBack_->setShortcuts({Qt::ALT | Qt::Key_Left, Qt::Key_PageUp});
+  tourNext_->setShortcuts({Qt::ALT | Qt::Key_Right, Qt::Key_PageDown});
   for (QAction* action : {tourBack_, tourNext_}) action->setEnabled(false);
   shortcuts_ = addCommand("shortcuts", tr("Keyboard shortcuts"), Qt::Key_F1, Symbol::None,
                           [this] { showShortcuts(); });

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/friction/study.h"
-#include "core/scene/effects.h"
+#include "core/run/motion_accuracy.h"
 
 namespace asperity {
 
@@ -20,8 +20,7 @@ void PredictionWorker::answer(const Scene& scene, std::uint64_t number,
                               const std::stop_token& stop) const {
   PredictionAnswer answer{number, std::nullopt, {}};
   try {
-    needSteadySliding(scene, "a predicted curve");
-    answer.prediction = predictCurve(scene, 0, stop);
+    answer.prediction = predictRun(scene, 0, stop);
   } catch (const StudyStopped&) {
     return;
   } catch (const std::exception& error) {

@@ -40,8 +40,12 @@ QString troubleOf(const Frame& frame) {
 }
 
 Session::Session(const Scene& scene, RunnerOptions options, QObject* parent)
-    : QObject(parent), runner_(withNews(std::move(options))) {
-  setScene(scene);
+    : QObject(parent), scene_(scene), runner_(withNews(std::move(options))) {
+  friction_.expect(scene_);
+}
+
+void Session::begin() {
+  setScene(scene_);
   runner_.play();
 }
 

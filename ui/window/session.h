@@ -23,6 +23,10 @@ class Session : public QObject {
  public:
   Session(const Scene& scene, RunnerOptions options, QObject* parent = nullptr);
 
+  /// The runner gets its first scene, and plays. Not before the window is made: it would wait for
+  /// the processors that the runner takes.
+  void begin();
+
   /// Makes this the scene; the newest wins.
   void setScene(const Scene& scene);
   const Scene& scene() const { return scene_; }

@@ -51,7 +51,7 @@ QWidget* groupWidget(const ShortcutGroup& group) {
   auto* box = new QWidget;
   box->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   auto* grid = new QGridLayout(box);
-  grid->setContentsMargins(0, 0, 0, 14);
+  grid->setContentsMargins(0, 0, 0, 2);
   grid->setHorizontalSpacing(18);
   grid->setVerticalSpacing(4);
   auto* title = new QLabel(group.title);
@@ -96,8 +96,8 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   qsizetype total = 0;
   for (const ShortcutGroup& group : groups) total += group.entries.size() + 2;
 
-  auto* content = new QWidget;
-  auto* row = new QHBoxLayout(content);
+  content_ = new QWidget;
+  auto* row = new QHBoxLayout(content_);
   row->setSpacing(40);
   QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout, new QVBoxLayout};
   constexpr qsizetype kColumns = std::size(columns);
@@ -112,15 +112,20 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
     row->addLayout(column);
   }
   auto* scroll = new QScrollArea;
-  scroll->setWidget(content);
+  scroll->setWidget(content_);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setAccessibleName(windowTitle());
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(scroll);
-  ensurePolished();
-  resize(content->sizeHint() + QSize(60, 60));
-  if (parent) resize(size().boundedTo(parent->size()));
+}
+
+/// As large as needed, once fonts and style are those of the screen.
+void ShortcutSheet::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  QCoreApplication::sendPostedEvents(content_, QEvent::LayoutRequest);
+  const QSize wanted = content_->minimumSizeHint().expandedTo(content_->sizeHint());
+  resize((wanted + QSize(60, 60)).boundedTo(parentWidget() ? parentWidget()->size() : wanted));
 }
 
 }  // namespace asperity

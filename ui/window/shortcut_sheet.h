@@ -28,6 +28,12 @@ class ShortcutSheet : public QDialog {
 
  public:
   ShortcutSheet(const QMainWindow& window, QWidget* parent);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* content_;
 };
 
 }  // namespace asperity

@@ -25,6 +25,11 @@ double orMissing(double value) {
   return std::isfinite(value) ? value : kNotApplicable;
 }
 
+/// Of a motion: of the moment.
+double presentFriction(const Frame& frame) {
+  return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
+}
+
 /// " (mean 0.001198 ± 0.4 %)", with the digits that the error leaves.
 QString meanText(const CurveReading& reading) {
   const double share = std::abs(reading.error / reading.mu);
@@ -61,9 +66,10 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   regime_ = addFact(*line, "factRegime",
                     tr("Where the velocity lies on the friction curve: regions I to IV of the "
                        "paper, found on the complete curve"));
-  mu_ = addFact(*line, "factMu",
-                tr("Coefficient of friction of this line in steady sliding; in brackets the mean "
-                   "of all lines at this velocity with its standard error"));
+  mu_ = addFact(
+      *line, "factMu",
+      tr("Coefficient of friction of this line, of a motion at this moment; in brackets the mean "
+         "of all lines at this velocity with its standard error"));
   force_ =
       addFact(*line, "factForce",
               tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
@@ -142,7 +148,7 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   regime_->setHidden(reading.regime.isEmpty());
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
-  mu_->setText(tr("friction μ = %1%2").arg(readingLabel(frame.muSteady), mean));
+  mu_->setText(tr("friction μ = %1%2").arg(readingLabel(presentFriction(frame)), mean));
   force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
   velocity_->setText(tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame))));
 }

@@ -37,7 +37,10 @@ QString pathOf(const QWidget* widget) {
 bool isInsideOfAControl(const QWidget* widget) {
   const QString name = widget->objectName();
   const bool isCorner = qstrcmp(widget->metaObject()->className(), "QTableCornerButton") == 0;
-  return isCorner || name.startsWith("qt_") || name.startsWith("ScrollLeft") ||
+  const QWidget* parent = widget->parentWidget();
+  const bool isList =
+      parent && qstrcmp(parent->metaObject()->className(), "QComboBoxPrivateContainer") == 0;
+  return isCorner || isList || name.startsWith("qt_") || name.startsWith("ScrollLeft") ||
          name.startsWith("ScrollRight");
 }
 

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QFile>
 #include <QMouseEvent>
 #include <QSpinBox>
 #include <QTabWidget>
@@ -14,6 +15,7 @@
 #include <cstdio>
 
 #include "ui/charts/plot_view.h"
+#include "ui/window/curve_commands.h"
 #include "ui/window/main_window.h"
 #include "ui/window/run_window.h"
 #include "ui/window/scene_library.h"
@@ -44,6 +46,10 @@ class Walk {
     (void)QTest::qWaitFor(
         [&] { return !window_.session().friction().isStale() && plot().plot().progress >= 1; },
         20000);
+  }
+  void write(const char* name) {
+    window_.curveCommands().save(QDir(folder_).filePath(name));
+    (void)QTest::qWaitFor([&] { return QFile::exists(QDir(folder_).filePath(name)); }, 20000);
   }
   void tab(int index) { window_.findChild<QTabWidget*>("tabs")->setCurrentIndex(index); }
   void compare(Scheme scheme, int oversampling) {
@@ -97,6 +103,10 @@ void walk(Walk& walk) {
   walk.save("7_difference");
   walk.compare(Scheme::Nodal, 1);
   walk.save("8_difference_nodal");
+  walk.trigger("pinCurve");
+  walk.show([](Scene& scene) { scene.elastomer.shearModulus *= 4; });
+  walk.compare(Scheme::Linear, 4);
+  walk.write("10_saved.png");
   walk.tab(2);
   walk.save("9_accuracy");
 }

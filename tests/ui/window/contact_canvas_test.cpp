@@ -60,6 +60,19 @@ TEST_F(ContactCanvasTest, PlotAreaIsInsideTheWidget) {
   EXPECT_GT(canvas_.plotArea().width(), 600);
 }
 
+/// With large texts the plot is elsewhere, and the cursor with it.
+TEST_F(ContactCanvasTest, CursorMeetsThePlotAtAnyTextSize) {
+  canvas_.setTextScale(1.6);
+  QTest::mouseMove(&canvas_, place(0.25, 0.5).toPoint());
+  ASSERT_TRUE(canvas_.viewer().reading());
+  EXPECT_NEAR(*canvas_.viewer().pointer(), 0.25 * frameOf()->length, 0.003 * frameOf()->length);
+  ContactPictureOptions options = canvas_.viewer().options();
+  options.width = canvas_.width();
+  options.height = canvas_.height();
+  options.scale = 1.6F;
+  EXPECT_EQ(contactPlotArea(*canvas_.frame(), options).x, canvas_.plotArea().x());
+}
+
 TEST_F(ContactCanvasTest, WheelZoomsAtTheCursor) {
   const QPointF at = place(0.7, 0.4);
   const double x = view().left + 0.7 * view().width;
