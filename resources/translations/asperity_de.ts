@@ -178,6 +178,10 @@
         <source>measuring every method on this scene&apos;s lines …</source>
         <translation>Jedes Verfahren wird auf den Linien dieser Szene gemessen …</translation>
     </message>
+    <message>
+        <source>predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)</source>
+        <translation>vorhergesagte Bewegung: %1 für %2 Schritte, Fehler %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ClaimsTable</name>
@@ -224,6 +228,37 @@
     <message>
         <source>Where</source>
         <translation>Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ComparisonBox</name>
+    <message>
+        <source>Compare the curve with</source>
+        <translation>Kurve vergleichen mit</translation>
+    </message>
+    <message>
+        <source>Computes the curve in this way, too, on the same lines, and plots the difference below it</source>
+        <translation>Berechnet die Kurve auf denselben Linien auch auf diese Weise und zeigt den Unterschied darunter</translation>
+    </message>
+    <message>
+        <source>scheme to compare with</source>
+        <translation>Verfahren zum Vergleich</translation>
+    </message>
+    <message>
+        <source>points per element to compare with</source>
+        <translation>Punkte je Element zum Vergleich</translation>
+    </message>
+    <message>
+        <source>lines to compare with</source>
+        <translation>Linien zum Vergleich</translation>
+    </message>
+    <message>
+        <source> lines</source>
+        <translation> Linien</translation>
+    </message>
+    <message>
+        <source>Compare the curve (needs no target)</source>
+        <translation>Kurve vergleichen (nur ohne Ziel)</translation>
     </message>
 </context>
 <context>
@@ -968,6 +1003,22 @@
         <source>about the scene</source>
         <translation>über die Szene</translation>
     </message>
+    <message>
+        <source>spectrum of the rigid line</source>
+        <translation>Spektrum der starren Linie</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>pressures and slopes in contact</source>
+        <translation>Drücke und Steigungen im Kontakt</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MessageBar</name>
@@ -1179,10 +1230,6 @@
         <translation>Wo die Geschwindigkeit auf der Reibungskurve liegt: Bereiche I bis IV der Arbeit, gefunden auf der vollständigen Kurve</translation>
     </message>
     <message>
-        <source>Coefficient of friction of this line in steady sliding; in brackets the mean of all lines at this velocity with its standard error</source>
-        <translation>Reibungszahl dieser Linie beim stationären Gleiten; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
-    </message>
-    <message>
         <source>Lines at one velocity each, computed in a second for the curve</source>
         <translation>Linien bei je einer Geschwindigkeit, die in einer Sekunde für die Kurve berechnet werden</translation>
     </message>
@@ -1221,6 +1268,10 @@
     <message>
         <source>velocity v̄ = %1</source>
         <translation>Geschwindigkeit v̄ = %1</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction of this line, of a motion at this moment; in brackets the mean of all lines at this velocity with its standard error</source>
+        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
     </message>
 </context>
 <context>
@@ -1375,16 +1426,8 @@
         <translation>Stärker überhöhen</translation>
     </message>
     <message>
-        <source>Also Ctrl and the wheel, or Shift and Up</source>
-        <translation>Auch mit Strg und Mausrad oder Umschalt und Pfeil nach oben</translation>
-    </message>
-    <message>
         <source>Less vertical exaggeration</source>
         <translation>Schwächer überhöhen</translation>
-    </message>
-    <message>
-        <source>Also Ctrl and the wheel, or Shift and Down</source>
-        <translation>Auch mit Strg und Mausrad oder Umschalt und Pfeil nach unten</translation>
     </message>
     <message>
         <source>Fit heights</source>
@@ -1449,6 +1492,10 @@
     <message>
         <source>Goes through what colours can show</source>
         <translation>Geht durch, was Farben zeigen können</translation>
+    </message>
+    <message>
+        <source>Also Ctrl and the wheel</source>
+        <translation>Auch mit Strg und Mausrad</translation>
     </message>
 </context>
 <context>

@@ -1858,16 +1858,8 @@
         <translation>kein stationärer Zustand als Anfang: Das Kräftegleichgewicht ist nicht erfüllt</translation>
     </message>
     <message>
-        <source>nodal is the paper's rule for Kelvin elements; arms need linear or cubic</source>
-        <translation>nodal ist die Regel der Arbeit für Kelvin-Elemente; Arme brauchen linear oder kubisch</translation>
-    </message>
-    <message>
         <source>stands beside interface.friction_coefficient; only one of them may be above 0</source>
         <translation>steht neben interface.friction_coefficient; nur eines von beiden darf über 0 liegen</translation>
-    </message>
-    <message>
-        <source>is 0: in steady sliding the elastomer sinks for ever; it needs more than 0</source>
-        <translation>ist 0: Beim stationären Gleiten sinkt das Elastomer ohne Ende ein; nötig ist mehr als 0</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -2096,6 +2088,14 @@
     <message>
         <source>Nothing slides, so there is no friction: the line rests on the summits that reach deepest, and the rubber between them stays flat. Raise the force: contacts grow in number and in length.</source>
         <translation>Nichts gleitet, daher gibt es keine Reibung: Die Linie ruht auf den Gipfeln, die am tiefsten reichen, und der Gummi dazwischen bleibt eben. Die Kraft erhöhen: Die Kontakte wachsen an Zahl und Länge.</translation>
+    </message>
+    <message>
+        <source>nodal is the paper's rule for Kelvin elements: where its force jumps arms cannot close over a period; they need linear or cubic</source>
+        <translation>nodal ist die Regel der Arbeit für Kelvin-Elemente: Wo ihre Kraft springt, können sich Arme nicht über eine Periode schließen; sie brauchen linear oder kubisch</translation>
+    </message>
+    <message>
+        <source>is 0: arms and dashpots carry nothing on average over a period, so sliding or not the elastomer sinks for ever; it needs more than 0</source>
+        <translation>ist 0: Arme und Dämpfer tragen im Mittel über eine Periode nichts, daher sinkt das Elastomer gleitend oder nicht ohne Ende ein; nötig ist mehr als 0</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "core/accuracy/work_precision_file.h"
@@ -10,6 +11,8 @@
 #include "core/friction/curve_words.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/figures/figure.h"
+#include "core/run/line_diagrams.h"
+#include "core/run/steady_frames.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/input_error.h"
 #include "core/scene/parameters.h"
@@ -84,6 +87,15 @@ void addComparison(Texts& texts) {
       add(texts, curveSheet(set));
     }
   for (const Scene& scene : shippedScenes()) texts.insert(differencesInWords(scene, {}));
+}
+
+void addLineDiagrams(Texts& texts) {
+  for (Scene scene : shippedScenes()) {
+    scene.surface.elements = std::min<std::int64_t>(scene.surface.elements, 400);
+    add(texts, spectrumSheet(scene));
+    if (scene.sliding.kind != SlidingKind::Steady) continue;
+    add(texts, statisticsSheet(SteadyFrames(std::make_shared<const Scene>(scene)).frame(0, 1, 25)));
+  }
 }
 
 }  // namespace
@@ -178,6 +190,7 @@ Texts diagramTexts() {
   add(texts, curveSheet(scene, pointsOf(20)));
   addRegions(texts, scene);
   addComparison(texts);
+  addLineDiagrams(texts);
   return texts;
 }
 
