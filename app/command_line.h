@@ -20,6 +20,7 @@ inline constexpr int kDone = 0, kRunFailed = 1, kBadInput = 2;
 struct CommonOptions {
   std::string scene;
   std::vector<std::string> assignments;  // --set KEY=VALUE
+  std::string language;                  // of what is seen; empty: English, or the window's own
   int threads = 0;                       // 0: as many as the machine has
   bool quiet = false;
   bool json = false;
@@ -38,6 +39,7 @@ struct RenderCommand {
   TimeChoice time;
   PictureChoice picture;
   std::string layout = "contact";
+  std::string overlay = "pressure";
   bool resume = false;
 };
 
@@ -73,7 +75,8 @@ struct BatchCommand {
   PictureChoice picture;
 };
 
-/// The scene of a command, with its assignments. Throws InputError.
+/// The scene of a command, with its assignments: of a file or, where no file has the name, of a
+/// shipped scene. Throws InputError.
 Scene sceneOf(const CommonOptions& options);
 
 /// Does the work; bad input that names no file of its own is said of the scene's file.

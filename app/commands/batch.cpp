@@ -20,11 +20,16 @@
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
+#include "ui/picture/picture_origin.h"
 #include "ui/picture/shapes.h"
 #include "ui/picture/stacked.h"
 
 namespace asperity {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr int kThumbnail = 480;  // pixels wide
 
@@ -58,9 +63,10 @@ class BatchRun {
         bar.show(static_cast<std::int64_t>(results_.size()), total);
       }
     }
-    pictures.write(fileIn("contact_sheet.png"), sheet_, {batch_.title, "", style_.scale});
+    const std::string made = provenanceLine(origin());
+    pictures.write(fileIn("contact_sheet.png"), sheet_, {batch_.title, made, style_.scale});
     pictures.finish();
-    writeFileAtomically(fileIn("results.csv"), batchTable(results_));
+    writeFileAtomically(fileIn("results.csv"), "# asperity: " + made + "\n" + batchTable(results_));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_));
     return report();
   }
@@ -83,8 +89,8 @@ class BatchRun {
     }
     if (!result.item.error.empty()) {
       const auto [x, y] = cell();
-      addLabel(sheet_, item.name + " failed", {x + 16, y + 32}, 16, TextAnchor::Left,
-               style_.theme.text);
+      addLabel(sheet_, filled(Words::tr("%1 failed"), {item.name}), {x + 16, y + 32}, 16,
+               TextAnchor::Left, style_.theme.text);
     }
     return result;
   }
@@ -114,7 +120,7 @@ class BatchRun {
 
     const std::string& name = result.item.name;
     pictures.write(fileIn(name + ".png"), PictureComposer(style_, layout, curve).compose(frame),
-                   {scene.title, provenanceLine(provenance("batch", scene)), style_.scale});
+                   {translated(scene.title), pictureOrigin("batch", scene), style_.scale});
     result.files = {name + ".png"};
     if (!curve.empty()) {
       writeFileAtomically(fileIn(name + ".csv"),
@@ -128,13 +134,29 @@ class BatchRun {
     addPicture(sheet_, PictureComposer(small_, layout, curve).compose(frame), x, y);
   }
 
+  static Json header() {
+    return {
+        {"schema", "asperity-batch-results/1"}, {"verb", "batch"}, {"version", ASPERITY_VERSION}};
+  }
+
+  /// Of what shows all scenes together.
+  Json origin() const {
+    Json origin = header();
+    Json& scenes = origin["scenes"] = Json::array();
+    for (const BatchResult& result : results_)
+      if (result.item.error.empty())
+        scenes.push_back(
+            {{"name", result.item.name}, {"scene", Json::parse(writeScene(result.item.scene))}});
+    nameLanguage(origin);
+    return origin;
+  }
+
   int report() const {
     int bad = 0;
-    nlohmann::ordered_json answer = {
-        {"schema", "asperity-batch-results/1"}, {"verb", "batch"}, {"version", ASPERITY_VERSION}};
-    auto& list = answer["scenes"] = nlohmann::ordered_json::array();
+    Json answer = header();
+    auto& list = answer["scenes"] = Json::array();
     for (const BatchResult& result : results_) {
-      nlohmann::ordered_json entry = {{"name", result.item.name}, {"files", result.files}};
+      Json entry = {{"name", result.item.name}, {"files", result.files}};
       if (!result.item.error.empty()) {
         ++bad;
         entry["error"] = result.item.error;
@@ -143,8 +165,7 @@ class BatchRun {
                    stderr);
         std::fputs("\n", stderr);
       } else {
-        entry["mu"] =
-            std::isfinite(result.mu) ? nlohmann::ordered_json(result.mu) : nlohmann::ordered_json();
+        entry["mu"] = std::isfinite(result.mu) ? Json(result.mu) : Json();
         entry["provenance"] = provenance("batch", result.item.scene);
       }
       list.push_back(std::move(entry));

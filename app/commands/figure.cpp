@@ -11,12 +11,12 @@
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
-#include "core/run/steady_frames.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
-#include "ui/picture/contact_picture.h"
-#include "ui/picture/diagram_picture.h"
+#include "ui/language/translated.h"
+#include "ui/picture/figure_drawing.h"
+#include "ui/picture/picture_origin.h"
 
 namespace asperity {
 namespace {
@@ -71,24 +71,12 @@ void prepareFolder(const FigureCommand& command, const std::vector<FigureName>& 
   checkWritable(claimsFile(command));
 }
 
-DrawList pictureOf(const Figure& figure) {
-  const DiagramOptions print = printOptions(figure.sheet);
-  if (!figure.sheet.diagrams.empty()) return composeDiagrams(figure.sheet, print);
-  ContactPictureOptions contact;
-  contact.width = print.width;
-  contact.height = print.height;
-  contact.scale = print.scale;
-  Scene scene = figure.scene;
-  scene.title = figure.sheet.title;
-  const SteadyFrames frames(std::make_shared<const Scene>(scene));
-  return composeContact(frames.frame(0, 1, 25), contact);
-}
-
 void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPictures& pictures) {
   writeFileAtomically(fileOf(command, figure.name, ".csv"),
                       provenanceComment("figure", figure.scene) + figure.csv);
-  const DrawList picture = pictureOf(figure);
-  const PictureFacts facts{figure.sheet.title, provenanceLine(provenance("figure", figure.scene)),
+  const DrawList picture =
+      composeFigure(figure, contactOf(figure).get(), printOptions(figure.sheet));
+  const PictureFacts facts{translated(figure.sheet.title), pictureOrigin("figure", figure.scene),
                            printOptions(figure.sheet).scale};
   for (const char* extension : {".png", ".svg"})
     pictures.write(fileOf(command, figure.name, extension), picture, facts);

@@ -23,7 +23,7 @@ double dot(const Vector& a, const Vector& b) {
 
 }  // namespace
 
-/// Unknowns: the depth (where the force is given) and what each arm has yielded.
+/// Unknowns: the depth (where the force is given) and each arm's strain.
 class ArmSolver::Search {
  public:
   Search(ArmSolver& solver, double load, double depth)
@@ -46,6 +46,7 @@ class ArmSolver::Search {
   }
 
   ArmBalance run(const ArmBalance* guess) {
+    if (tryComplete()) return best_;
     start(guess);
     Vector residual = evaluate(unknown_, &tangent_);
     bool fresh = true;  // the slope is that of this very pass
@@ -74,6 +75,24 @@ class ArmSolver::Search {
   }
 
  private:
+  /// Complete contact: depth and strains are known, up to what slow arms lose to rounding. A pass
+  /// says whether it is.
+  bool tryComplete() {
+    const double depth = first_ > 0 ? high_ : fixedDepth_;
+    if (depth < *std::max_element(line_.rise.begin(), line_.rise.end())) return false;
+    if (first_ > 0) unknown_[0] = depth;
+    pass_.completeStrains({unknown_.data() + first_, memory_.arms()});
+    for (int i = 0; i < 3; ++i) {
+      const Vector residual = evaluate(unknown_, nullptr);
+      if (!pass_.wasComplete()) break;
+      if (bestWorst_ <= kWantedResidual) return best_.isComplete = true;
+      for (std::size_t k = first_; k < size_; ++k) unknown_[k] -= residual[k];
+    }
+    best_ = {};
+    bestWorst_ = std::numeric_limits<double>::infinity();
+    return false;
+  }
+
   void move(const Vector& from, const Vector& step) {
     for (std::size_t i = 0; i < size_; ++i) unknown_[i] = from[i] + step[i];
   }
@@ -90,29 +109,28 @@ class ArmSolver::Search {
   double depthOf(const Vector& unknown) const { return first_ > 0 ? unknown[0] : fixedDepth_; }
 
   void start(const ArmBalance* guess) {
-    if (guess && guess->yield.size() == memory_.arms()) {
+    if (guess && guess->strain.size() == memory_.arms()) {
       if (first_ > 0) unknown_[0] = std::clamp(guess->force.depth, low_, high_);
-      std::copy(guess->yield.begin(), guess->yield.end(), unknown_.begin() + first_);
+      std::copy(guess->strain.begin(), guess->strain.end(), unknown_.begin() + first_);
       return;
     }
-    const double mean = first_ > 0 ? low_ : std::max(fixedDepth_ - line_.meanRise, 0.0);
     if (first_ > 0) unknown_[0] = high_;
+    const double aboveMean = first_ > 0 ? line_.meanRise : std::min(fixedDepth_, line_.meanRise);
     for (std::size_t i = 0; i < memory_.arms(); ++i)
-      unknown_[i + first_] =
-          slowness_[i] * mean + (1 - slowness_[i]) * (first_ > 0 ? high_ : fixedDepth_);
+      unknown_[i + first_] = slowness_[i] * aboveMean;
   }
 
   /// Residuals in m: missing mean depth first, then how far each arm is from where it closes.
   Vector evaluate(const Vector& unknown, ArmTangent* tangent) {
     const double depth = depthOf(unknown), length = line_.length;
-    const std::span<const double> yield(unknown.data() + first_, memory_.arms());
-    pass_.run(depth, yield, tangent);
+    const std::span<const double> strain(unknown.data() + first_, memory_.arms());
+    pass_.run(depth, strain, tangent);
     ++passes_;
     const StateSums& sums = pass_.sums();
     const double mean = sums.depth / length, wanted = first_ > 0 ? load_ / length : mean;
     Vector residual(size_);
     closure_ = 0;
-    const double scale = std::max(std::abs(mean), std::numeric_limits<double>::min());
+    const double scale = scaleOf(mean, strain);
     if (first_ > 0) residual[0] = mean - wanted;
     for (std::size_t i = 0; i < memory_.arms(); ++i) {
       const double missing = pass_.yieldChange()[i] / change_[i];
@@ -127,12 +145,20 @@ class ArmSolver::Search {
     return residual;
   }
 
+  /// What a change of strain is measured by (m): what friction comes from, strains and heights,
+  /// but at light loads the depth.
+  double scaleOf(double mean, std::span<const double> strain) const {
+    double scale = line_.meanRise;
+    for (const double each : strain) scale = std::max(scale, std::abs(each));
+    return std::max(std::min(scale, std::abs(mean)), std::numeric_limits<double>::min());
+  }
+
   void remember() {
     bestWorst_ = worst_;
     best_.force.depth = depthOf(unknown_);
     best_.force.residual = forceResidual_;
     best_.closure = closure_;
-    best_.yield.assign(unknown_.begin() + first_, unknown_.end());
+    best_.strain.assign(unknown_.begin() + first_, unknown_.end());
   }
 
   /// The inverse Jacobian from the derivatives of the last pass, by elimination with row pivots;
@@ -236,8 +262,25 @@ ArmBalance ArmSolver::atDepth(double depth, const ArmBalance* guess) {
   return Search(*this, 0, depth).run(guess);
 }
 
+bool ArmSolver::isContactComplete(double depth) {
+  Vector strain(memory_.arms());
+  pass_.completeStrains(strain);
+  pass_.run(depth, strain);
+  return pass_.wasComplete();
+}
+
+double ArmSolver::completeAbove() {
+  double low = 0, high = 2 * line_.meanRise;
+  while (high > 0 && !isContactComplete(high)) high *= 2;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (isContactComplete(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
 StateSums ArmSolver::state(const ArmBalance& balance, ArmShape* shape) {
-  pass_.runForState(balance.force.depth, balance.yield, shape);
+  pass_.runForState(balance.force.depth, balance.strain, shape);
   return pass_.sums();
 }
 

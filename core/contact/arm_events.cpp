@@ -119,6 +119,8 @@ void ArmPass::gatherPiece(const Piece& piece, double u) {
       with[k] += g * strain_[i] * moments[k];
       for (std::size_t l = 0; l < 3; ++l) own[k][l] += g * drivenBy[k][l];
     }
+    sums_.dissipation +=
+        g * lossForm(z)(strain_[i], part.depth.c1, 2 * part.depth.c2, 3 * part.depth.c3);
   }
   gatherContact(part, with[0], with[1], with[2], own);
 }
@@ -136,11 +138,11 @@ void ArmPass::gatherContact(const Piece& piece, double withStrain0, double withS
     strain += own[0][k] * slope[k];
     for (std::size_t l = 0; l < 3; ++l) work += slope[k] * own[k][l] * slope[l];
   }
-  work += memory_.dashpot * slopeSquared;
+  const double damped = memory_.dashpot * slopeSquared;
   sums_.pressure += length * (piece.depth.integral(1) + strain) +
                     memory_.dashpot * (slope[0] + piece.depth.c2 + piece.depth.c3);
-  sums_.work += work;
-  sums_.dissipation += work;
+  sums_.work += work + damped;
+  sums_.dissipation += damped;
   sums_.contactLength += length;
   sums_.slopeSquared += slopeSquared;
   double last = piece.depth.c0;
@@ -151,29 +153,30 @@ void ArmPass::gatherContact(const Piece& piece, double withStrain0, double withS
   sums_.absoluteSlope += std::abs(piece.depth(1) - last);
 }
 
-double ArmPass::freeDepth(double distance) const {
-  double depth = 0;
+/// How far (m) the free surface comes back from now on over a distance.
+double ArmPass::comesBack(double distance) const {
+  double back = 0;
   for (std::size_t j = 0; j < mode_.size(); ++j)
-    depth += mode_[j] * std::exp(-memory_.rate[j] * distance);
-  return depth;
+    back -= mode_[j] * std::expm1(-memory_.rate[j] * distance);
+  return back;
 }
 
 /// Depth of the line below the free surface at t, mode_ being that at `from`; slope with t.
 double ArmPass::gapAt(const Inside& inside, double from, double t, double& slope) const {
   const double distance = (t - from) * inside.along;
-  double depth = 0, falling = 0;
+  double back = back_, falling = 0;
   for (std::size_t j = 0; j < mode_.size(); ++j) {
-    const double part = mode_[j] * std::exp(-memory_.rate[j] * distance);
-    depth += part;
-    falling += memory_.rate[j] * part;
+    const double gone = std::expm1(-memory_.rate[j] * distance);
+    back -= mode_[j] * gone;
+    falling += memory_.rate[j] * mode_[j] * (1 + gone);
   }
   slope = -inside.rise.derivative(t) + inside.along * falling;
-  return depth_ - inside.rise(t) - depth;
+  return leftRise_ + back - inside.rise(t);
 }
 
 /// First place in (from, to] where the line reaches the free surface, or kNone.
 double ArmPass::findEntry(const Inside& inside, double from, double to, double lowest) const {
-  if (depth_ - lowest <= freeDepth(std::abs((to - from) * inside.along))) return kNone;
+  if (leftRise_ + back_ + comesBack(std::abs((to - from) * inside.along)) <= lowest) return kNone;
   Few<4> stops = breakpoints(inside.rise, to > from);
   stops.add(to);
   double a = from, slopeA = 0;

@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "core/contact/decay_moments.h"
 #include "core/contact/retardation.h"
 #include "core/scene/element_law.h"
 
@@ -32,6 +33,7 @@ struct ArmMemory {
   std::vector<double> lossRate;                // 1/m, g_i / (v tau_i)
   std::array<std::vector<double>, 3> moment;   // g_i integral of exp(-z u) u^k
   std::array<std::array<double, 3>, 3> own{};  // sum g_i integral of u^k (what u^l has driven)
+  std::vector<LossForm> loss;                  // 1/c_i integral of e_i^2
 
   /// The first arms, which change little over a period: what they yield is summed by itself, as
   /// q_i(1) - q_i(0) = yieldKept_i e_i(0) + sum D_k yieldDriven_ki.
@@ -41,7 +43,10 @@ struct ArmMemory {
 
   // The free surface: y = sum a_j exp(-rate_j s).
   std::vector<double> rate;                // 1/m
+  std::vector<double> stiffness;           // of the springs that draw it back, per G
+  std::vector<double> settled;             // a_j per depth where all arms have relaxed
   std::vector<std::vector<double>> decay;  // [level][mode], over a block
+  std::vector<std::vector<double>> lost;   // 1 - decay
   const RetardationModes& conversion;
 };
 

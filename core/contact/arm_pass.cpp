@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace asperity {
 namespace {
@@ -19,46 +20,59 @@ ArmPass::ArmPass(const TravelLine& line, const ArmMemory& memory)
       arcMode_(memory.modes()),
       yieldChange_(memory.arms()) {}
 
-void ArmPass::run(double depth, std::span<const double> yield, ArmTangent* tangent) {
+void ArmPass::run(double depth, std::span<const double> strain, ArmTangent* tangent) {
   tangent_ = tangent;
   if (tangent) tangent->begin();
-  go<false>(depth, yield, nullptr);
-  if (tangent) tangent->finish(line_.length - (touching_ ? contactStart_ : arcStart_), touching_);
+  go<false>(depth, strain, nullptr);
+  const double begun = touching_ ? contactStart_ : arcStart_;
+  if (tangent) tangent->finish(std::max(line_.length - begun, 0.0), touching_);
   tangent_ = nullptr;
 }
 
-void ArmPass::runForState(double depth, std::span<const double> yield, ArmShape* shape) {
-  go<true>(depth, yield, shape);
+void ArmPass::runForState(double depth, std::span<const double> strain, ArmShape* shape) {
+  go<true>(depth, strain, shape);
 }
 
 template <bool Everything>
-void ArmPass::go(double depth, std::span<const double> yield, ArmShape* shape) {
+void ArmPass::go(double depth, std::span<const double> strain, ArmShape* shape) {
   depth_ = depth;
   sums_ = {};
   level_ = 0;
   touching_ = true;
-  entryDepth_ = depth;
+  hasLeft_ = false;
+  entryRise_ = 0;
   contactStart_ = 0;
   std::fill(yieldChange_.begin(), yieldChange_.end(), 0);
-  for (std::size_t i = 0; i < strain_.size(); ++i) strain_[i] = depth - yield[i];
+  std::copy(strain.begin(), strain.end(), strain_.begin());
   refreshSums();
   for (std::size_t i = 0; i < line_.segments();) {
     if (shape) record(i, *shape);
     i = touching_ ? contactSegment<Everything>(i) : freeSegments<Everything>(i, shape == nullptr);
   }
-  const std::size_t arms = strain_.size(), slow = memory_.slow;
   if (touching_) {
-    if (Everything) sums_.work += 0.5 * (depth_ - entryDepth_) * (depth_ + entryDepth_);
-    for (std::size_t i = slow; i < arms; ++i) yieldChange_[i] = depth_ - strain_[i] - yield[i];
-    return;
+    if (Everything) sums_.work += elasticWork(0);
+  } else {
+    gatherArc<Everything>(line_.length);
+    setStrainsFree();  // the lowest point takes over
   }
-  gatherArc(line_.length);
-  if (Everything) enter<true>(line_.length, depth_);  // the lowest point takes over
-  for (std::size_t i = slow; i < arms; ++i) {
-    yieldChange_[i] = -yield[i];
-    for (std::size_t j = 0; j < mode_.size(); ++j)
-      yieldChange_[i] += memory_.conversion.toYield[j * arms + i] * mode_[j];
+  for (std::size_t i = memory_.slow; i < strain_.size(); ++i)
+    yieldChange_[i] = strain[i] - strain_[i];
+}
+
+void ArmPass::completeStrains(std::span<double> strain) {
+  std::fill(strain_.begin(), strain_.end(), 0);
+  depth_ = 0;
+  const std::size_t last = line_.segments() - 1;
+  advance(pieceOf(insideOf(0), 0, 1), 1);
+  for (std::size_t i = 1; i < last; ++i) {
+    const Cubic rise = line_.segment(i);
+    for (std::size_t k = 0; k < strain_.size(); ++k)
+      strain_[k] = memory_.kept[k] * strain_[k] - rise.c1 * memory_.driven[0][k] -
+                   2 * rise.c2 * memory_.driven[1][k] - 3 * rise.c3 * memory_.driven[2][k];
   }
+  advance(pieceOf(insideOf(last), 1, 0), 1);
+  for (std::size_t k = 0; k < strain_.size(); ++k)
+    strain[k] = strain_[k] / -std::expm1(-line_.length * memory_.inverse[k]);
 }
 
 void ArmPass::refreshSums() {
@@ -69,12 +83,30 @@ void ArmPass::refreshSums() {
   }
 }
 
-/// Stored by the springs, per 2G.
-double ArmPass::springEnergy(double depth) const {
-  double energy = 0.5 * depth * depth;
-  for (std::size_t i = 0; i < strain_.size(); ++i)
-    energy += 0.5 * memory_.modulus[i] * strain_[i] * strain_[i];
-  return energy;
+/// Put into the elements' own springs from where contact began up to this rise.
+double ArmPass::elasticWork(double rise) const {
+  return (entryRise_ - rise) * (depth_ - 0.5 * (entryRise_ + rise));
+}
+
+/// Strains that go with the amplitudes.
+void ArmPass::setStrainsFree() {
+  std::fill(strain_.begin(), strain_.end(), 0);
+  const std::size_t arms = strain_.size();
+  for (std::size_t j = 0; j < mode_.size(); ++j) {
+    const double* row = memory_.conversion.toStrain.data() + j * arms;
+    for (std::size_t i = 0; i < arms; ++i) strain_[i] += row[i] * mode_[j];
+  }
+}
+
+/// Amplitudes that go with a depth and the strains.
+void ArmPass::setModes(double* modes, double depth) const {
+  const std::size_t arms = strain_.size();
+  for (std::size_t j = 0; j < mode_.size(); ++j) {
+    const double* row = memory_.conversion.ofYield.data() + j * arms;
+    double amplitude = memory_.settled[j] * depth;
+    for (std::size_t i = 0; i < arms; ++i) amplitude -= row[i] * strain_[i];
+    modes[j] = amplitude;
+  }
 }
 
 // ---- in contact
@@ -131,7 +163,7 @@ std::size_t ArmPass::contactSegment(std::size_t i) {
     gatherContact({{depth_ - rise.c0, d0, 0.5 * d1, d2 / 3}, h, line_.position[i]}, with[0],
                   with[1], with[2], memory_.own);
     for (std::size_t k = 0; k < arms; ++k)
-      sums_.dissipation += 0.5 * g[k] * (now[k] * now[k] - next[k] * next[k]);
+      sums_.dissipation += g[k] * memory_.loss[k](now[k], d0, d1, d2);
   }
   strain_.swap(next_);
   strainSum_ = strainSum;
@@ -148,68 +180,62 @@ double ArmPass::pressed(const Inside& inside, double from, double to) {
   const double volume = piece.length * piece.depth.integral(u);
   sums_.depth += volume;
   if (u > 0) {
-    const double before = Everything ? springEnergy(0) : 0;
     if constexpr (Everything) gatherPiece(piece, u);
     advance(piece, u);
-    if constexpr (Everything) sums_.dissipation += before - springEnergy(0);
   }
   if (found > 1) return to;
   const double at = from + u * (to - from);
-  leave<Everything>(inside.at(at), piece.depth(u));
+  leave<Everything>(inside.at(at), inside.rise(at));
   return at;
 }
 
 template <bool Everything>
-void ArmPass::leave(double position, double depth) {
+void ArmPass::leave(double position, double rise) {
+  // Rounding may have the end before the start, where a fast arm would grow out of the numbers.
+  position = std::max(position, contactStart_);
   if (tangent_) tangent_->leave(position - contactStart_);
   touching_ = false;
+  hasLeft_ = true;
   level_ = 0;
   arcStart_ = position;
-  if constexpr (Everything) {
-    sums_.work += 0.5 * (depth - entryDepth_) * (depth + entryDepth_);
-    sums_.dissipation += springEnergy(depth);
-  }
-  const std::size_t arms = strain_.size();
-  for (std::size_t j = 0; j < mode_.size(); ++j) {
-    const double* row = memory_.conversion.ofYield.data() + j * arms;
-    double amplitude = memory_.conversion.ofDepth[j] * depth;
-    for (std::size_t i = 0; i < arms; ++i) amplitude += row[i] * (depth - strain_[i]);
-    mode_[j] = arcMode_[j] = amplitude;
-  }
+  leftRise_ = rise;
+  back_ = 0;
+  if constexpr (Everything) sums_.work += elasticWork(rise);
+  setModes(mode_.data(), depth_ - rise);
+  arcMode_ = mode_;
 }
 
 // ---- free
 // ----------------------------------------------------------------------------------------
 
-/// Closes the arc's sums at a place, with the amplitudes there.
+/// Closes the arc's sums at a place, with the amplitudes there. Free, each amplitude relaxes by
+/// itself and takes what its own spring has stored.
+template <bool Everything>
 void ArmPass::gatherArc(double position) {
-  const double length = position - arcStart_;
+  const double length = std::max(position - arcStart_, 0.0);
   const std::size_t arms = strain_.size();
   double volume = 0;
   for (std::size_t j = 0; j < mode_.size(); ++j) {
     const double z = memory_.rate[j] * length, back = std::expm1(-z);
     volume += arcMode_[j] * (z > 0 ? -back / z : 1);
     mode_[j] = arcMode_[j] * (1 + back);
+    if constexpr (Everything)
+      sums_.dissipation -=
+          0.5 * memory_.stiffness[j] * arcMode_[j] * arcMode_[j] * back * (2 + back);
     for (std::size_t i = 0; i < memory_.slow; ++i)
       yieldChange_[i] += memory_.conversion.toYield[j * arms + i] * arcMode_[j] * back;
   }
   sums_.depth += volume * length;
 }
 
-template <bool Everything>
-void ArmPass::enter(double position, double depth) {
+void ArmPass::enter(double position, double rise) {
+  position = std::max(position, arcStart_);
   if (tangent_) tangent_->enter(position - arcStart_);
   touching_ = true;
   contactStart_ = position;
-  entryDepth_ = depth;
-  std::fill(strain_.begin(), strain_.end(), 0);
-  const std::size_t arms = strain_.size();
-  for (std::size_t j = 0; j < mode_.size(); ++j) {
-    const double* row = memory_.conversion.toStrain.data() + j * arms;
-    for (std::size_t i = 0; i < arms; ++i) strain_[i] += row[i] * mode_[j];
-  }
+  entryRise_ = rise;
+  setStrainsFree();
   refreshSums();
-  if constexpr (Everything) sums_.dissipation -= springEnergy(depth);
 }
 
 /// As many segments as the line stays above the free surface for sure; else a look inside of one.
@@ -225,11 +251,12 @@ std::size_t ArmPass::freeSegments(std::size_t i, bool mayJump) {
     const std::size_t size = std::size_t{1} << (2 * level), block = place >> (2 * level);
     const bool fits = (place & (size - 1)) == 0 && block < line_.blocks[level].size();
     if (fits) {
-      const double* decay = memory_.decay[level].data();
-      double far = 0;
-      for (std::size_t j = 0; j < mode_.size(); ++j) far += mode_[j] * decay[j];
-      if (depth_ - line_.blocks[level][block].lowest <= far) {
+      const double *decay = memory_.decay[level].data(), *lost = memory_.lost[level].data();
+      double back = back_;
+      for (std::size_t j = 0; j < mode_.size(); ++j) back += mode_[j] * lost[j];
+      if (leftRise_ + back <= line_.blocks[level].lowest[block]) {
         for (std::size_t j = 0; j < mode_.size(); ++j) mode_[j] *= decay[j];
+        back_ = back;
         level_ = std::min(level + 1, line_.blocks.size() - 1);
         return i + size;
       }
@@ -257,8 +284,8 @@ void ArmPass::lookInside(std::size_t i) {
     }
     const double entry = findEntry(inside, t, end, line_.bounds(i).lowest);
     if (entry > 1) break;
-    gatherArc(inside.at(entry));
-    enter<Everything>(inside.at(entry), depth_ - inside.rise(entry));
+    gatherArc<Everything>(inside.at(entry));
+    enter(inside.at(entry), inside.rise(entry));
     t = entry;
   }
   if (touching_) {
@@ -267,26 +294,20 @@ void ArmPass::lookInside(std::size_t i) {
     return;
   }
   const double rest = std::abs((end - t) * inside.along);
+  back_ += comesBack(rest);
   for (std::size_t j = 0; j < mode_.size(); ++j) mode_[j] *= std::exp(-memory_.rate[j] * rest);
 }
 
 void ArmPass::record(std::size_t i, ArmShape& shape) {
-  double depth = 0, pressure = 0;
-  const std::size_t arms = strain_.size(), modes = mode_.size();
+  double depth = depth_ - line_.rise[i], pressure = 0;
+  const std::size_t known = shape.modes.size();
   if (touching_) {
-    depth = depth_ - line_.rise[i];
     pressure = depth + strainSum_ - memory_.dashpot * line_.slopeIn[i];
-    for (std::size_t j = 0; j < modes; ++j) {
-      const double* row = memory_.conversion.ofYield.data() + j * arms;
-      double amplitude = memory_.conversion.ofDepth[j] * depth;
-      for (std::size_t k = 0; k < arms; ++k) amplitude += row[k] * (depth - strain_[k]);
-      shape.modes.push_back(amplitude);
-    }
+    shape.modes.resize(known + mode_.size());
+    setModes(shape.modes.data() + known, depth);
   } else {
-    for (std::size_t j = 0; j < modes; ++j) {
-      depth += mode_[j];
-      shape.modes.push_back(mode_[j]);
-    }
+    shape.modes.insert(shape.modes.end(), mode_.begin(), mode_.end());
+    depth = std::max(depth, std::accumulate(mode_.begin(), mode_.end(), 0.0));
   }
   shape.nodes.depth.push_back(depth);
   shape.nodes.pressure.push_back(std::max(pressure, 0.0));

@@ -77,6 +77,7 @@ ArmState slideWithArms(const TravelLine& line, const ElementLaw& law, const Reta
   ArmState state;
   state.balance =
       Solving(line, law, modes, load).solve(velocity, guess ? &guess->balance : nullptr);
+  if (!state.balance.isComplete) countStage(Stage::ContactSearch);
   const StateSums sums = ArmSolver(line, law, modes, velocity).state(state.balance);
   SteadyResult& result = state.result;
   result =

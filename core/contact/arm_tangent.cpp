@@ -18,10 +18,7 @@ void ArmTangent::begin() {
   std::fill(strain_.begin(), strain_.end(), 0);
   std::fill(volume_.begin(), volume_.end(), 0);
   std::fill(change_.begin(), change_.end(), 0);
-  for (std::size_t i = 0; i < memory_.arms(); ++i) {
-    strain_[i * unknowns_] = 1;
-    strain_[i * unknowns_ + i + 1] = -1;
-  }
+  for (std::size_t i = 0; i < memory_.arms(); ++i) strain_[i * unknowns_ + i + 1] = 1;
 }
 
 /// Strains decay; what they lose is yielded.
@@ -44,10 +41,9 @@ void ArmTangent::leave(double length) {
     double* mode = &mode_[j * unknowns_];
     std::fill(mode, mode + unknowns_, 0);
     const double* ofYield = &memory_.conversion.ofYield[j * arms];
-    mode[0] = memory_.conversion.ofDepth[j];
+    mode[0] = memory_.settled[j];
     for (std::size_t i = 0; i < arms; ++i) {
       const double* strain = &strain_[i * unknowns_];
-      mode[0] += ofYield[i];  // yielded is depth less strain
       for (std::size_t k = 0; k < unknowns_; ++k) mode[k] -= ofYield[i] * strain[k];
     }
   }
@@ -75,13 +71,18 @@ void ArmTangent::arc(double length) {
 void ArmTangent::enter(double length) {
   arc(length);
   const std::size_t arms = memory_.arms();
-  std::fill(strain_.begin(), strain_.end(), 0);
-  for (std::size_t i = 0; i < arms; ++i) strain_[i * unknowns_] = 1;  // depth less what is yielded
+  // Strains of the free surface, and what the line presses it in beyond.
+  std::fill(row_.begin(), row_.end(), 0);
+  row_[0] = 1;
+  for (std::size_t j = 0; j < memory_.modes(); ++j)
+    for (std::size_t k = 0; k < unknowns_; ++k) row_[k] -= mode_[j * unknowns_ + k];
+  for (std::size_t i = 0; i < arms; ++i)
+    std::copy(row_.begin(), row_.end(), &strain_[i * unknowns_]);
   for (std::size_t j = 0; j < memory_.modes(); ++j) {
-    const double *mode = &mode_[j * unknowns_], *toYield = &memory_.conversion.toYield[j * arms];
+    const double *mode = &mode_[j * unknowns_], *toStrain = &memory_.conversion.toStrain[j * arms];
     for (std::size_t i = 0; i < arms; ++i) {
       double* strain = &strain_[i * unknowns_];
-      for (std::size_t k = 0; k < unknowns_; ++k) strain[k] -= toYield[i] * mode[k];
+      for (std::size_t k = 0; k < unknowns_; ++k) strain[k] += toStrain[i] * mode[k];
     }
   }
 }

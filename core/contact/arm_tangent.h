@@ -1,5 +1,5 @@
 // How the outcome of a pass over a line answers to its start: derivatives with respect to the
-// indentation and to what each arm has yielded at the lowest point. Strains decay in contact,
+// indentation and to each arm's strain at the lowest point. Strains decay in contact,
 // amplitudes in free arcs, and what is yielded goes on smoothly through every event, so only the
 // lengths between events are needed. Ownership: refers to the memory. One thread at a time.
 #pragma once
@@ -23,7 +23,7 @@ class ArmTangent {
   /// The period ends, in contact or free, with a last stretch of this length.
   void finish(double length, bool touching);
 
-  /// Unknown 0 is the indentation, 1 + k what arm k has yielded.
+  /// Unknown 0 is the indentation, 1 + k the strain of arm k at the lowest point.
   std::size_t unknowns() const { return unknowns_; }
   /// Of the integral of y (m).
   double ofDepthIntegral(std::size_t unknown) const { return volume_[unknown]; }

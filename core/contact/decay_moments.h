@@ -76,4 +76,59 @@ inline std::array<std::array<double, 3>, 3> drivenMoments(double z) {
   return moments;
 }
 
+/// z times the integral of e^2 over [0, 1], which is what a dashpot takes, as a form in e(0) and
+/// the D_k: ee e^2 + sum ed_k e D_k + sum over k <= l of dd_kl D_k D_l. Never less than 0.
+struct LossForm {
+  double ee = 0;
+  std::array<double, 3> ed{};
+  std::array<double, 6> dd{};  // 00 01 02 11 12 22
+
+  double operator()(double e, double d0, double d1, double d2) const {
+    return e * (ee * e + ed[0] * d0 + ed[1] * d1 + ed[2] * d2) +
+           d0 * (dd[0] * d0 + dd[1] * d1 + dd[2] * d2) + d1 * (dd[3] * d1 + dd[4] * d2) +
+           dd[5] * d2 * d2;
+  }
+};
+
+/// By Gauss's points where e hardly decays: what is put in and what is stored nearly cancel there.
+inline LossForm lossOfSlow(double z) {
+  constexpr std::array<double, 4> kPlace{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                                         0.9602898564975363};
+  constexpr std::array<double, 4> kWeight{0.3626837833783620, 0.3137066458778873,
+                                          0.2223810344533745, 0.1012285362903763};
+  LossForm form;
+  for (std::size_t point = 0; point < 8; ++point) {
+    const double place = point < 4 ? kPlace[point] : -kPlace[point - 4];
+    const double u = 0.5 * (1 + place), weight = 0.5 * z * kWeight[point % 4];
+    const DrivenDecay decay = drivenDecay(z * u);
+    const std::array<double, 3> e{u * decay.driven[0], u * u * decay.driven[1],
+                                  u * u * u * decay.driven[2]};
+    form.ee += weight * decay.kept * decay.kept;
+    for (std::size_t k = 0, n = 0; k < 3; ++k) {
+      form.ed[k] += 2 * weight * decay.kept * e[k];
+      for (std::size_t l = k; l < 3; ++l, ++n)
+        form.dd[n] += (k == l ? 1 : 2) * weight * e[k] * e[l];
+    }
+  }
+  return form;
+}
+
+inline LossForm lossForm(double z) {
+  if (z < kSeriesBelow) return lossOfSlow(z);
+  // What is put in less what is stored.
+  const DrivenDecay decay = drivenDecay(z);
+  const auto moments = decayMoments(z);
+  const auto drivenBy = drivenMoments(z);
+  LossForm form;
+  form.ee = 0.5 * (1 - decay.kept * decay.kept);
+  for (std::size_t k = 0, n = 0; k < 3; ++k) {
+    form.ed[k] = moments[k] - decay.kept * decay.driven[k];
+    for (std::size_t l = k; l < 3; ++l, ++n) {
+      const double both = drivenBy[k][l] + drivenBy[l][k] - decay.driven[k] * decay.driven[l];
+      form.dd[n] = k == l ? 0.5 * both : both;
+    }
+  }
+  return form;
+}
+
 }  // namespace asperity

@@ -34,13 +34,16 @@ class Spectrum {
 
   /// 1 - rate tau_i.
   double distance(const Rate& rate, std::size_t i) const {
-    if (rate.base < 0) return 1 - rate.offset * tau(i) / tau(0);
+    // Ratios first: an offset times a time may be below all numbers.
+    if (rate.base < 0) return 1 - rate.offset * (tau(i) / tau(0));
     const double base = tau(rate.base);
-    return ((base - tau(i)) - rate.offset * tau(i)) / base;
+    return (base - tau(i)) / base - rate.offset * (tau(i) / base);
   }
 
  private:
-  static constexpr double kLeast = -600, kMost = 600;  // logarithms of offsets
+  // Logarithms of offsets. Of a mode nearer to its arm's pole than this the depth has no part, and
+  // squares of the distance would leave the numbers.
+  static constexpr double kLeast = -280, kMost = 600;
 
   template <class Index>
   double tau(Index i) const {

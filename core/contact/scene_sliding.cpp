@@ -1,5 +1,6 @@
 #include "core/contact/scene_sliding.h"
 
+#include "core/contact/complete_contact.h"
 #include "core/contact/interface.h"
 #include "core/contact/sweep.h"
 #include "core/scene/effects.h"
@@ -79,6 +80,17 @@ SteadyState SceneSliding::at(const TravelLine& line, double velocity) const {
   }
   addInterface(line, state.result);
   return state;
+}
+
+bool SceneSliding::isComplete(const TravelLine& line, double depth, double velocity) const {
+  return hasArmsAt(velocity)
+             ? ArmSolver(line, law_, modes_, velocity).isContactComplete(depth)
+             : isContactComplete(line, depth, velocity * law_.relaxationTime);
+}
+
+double SceneSliding::completeAbove(const TravelLine& line, double velocity) const {
+  return hasArmsAt(velocity) ? ArmSolver(line, law_, modes_, velocity).completeAbove()
+                             : asperity::completeAbove(line, velocity * law_.relaxationTime);
 }
 
 SteadyShape SceneSliding::shape(const TravelLine& line, double velocity,

@@ -43,6 +43,10 @@ class SceneSliding {
 
   /// Under the scene's load. velocity: m/s, >= 0.
   SteadyState at(const TravelLine& line, double velocity) const;
+  /// Whether everything is in contact at this depth (m), and the depth above which it is. Not for
+  /// nodal.
+  bool isComplete(const TravelLine& line, double depth, double velocity) const;
+  double completeAbove(const TravelLine& line, double velocity) const;
   SteadyShape shape(const TravelLine& line, double velocity, const SteadyState& state) const;
 
  private:

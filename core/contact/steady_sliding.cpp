@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/contact/complete_contact.h"
 #include "core/contact/force_balance.h"
 #include "core/contact/nodal_pass.h"
 #include "core/contact/resolved_pass.h"
 #include "core/scene/element_law.h"
+#include "core/scene/plan.h"
 
 namespace asperity {
 namespace {
@@ -71,11 +73,20 @@ SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& condi
                           double normalForce, double guess) {
   const double memory = memoryOf(conditions);
   const double load = normalForce / (4 * conditions.shearModulus);
-  if (line.scheme == Scheme::Nodal)
+  if (line.scheme == Scheme::Nodal) {
+    countStage(Stage::ContactSearch);
     return resultOfNodal(line, conditions, balanceNodal(line, memory, load));
-  const Balance balance = balanceResolved(line, memory, load, guess);
-  SteadyResult result =
-      steadyResultOf(line, conditions, balance.depth, stateAt(line, balance.depth, memory));
+  }
+  const double whole = depthOfComplete(line, load);
+  const bool isComplete = isContactComplete(line, whole, memory);
+  Balance balance{whole, 1, 0};
+  if (!isComplete) {
+    countStage(Stage::ContactSearch);
+    balance = balanceResolved(line, memory, load, guess);
+  }
+  const StateSums sums = stateAt(line, balance.depth, memory);
+  if (isComplete) balance.residual = std::abs(sums.depth / load - 1);
+  SteadyResult result = steadyResultOf(line, conditions, balance.depth, sums);
   addBalance(result, balance);
   result.status = statusOf(result);
   return result;
@@ -83,8 +94,10 @@ SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& condi
 
 SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& conditions,
                           double depth) {
-  SteadyResult result =
-      steadyResultOf(line, conditions, depth, sumsAt(line, depth, memoryOf(conditions)));
+  const double memory = memoryOf(conditions);
+  if (line.scheme == Scheme::Nodal || !isContactComplete(line, depth, memory))
+    countStage(Stage::ContactSearch);
+  SteadyResult result = steadyResultOf(line, conditions, depth, sumsAt(line, depth, memory));
   result.passes = 1;
   return result;
 }

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "core/contact/complete_contact.h"
 #include "core/contact/depth_at_rest.h"
 #include "core/contact/depth_table.h"
 #include "core/contact/flush_denormals.h"
 #include "core/contact/lane_pass.h"
 #include "core/contact/nodal_group.h"
 #include "core/contact/stream_balance.h"
+#include "core/scene/plan.h"
 
 namespace asperity {
 namespace {
@@ -33,6 +35,20 @@ SteadyResult resultOf(const TravelLine& line, double stiffness, double velocity,
   return result;
 }
 
+/// Whether contact is complete, and then what a pass would find: no edge of contact is sought.
+bool takeComplete(const TravelLine& line, double depth, double memory, PassSums& sums) {
+  if (!isContactComplete(line, depth, memory)) return false;
+  const StateSums state = completeState(line, depth, memory);
+  sums = {state.depth,
+          state.stiffness,
+          state.pressure,
+          state.dissipation,
+          state.contactLength,
+          state.slopeSquared,
+          0};
+  return true;
+}
+
 /// All balances of a table, each in the first lane that is free.
 class SweepQueue final : public PassQueue {
  public:
@@ -47,24 +63,19 @@ class SweepQueue final : public PassQueue {
   bool isStopped() const override { return stop_.stop_requested(); }
 
   bool begin(std::size_t lane, PassTask& task) override {
-    if (begun_ == table_.results.size() || isStopped()) return false;
-    const std::size_t columns = table_.velocities.size();
     Lane& one = lanes_[lane];
-    one.row = begun_ / columns;
-    one.column = columnInOrder(begun_ % columns, columns);
-    ++begun_;
-    one.load = table_.forces[one.row] / stiffness_;
-    double& rest = table_.rests[one.row % DepthTable::kRests];
-    if (one.row != restRow_) {
-      rest = depthAtRest(line_, one.load, stop_);
-      restRow_ = one.row;
-    }
-    one.rest = rest;
+    do {
+      if (begun_ == table_.results.size() || isStopped()) return false;
+      startNext(one);
+    } while (isComplete(one));
+    hasSearched_ = true;
     const double lowest = one.load / line_.length;
     one.balance.start(lowest, lowest + line_.meanRise, table_.guess(one.row, one.column));
     task = taskOf(one);
     return true;
   }
+
+  bool hasSearched() const { return hasSearched_; }
 
   bool next(std::size_t lane, const PassSums& sums, PassTask& task) override {
     Lane& one = lanes_[lane];
@@ -74,13 +85,8 @@ class SweepQueue final : public PassQueue {
       task = taskOf(one);
       return !isStopped();
     }
-    SteadyResult& result = table_.at(one.row, one.column);
-    result = resultOf(line_, stiffness_, table_.velocities[one.column], one.balance.bestSums(),
-                      one.balance.bestDepth());
-    result.passes = one.balance.passes();
-    result.residual = one.balance.residual();
-    result.depthAtRest = one.rest;
-    result.status = statusOf(result);
+    finish(one, one.balance.bestSums(), one.balance.bestDepth(), one.balance.passes(),
+           one.balance.residual());
     return begin(lane, task);
   }
 
@@ -92,11 +98,44 @@ class SweepQueue final : public PassQueue {
     StreamBalance balance;
   };
 
+  void startNext(Lane& one) {
+    const std::size_t columns = table_.velocities.size();
+    one.row = begun_ / columns;
+    one.column = columnInOrder(begun_ % columns, columns);
+    ++begun_;
+    one.load = table_.forces[one.row] / stiffness_;
+    double& rest = table_.rests[one.row % DepthTable::kRests];
+    if (one.row != restRow_) {
+      rest = depthAtRest(line_, one.load, stop_);
+      restRow_ = one.row;
+    }
+    one.rest = rest;
+  }
+
+  bool isComplete(const Lane& one) {
+    const double depth = depthOfComplete(line_, one.load);
+    PassSums sums;
+    if (!takeComplete(line_, depth, memoryOf(one), sums)) return false;
+    finish(one, sums, depth, 1, std::abs(sums.depth / one.load - 1));
+    return true;
+  }
+
+  void finish(const Lane& one, const PassSums& sums, double depth, int passes, double residual) {
+    SteadyResult& result = table_.at(one.row, one.column);
+    result = resultOf(line_, stiffness_, table_.velocities[one.column], sums, depth);
+    result.passes = passes;
+    result.residual = residual;
+    result.depthAtRest = one.rest;
+    result.status = statusOf(result);
+  }
+
+  double memoryOf(const Lane& one) const { return table_.velocities[one.column] * tau_; }
+
   /// Long passes are cut, by what the last one at this velocity cost.
   PassTask taskOf(const Lane& one) {
     constexpr double kLooksOfPart = 48;
     const double parts = std::clamp(looksOf(one.column) / kLooksOfPart, 1.0, 16.0);
-    return {one.balance.depth(), table_.velocities[one.column] * tau_, static_cast<int>(parts)};
+    return {one.balance.depth(), memoryOf(one), static_cast<int>(parts)};
   }
   double& looksOf(std::size_t column) { return looks_[column % looks_.size()]; }
 
@@ -105,6 +144,7 @@ class SweepQueue final : public PassQueue {
   DepthTable table_;
   std::stop_token stop_;
   std::size_t begun_ = 0, restRow_ = std::numeric_limits<std::size_t>::max();
+  bool hasSearched_ = false;
   std::array<Lane, kMostStreams> lanes_;
   std::array<double, 64> looks_{};
 };
@@ -125,21 +165,35 @@ class DepthQueue final : public PassQueue {
   bool isStopped() const override { return stop_.stop_requested(); }
 
   bool begin(std::size_t lane, PassTask& task) override {
-    if (begun_ == velocities_.size() || isStopped()) return false;
-    task = {depth_, velocities_[begun_] * conditions_.relaxationTime, 1};
-    columns_[lane] = begun_++;
-    return true;
+    for (; begun_ < velocities_.size() && !isStopped(); ++begun_) {
+      const double memory = velocities_[begun_] * conditions_.relaxationTime;
+      PassSums sums;
+      if (takeComplete(line_, depth_, memory, sums)) {
+        finish(begun_, sums);
+        continue;
+      }
+      task = {depth_, memory, 1};
+      columns_[lane] = begun_++;
+      hasSearched_ = true;
+      return true;
+    }
+    return false;
   }
 
   bool next(std::size_t lane, const PassSums& sums, PassTask& task) override {
-    const std::size_t column = columns_[lane];
-    results_[column] =
-        resultOf(line_, 4 * conditions_.shearModulus, velocities_[column], sums, depth_);
-    results_[column].passes = 1;
+    finish(columns_[lane], sums);
     return begin(lane, task);
   }
 
+  bool hasSearched() const { return hasSearched_; }
+
  private:
+  void finish(std::size_t column, const PassSums& sums) {
+    results_[column] =
+        resultOf(line_, 4 * conditions_.shearModulus, velocities_[column], sums, depth_);
+    results_[column].passes = 1;
+  }
+
   const TravelLine& line_;
   SlidingConditions conditions_;
   double depth_;
@@ -147,6 +201,7 @@ class DepthQueue final : public PassQueue {
   std::span<SteadyResult> results_;
   std::stop_token stop_;
   std::size_t begun_ = 0;
+  bool hasSearched_ = false;
   std::array<std::size_t, kMostStreams> columns_{};
 };
 
@@ -196,8 +251,10 @@ bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
   if (line.scheme != Scheme::Nodal) {
     SweepQueue queue(line, conditions, {forces, velocities, results, others}, stop);
     passLanes(line, queue);
+    if (queue.hasSearched()) countStage(Stage::ContactSearch);
     return !stop.stop_requested();
   }
+  countStage(Stage::ContactSearch);
   for (std::size_t row = 0; row < forces.size(); ++row) {
     Load load;
     load.normalForce = forces[row];
@@ -215,10 +272,13 @@ bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, con
     return slideAtForces(line, conditions, {&load.normalForce, 1}, velocities, results, stop,
                          others);
   const FlushDenormals flush;
-  if (line.scheme == Scheme::Nodal)
+  if (line.scheme == Scheme::Nodal) {
+    countStage(Stage::ContactSearch);
     return sweepNodal(line, conditions, load, velocities, results, stop);
+  }
   DepthQueue queue(line, conditions, load.depth, velocities, results, stop);
   passLanes(line, queue);
+  if (queue.hasSearched()) countStage(Stage::ContactSearch);
   return !stop.stop_requested();
 }
 

@@ -52,6 +52,9 @@ void TimeMarch::goOnFrom(const TimeMarch& other) {
   setPressure(other.pressure_);
   if (amplitude_.size() == other.amplitude_.size()) amplitude_ = other.amplitude_;
   setDistance(other.distance_);
+  record(other.records_);
+  if (records_.sinceContact && sinceContact_.size() == other.sinceContact_.size())
+    sinceContact_ = other.sinceContact_;
   if (line_->nodes() != other.line_->nodes() || line_->length != other.line_->length) return;
   passedNodes_ = other.passedNodes_;
   ahead_ = other.ahead_;
@@ -252,6 +255,7 @@ void TimeMarch::countContacts(MarchStep& step) const {
 
 MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
   prepareSteps(dt);
+  keepBegin();
   moveLine(distance);
   std::swap(rise_, lastRise_);
   placeLine();
@@ -264,6 +268,7 @@ MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
   MarchStep result =
       modes_.glassyCompliance == 0 ? finishStep<true>(climb) : finishStep<false>(climb);
   countContacts(result);
+  recordStep(dt);
   return result;
 }
 

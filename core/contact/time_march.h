@@ -49,6 +49,11 @@ struct MarchStep {
   std::size_t contacts = 0;  // stretches in contact
 };
 
+/// What a march notes of each element besides, at a cost of its own.
+struct MarchRecords {
+  bool sinceContact = false, power = false;
+};
+
 class TimeMarch {
  public:
   /// One element at each node of the line; lowest: height of its lowest point (m).
@@ -75,6 +80,21 @@ class TimeMarch {
 
   /// Moves the line by `distance` (m, either sign) in the time dt (s, > 0).
   MarchStep step(const MarchLoad& load, double dt, double distance);
+
+  /// Notes these from now on. Elements that are free now count as never in contact.
+  void record(MarchRecords wanted);
+  /// What is known of the time before.
+  void setSinceContact(std::span<const double> seconds);
+  /// s since each element was in contact, 0 in contact, infinite where it never was; empty where
+  /// not recorded.
+  const std::vector<double>& sinceContact() const { return sinceContact_; }
+  /// W/m, dissipated in each element: mean over the last step, of which the sum is
+  /// MarchStep::dissipated / dt, or before the first one what its state says (dissipation.h). Of
+  /// elements without a dashpot of their own work less stored energy, which may fall a little below
+  /// 0 where a step is long. Empty where not recorded.
+  const std::vector<double>& power() const { return power_; }
+  /// dz/dx of the line over each element, from its cubics.
+  std::vector<double> lineSlope() const;
 
   double distance() const { return distance_; }                      // m, slid so far
   double indentation() const { return indentation_; }                // m
@@ -112,6 +132,9 @@ class TimeMarch {
   template <bool HasDashpot>
   MarchStep finishStep(const Climb& climb);
   void countContacts(MarchStep& step) const;
+  void keepBegin();
+  void recordStep(double dt);
+  void recordPower(double dt);
 
   std::shared_ptr<const Line> line_;
   double lowest_;
@@ -127,8 +150,11 @@ class TimeMarch {
   std::vector<double> free_;       // m, depths at the end of the step if nothing touches
   std::vector<double> threshold_;  // m, climb of the line at which each element is touched
   std::vector<Creep> creep_;
-  double preparedFor_ = -1;  // s, dt of creep_
-  double compliance_ = 0;    // m / Pa, y over p/4 pressed on at the end of the step
+  MarchRecords records_;
+  std::vector<double> sinceContact_, power_;
+  std::vector<double> beginDepth_, beginPressure_, beginAmplitude_;  // of the step, to record power
+  double preparedFor_ = -1;                                          // s, dt of creep_
+  double compliance_ = 0;  // m / Pa, y over p/4 pressed on at the end of the step
 };
 
 }  // namespace asperity

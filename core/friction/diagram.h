@@ -71,6 +71,7 @@ struct Diagram {
   std::vector<DiagramSpan> spans;
   std::vector<DiagramLabel> labels;
   std::optional<DiagramRamp> ramp;
+  double height = 1;  // of its row among rows, where a sheet has one column
 };
 
 /// Diagrams side by side under one heading.
@@ -79,7 +80,8 @@ struct DiagramSheet {
   std::string subtitle{};  // the parameters, one line
   std::string note{};      // below, small: what to know when reading it
   std::vector<Diagram> diagrams;
-  int columns = 0;  // diagrams in a row; 0: up to three in one row, more in a square
+  int columns = 0;          // diagrams in a row; 0: up to three in one row, more in a square
+  bool sharesAxis = false;  // of one column: all have one axis along and stand in one line
 };
 
 }  // namespace asperity

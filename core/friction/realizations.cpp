@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <vector>
 
 #include "core/contact/scene_sliding.h"
+#include "core/friction/jobs.h"
 
 namespace asperity {
 namespace {
@@ -26,7 +25,8 @@ std::string failureOf(const SteadyResult& result, double velocity, std::int64_t 
   const std::string where =
       fmt::format("at velocity {:.4g} m/s on realization {}", velocity, realization);
   if (result.residual <= kAcceptedResidual)
-    return "contact is too short for the digits that numbers have, " + where;
+    return "contact is too short, or moduli are too far apart, for the digits that numbers have, " +
+           where;
   return fmt::format("the force balance is not met {}: relative residual {:.2g}", where,
                      result.residual);
 }
@@ -34,19 +34,14 @@ std::string failureOf(const SteadyResult& result, double velocity, std::int64_t 
 class Realizations {
  public:
   Realizations(const RealizationTask& task, int threads, const std::stop_token& stop)
-      : task_(task),
-        sliding_(task.scene),
-        stop_(stop),
-        arena_(threads > 0 ? threads : tbb::task_arena::automatic) {}
+      : task_(task), sliding_(task.scene), stop_(stop), jobs_(threads) {}
 
   /// The first call is for one realization, whose depths the others begin from.
   std::vector<Results> compute(std::int64_t first, std::int64_t count) {
     std::vector<Results> batch(static_cast<std::size_t>(count));
-    arena_.execute([&] {
-      tbb::parallel_for(std::int64_t{0}, count, [&](std::int64_t i) {
-        if (!stop_.stop_requested())
-          batch[static_cast<std::size_t>(i)] = slide(task_.first + first + i);
-      });
+    jobs_.run(count, [&](std::int64_t i) {
+      if (!stop_.stop_requested())
+        batch[static_cast<std::size_t>(i)] = slide(task_.first + first + i);
     });
     if (first_.empty()) first_ = batch.front();
     return batch;
@@ -89,7 +84,7 @@ class Realizations {
   SceneSliding sliding_;
   Results first_;
   const std::stop_token& stop_;
-  tbb::task_arena arena_;
+  Jobs jobs_;
   tbb::enumerable_thread_specific<Memory> memory_;
 };
 

@@ -17,6 +17,16 @@
 
 namespace asperity {
 
+/// What a frame holds only where it is asked for, because most pictures do without.
+struct FrameFields {
+  bool lineSlope = false, sinceContact = false, power = false;
+
+  bool operator==(const FrameFields&) const = default;
+  FrameFields operator|(const FrameFields& other) const {
+    return {lineSlope || other.lineSlope, sinceContact || other.sinceContact, power || other.power};
+  }
+};
+
 struct Frame {
   std::shared_ptr<const Scene> scene;  // the scene that made it; labels come from here
   std::uint64_t sceneNumber = 0;       // of the scene, as returned by Runner::post
@@ -31,6 +41,12 @@ struct Frame {
   std::vector<double> lineHeight;     // m, z - d
   std::vector<double> surfaceHeight;  // m, u
   std::vector<double> pressure;       // N/m, line load p >= 0; 0 where not in contact
+
+  // On request (FrameFields), else empty; at the same points.
+  std::vector<double> lineSlope;     // dz/dx of the rigid line over each element, not a difference
+  std::vector<double> sinceContact;  // s since the element was last in contact, 0 in contact,
+                                     // infinite where that was never seen
+  std::vector<double> power;         // W/m, dissipated in the element's dashpots
 
   // Facts of the steady state of this line and scene; of motions that are not steady, of now.
   double indentation = 0;      // m, d above the line's lowest point

@@ -53,10 +53,11 @@ struct Runner::Body {
 
   struct Orders {
     std::optional<Posted> scene;
+    std::optional<FrameFields> fields;
     bool reset = false;
     bool play = false;
     int steps = 0;
-    bool any() const { return scene || reset || steps > 0; }
+    bool any() const { return scene || fields || reset || steps > 0; }
   };
 
   void march(std::stop_token stop) {
@@ -98,7 +99,9 @@ struct Runner::Body {
       else
         simulation.emplace(orders.scene->scene, orders.scene->number);
     }
+    if (orders.fields) fields = *orders.fields;
     if (!simulation) return;
+    if (orders.fields || orders.scene) simulation->want(fields);
     if (orders.reset) simulation->reset();
     for (int i = 0; i < orders.steps; ++i) simulation->singleStep();
     const auto interval = std::chrono::duration<double>(1 / options.framesPerSecond);
@@ -130,6 +133,7 @@ struct Runner::Body {
         done = curveNumber;
         work = curveScene;
         curveWork = std::stop_source();
+        if (curveIsStopped) curveWork.request_stop();
         curveOptions.stop = curveWork.get_token();
       }
       curveOptions.threads = options.threads;
@@ -150,11 +154,14 @@ struct Runner::Body {
 
   /// Hands an average on, under the number of the newest scene that has this curve.
   void offer(std::uint64_t curve, const CurveProgress& progress) {
-    const std::lock_guard guard(lock);
-    if (curve != curveNumber) return;
-    lastUpdate = {present.scene, present.number, progress.realizationsDone,
-                  progress.realizationsTotal, progress.points};
-    updates.push_back(*lastUpdate);
+    {
+      const std::lock_guard guard(lock);
+      if (curve != curveNumber) return;
+      lastUpdate = {present.scene, present.number, progress.realizationsDone,
+                    progress.realizationsTotal, progress.points};
+      updates.push_back(*lastUpdate);
+    }
+    if (options.curveNews) options.curveNews();
   }
 
   /// Called under the lock when a scene is posted.
@@ -171,6 +178,11 @@ struct Runner::Body {
     curveWork.request_stop();
     lastUpdate.reset();
     curveScene = present;
+    beginCurve();
+  }
+
+  void beginCurve() {
+    curveIsStopped = false;
     ++curveNumber;
   }
 
@@ -180,7 +192,8 @@ struct Runner::Body {
   }
 
   const RunnerOptions options;
-  std::mutex lock;  // of everything down to the threads; never held while computing
+  FrameFields fields;  // the march's alone
+  std::mutex lock;     // of everything down to the threads; never held while computing
   std::condition_variable_any changed;
   bool playing = true;
   Orders waiting;
@@ -189,6 +202,7 @@ struct Runner::Body {
   Posted curveScene;
   std::uint64_t curveNumber = 0;
   std::stop_source curveWork;
+  bool curveIsStopped = false;
   std::optional<CurveUpdate> lastUpdate;
   std::vector<CurveUpdate> updates;
   std::vector<RunnerMessage> messages;
@@ -206,6 +220,12 @@ std::uint64_t Runner::post(Scene scene) {
   body_->orderCurve(*shared);
   body_->changed.notify_all();
   return body_->present.number;
+}
+
+void Runner::want(const FrameFields& fields) {
+  const std::lock_guard guard(body_->lock);
+  body_->waiting.fields = fields;
+  body_->changed.notify_all();
 }
 
 void Runner::play() {
@@ -233,6 +253,19 @@ void Runner::singleStep() {
 void Runner::reset() {
   const std::lock_guard guard(body_->lock);
   body_->waiting.reset = true;
+  body_->changed.notify_all();
+}
+
+void Runner::stopCurve() {
+  const std::lock_guard guard(body_->lock);
+  body_->curveIsStopped = true;
+  body_->curveWork.request_stop();
+}
+
+void Runner::startCurve() {
+  const std::lock_guard guard(body_->lock);
+  body_->curveWork.request_stop();
+  body_->beginCurve();
   body_->changed.notify_all();
 }
 

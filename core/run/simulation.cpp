@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/contact/scene_sliding.h"
+#include "core/run/contact_age.h"
 #include "core/run/rigid_line.h"
 #include "core/scene/plan.h"
 
@@ -60,12 +61,21 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   const bool goesOn = next->isSteady && ready_->isSteady &&
                       next->line().nodes() == ready_->line().nodes() &&
                       next->line().length == ready_->line().length;
+  const bool isSameLine = next->rigid == ready_->rigid;
   ready_ = next;
   if (!goesOn) return reset();
   if (shape == Shape::Steady) return settle(march_->distance());
   TimeMarch march(ready_->rigid->line, ready_->rigid->travel.lowestHeight, ready_->sliding->law());
   march.goOnFrom(*march_);
   march_ = std::move(march);
+  recordFields();
+  // Another line may stand in the present shape, or above it: the load presses it in before it
+  // shows.
+  if (!isSameLine) {
+    const double velocity = ready_->velocity();
+    march_->step(marchLoadOf(ready_->scene->load),
+                 velocity > 0 ? naturalStep() / velocity : restingStep(), 0);
+  }
   clearReading();
 }
 
@@ -84,6 +94,7 @@ void Simulation::settle(double distance) {
   march_ =
       steadyMarch(*ready_->rigid, *ready_->sliding, ready_->velocity(), ready_->steady, distance);
   timeScale_ = 0;
+  recordFields();
   clearReading();
 }
 
@@ -92,7 +103,30 @@ void Simulation::begin() {
   transient_ = ready_->transient;
   samples_.clear();
   timeScale_ = 0;
+  recordFields();
   clearReading();
+}
+
+void Simulation::want(const FrameFields& fields) {
+  fields_ = fields;
+  recordFields();
+}
+
+/// In steady sliding the time before is known, too.
+void Simulation::recordFields() {
+  const MarchRecords records{fields_.sinceContact, fields_.power};
+  if (transient_) return transient_->record(records);
+  const bool isNew = fields_.sinceContact && march_->sinceContact().empty();
+  march_->record(records);
+  if (isNew && ready_->velocity() > 0)
+    march_->setSinceContact(
+        steadyContactAge(march_->pressure(), ready_->line().spacing, ready_->velocity()));
+}
+
+void Simulation::addFields(Frame& frame) const {
+  if (fields_.lineSlope) frame.lineSlope = march().lineSlope();
+  frame.sinceContact = march().sinceContact();
+  frame.power = march().power();
 }
 
 void Simulation::clearReading() {
@@ -206,6 +240,7 @@ Frame Simulation::frame() const {
   for (const double rise : march().rise()) frame.lineHeight.push_back(rise - march().indentation());
   frame.rmsHeight = ready_->line().rmsHeight;
   frame.rmsSlope = ready_->line().rmsSlope;
+  addFields(frame);
   if (transient_)
     addMotion(frame);
   else

@@ -33,6 +33,9 @@ class Simulation {
   void update(std::shared_ptr<const Scene> scene, std::uint64_t number,
               Shape shape = Shape::Present);
 
+  /// What frames hold besides, from now on.
+  void want(const FrameFields& fields);
+
   /// Back to the steady state, time 0.
   void reset();
 
@@ -55,6 +58,8 @@ class Simulation {
   double mostSteps() const;
   void stepOnce(double dt, double distance);
   void clearReading();
+  void recordFields();
+  void addFields(Frame& frame) const;
   void addSteady(Frame& frame) const;
   void addMotion(Frame& frame) const;
   double naturalStep() const;
@@ -65,6 +70,7 @@ class Simulation {
   std::optional<TimeMarch> march_;        // of steady sliding
   std::optional<Transient> transient_;    // of other motions
   std::vector<TransientSample> samples_;  // since they began
+  FrameFields fields_;
   MarchStep last_;
   std::uint64_t steps_ = 0;
   double stepsPerFrame_;

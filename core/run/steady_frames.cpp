@@ -4,7 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/contact/dissipation.h"
 #include "core/contact/scene_sliding.h"
+#include "core/run/contact_age.h"
 #include "core/scene/effects.h"
 #include "core/surface/line_source.h"
 
@@ -21,14 +23,14 @@ SteadyState solve(const SceneSliding& sliding, const TravelLine& line, double ve
   return state;
 }
 
-std::vector<double> rotated(std::vector<double> values, std::int64_t shift) {
-  std::rotate(values.begin(), values.end() - shift, values.end());
-  return values;
+void rotate(std::vector<double>& values, std::int64_t shift) {
+  if (!values.empty()) std::rotate(values.begin(), values.end() - shift, values.end());
 }
 
 }  // namespace
 
-SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
+SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields& fields)
+    : scene_(std::move(scene)) {
   const Accuracy& accuracy = scene_->accuracy;
   needSteadySliding(*scene_, "a picture of one shape");
   const SceneSliding sliding(*scene_);
@@ -45,7 +47,8 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene) : scene_(std::mov
   const Line line = source.make(0);
   const TravelLine travel = prepareTravel(line, accuracy.scheme);
   const SteadyState shown = solve(sliding, travel, velocity);
-  const NodeShape shape = sliding.shape(travel, velocity, shown).nodes;
+  const SteadyShape whole = sliding.shape(travel, velocity, shown);
+  const NodeShape& shape = whole.nodes;
 
   still_.scene = scene_;
   still_.length = line.length;
@@ -64,6 +67,23 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene) : scene_(std::mov
   still_.muSteady = result_.mu;
   still_.muInterface = result_.muInterface;
   still_.velocity = velocity;
+  addFields(fields, line, travel, sliding, whole);
+}
+
+void SteadyFrames::addFields(const FrameFields& fields, const Line& line, const TravelLine& travel,
+                             const SceneSliding& sliding, const SteadyShape& shape) {
+  if (fields.lineSlope) still_.lineSlope = line.slopeAfter;
+  if (fields.sinceContact)
+    still_.sinceContact = steadyContactAge(still_.pressure, still_.spacing, still_.velocity);
+  if (!fields.power) return;
+  const RetardationModes modes = retardationModes(sliding.law());
+  const std::size_t starts = shape.nodes.depth.size();
+  std::vector<double> amplitudes(modes.modes() * starts);
+  const bool one = shape.modes.empty();  // the depth itself
+  for (std::size_t j = 0; j < modes.modes(); ++j)
+    for (std::size_t i = 0; i < starts; ++i)
+      amplitudes[j * starts + i] = one ? shape.nodes.depth[i] : shape.modes[i * modes.modes() + j];
+  still_.power = inLineOrder(travel, dissipatedPower(modes, shape.nodes.pressure, amplitudes));
 }
 
 Frame SteadyFrames::frame(std::int64_t index, std::int64_t count, double framesPerSecond) const {
@@ -86,9 +106,9 @@ Frame SteadyFrames::frameAt(double periods, double timeScale, std::uint64_t step
   frame.distance = periods * frame.length;
   frame.time = velocity > 0 ? frame.distance / velocity : 0;
   frame.timeScale = timeScale;
-  frame.lineHeight = rotated(std::move(frame.lineHeight), shift);
-  frame.surfaceHeight = rotated(std::move(frame.surfaceHeight), shift);
-  frame.pressure = rotated(std::move(frame.pressure), shift);
+  for (std::vector<double>* field : {&frame.lineHeight, &frame.surfaceHeight, &frame.pressure,
+                                     &frame.lineSlope, &frame.sinceContact, &frame.power})
+    rotate(*field, shift);
   return frame;
 }
 

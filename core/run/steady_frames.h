@@ -7,14 +7,14 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/contact/steady_sliding.h"
+#include "core/contact/scene_sliding.h"
 #include "core/run/frame.h"
 
 namespace asperity {
 
 class SteadyFrames {
  public:
-  explicit SteadyFrames(std::shared_ptr<const Scene> scene);
+  explicit SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields& fields = {});
 
   /// Frame `index` of `count` that divide one period; framesPerSecond states the time scale.
   Frame frame(std::int64_t index, std::int64_t count, double framesPerSecond) const;
@@ -26,6 +26,9 @@ class SteadyFrames {
   const SteadyResult& result() const { return result_; }  // at the scene's own accuracy
 
  private:
+  void addFields(const FrameFields& fields, const Line& line, const TravelLine& travel,
+                 const SceneSliding& sliding, const SteadyShape& shape);
+
   std::shared_ptr<const Scene> scene_;
   SteadyResult result_;
   Frame still_;  // of the line at rest at distance 0

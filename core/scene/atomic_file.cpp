@@ -46,7 +46,9 @@ AtomicFile::AtomicFile(const fs::path& file) {
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   static std::atomic<unsigned> number{0};
   name_ = (folder / fmt::format(".asperity.{}_{}.part", ::getpid(), number++)).string();
-  descriptor_ = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
+  // A file without a name gets one through /proc, which a bare chroot has not.
+  if (::access("/proc/self/fd", X_OK) == 0)
+    descriptor_ = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
   if (descriptor_ >= 0) return;
   descriptor_ = ::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail();

@@ -12,7 +12,8 @@ void checkEffects(const Scene& scene) {
   const ElementLaw law = lawOf(scene.elastomer);
   if (law.kind() == ElementKind::Arms && scene.accuracy.scheme == Scheme::Nodal)
     throw InputError("", "accuracy.scheme",
-                     "nodal is the paper's rule for Kelvin elements; arms need linear or cubic");
+                     "nodal is the paper's rule for Kelvin elements: where its force jumps arms "
+                     "cannot close over a period; they need linear or cubic");
   if (scene.interface.frictionCoefficient > 0 && scene.interface.shearStress > 0)
     throw InputError(
         "", "interface.shear_stress",
@@ -32,7 +33,8 @@ void needSteadySliding(const Scene& scene, const std::string& what) {
 void needEquilibrium(const Scene& scene) {
   if (lawOf(scene.elastomer).equilibriumModulus == 0)
     throw InputError("", "elastomer.equilibrium_modulus",
-                     "is 0: in steady sliding the elastomer sinks for ever; it needs more than 0");
+                     "is 0: arms and dashpots carry nothing on average over a period, so sliding "
+                     "or not the elastomer sinks for ever; it needs more than 0");
 }
 
 }  // namespace asperity

@@ -18,6 +18,7 @@ constexpr std::array<std::string_view, kStages> kNames{"line",
                                                        "arms",
                                                        "start from rest",
                                                        "steady pass",
+                                                       "contact search",
                                                        "closure of the period",
                                                        "force balance",
                                                        "time march",
@@ -107,9 +108,18 @@ std::string whyStart(const Scene&, bool runs) {
 
 std::string whySteadyPass(const Scene& scene, bool runs) {
   if (!runs) return "the motion begins at v = 0, where nothing slides";
-  return scene.sliding.kind == SlidingKind::Steady
-             ? "steady sliding is stationary in the line's frame"
+  if (scene.sliding.kind == SlidingKind::Steady)
+    return "steady sliding is stationary in the line's frame";
+  return scene.sliding.kind == SlidingKind::Start || scene.sliding.velocity == 0
+             ? "the friction curve is of steady sliding"
              : "the steady state at the first velocity is where the motion begins";
+}
+
+std::string whySearch(const Scene& scene, bool runs) {
+  if (!runs) return "nothing slides steadily";
+  return scene.accuracy.scheme == Scheme::Nodal
+             ? "whether an element touches is asked at each node"
+             : "edges of contact are found inside the segments wherever contact is not complete";
 }
 
 std::string whyClosure(const Scene& scene, bool runs) {
@@ -153,10 +163,10 @@ std::string whyShape(const Scene&, bool runs) {
 }
 
 using Why = std::string (*)(const Scene&, bool runs);
-constexpr std::array<Why, kStages> kReasons{whyLine,        whyRollOff,   whySummits, whyShift,
-                                            whyFreeSurface, whyArms,      whyStart,   whySteadyPass,
-                                            whyClosure,     whyBalance,   whyMarch,   whyInterface,
-                                            whySweep,       whyAveraging, whyShape};
+constexpr std::array<Why, kStages> kReasons{whyLine,        whyRollOff, whySummits,   whyShift,
+                                            whyFreeSurface, whyArms,    whyStart,     whySteadyPass,
+                                            whySearch,      whyClosure, whyBalance,   whyMarch,
+                                            whyInterface,   whySweep,   whyAveraging, whyShape};
 
 std::array<std::atomic<std::uint64_t>, kStages> counts{};
 
@@ -170,6 +180,8 @@ bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
   if (stage == Stage::SummitCorrelation)
     return isRandom(scene) && scene.surface.summitCorrelation != 0;
   if (!hasElastomer(purpose)) return false;
+  if (purpose == Purpose::Window && stage != Stage::TimeMarch)
+    return callsFor(scene, Purpose::Curve, stage) || callsFor(scene, Purpose::Picture, stage);
   const bool steady = isSteady(scene, purpose);
   switch (stage) {
     case Stage::TemperatureShift:
@@ -182,6 +194,7 @@ bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
     case Stage::StartFromRest:
       return !steady && (scene.sliding.kind == SlidingKind::Start || scene.sliding.velocity == 0);
     case Stage::SteadyPass:
+    case Stage::ContactSearch:
       return hasSteadyState(scene, purpose);
     case Stage::Closure:
       return hasSteadyState(scene, purpose) && lawOf(scene.elastomer).kind() == ElementKind::Arms;

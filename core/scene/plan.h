@@ -24,6 +24,7 @@ enum class Stage {
   Arms,               // internal variables
   StartFromRest,      // static equilibrium at v = 0
   SteadyPass,         // one shape, stationary in the line's frame
+  ContactSearch,      // of its edges, where contact is not complete
   Closure,            // of the arms over a period
   ForceBalance,       // the indentation at which the force is carried
   TimeMarch,          // step after step
@@ -34,7 +35,7 @@ enum class Stage {
 };
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Shape) + 1;
 
-/// What a scene is run for.
+/// What a scene is run for. The window moves the picture, and draws the curve beside it.
 enum class Purpose { Curve, Picture, Surface, Window };
 
 /// Whether the scene calls for the stage. Effects of no strength are not called for.

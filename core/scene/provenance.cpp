@@ -48,9 +48,11 @@ std::string_view findFrom(std::string_view bytes, std::string_view beginning,
 }
 
 /// The scene of an answer or of a provenance; anything else as it is.
-std::string sceneOf(const std::string& json) {
+std::string sceneOf(const std::string& json, const std::string& file) {
   const Json root = Json::parse(json, nullptr, false);
   if (!root.is_object()) return json;
+  if (root.value("verb", Json()) == "batch" && root.contains("scenes"))
+    throw InputError(file, "", "shows many scenes; open the picture or the table of one of them");
   const auto scene = root.find("scene");
   return scene != root.end() && scene->is_object() ? scene->dump() : json;
 }
@@ -93,7 +95,7 @@ Scene readProvenance(const std::filesystem::path& file) {
     throw InputError(file.string(), "",
                      "holds no scene: it was not made by Asperity, or what it said of itself was "
                      "removed");
-  return readScene(sceneOf(json), file.string(), file.parent_path());
+  return readScene(sceneOf(json, file.string()), file.string(), file.parent_path());
 }
 
 }  // namespace asperity

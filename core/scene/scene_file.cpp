@@ -66,11 +66,21 @@ class Watch {
   std::vector<Object> objects_;
 };
 
-/// The parser's message without its own name in front.
+/// The parser's message without its own name in front, and without the middle of what it quotes
+/// where that is long.
 std::string parserMessage(const std::exception& error) {
-  const std::string text = error.what();
+  constexpr std::size_t kMost = 300, kKept = 120;
+  std::string text = error.what();
   const std::size_t bracket = text.find("] ");
-  return "is not valid JSON: " + (bracket == std::string::npos ? text : text.substr(bracket + 2));
+  if (bracket != std::string::npos) text.erase(0, bracket + 2);
+  const auto isInside = [&text](std::size_t i) { return (text[i] & 0xC0) == 0x80; };  // of a letter
+  if (text.size() > kMost) {
+    std::size_t from = kKept, to = text.size() - kKept;
+    while (isInside(from)) --from;
+    while (isInside(to)) ++to;
+    text.replace(from, to - from, " ... ");
+  }
+  return "is not valid JSON: " + text;
 }
 
 Json parseJson(std::string_view text) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/scene/provenance.h"
 #include "tests/app/program_test.h"
 
 namespace asperity {
@@ -48,6 +49,21 @@ TEST_F(BatchTest, SweepsMakeAGridWithPicturesDataAndAPage) {
   EXPECT_THAT(read("out/results.csv"),
               HasSubstr("name,load.normal_force,surface.hurst,mu,indentation"));
   EXPECT_EQ(program.run("open out/grid_04.png --json").out, read("out/grid_04.json"));
+}
+
+TEST_F(BatchTest, WhatShowsAllScenesNamesThemAndIsNotOpenedAsOne) {
+  write(R"({"name": "two", "scene": "s.json", "show": "contact",
+            "sweep": {"surface.hurst": [0.4, 0.8]}})");
+  ASSERT_EQ(program.run("batch b.json -o out").status, 0);
+  for (const std::string name : {"contact_sheet.png", "results.csv"}) {
+    const std::string bytes = read("out/" + name);
+    const auto made = nlohmann::json::parse(findProvenance(bytes));
+    ASSERT_EQ(made["scenes"].size(), 2U) << name;
+    EXPECT_EQ(made["scenes"][1]["scene"], nlohmann::json::parse(read("out/two_02.json"))) << name;
+    const Said said = program.run("open out/" + name + " --json");
+    EXPECT_EQ(said.status, 2) << name;
+    EXPECT_THAT(said.err, HasSubstr("shows many scenes")) << name;
+  }
 }
 
 TEST_F(BatchTest, ABadEntryIsToldAndTheOthersGoOn) {

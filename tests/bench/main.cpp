@@ -1,7 +1,7 @@
-// asperity_bench [--quick] [--accuracy] [--output FOLDER] [Google Benchmark's options]
+// asperity_bench [--quick] [--accuracy] [--effects] [--output FOLDER] [Google Benchmark's options]
 // Measures, prints the tables, and writes them to FOLDER/<CPU name>.md. With a filter only what ran
-// is printed and nothing is written. --accuracy: only the page on accuracy. Exit: 0 done, 1 failed,
-// 2 bad usage.
+// is printed and nothing is written. --accuracy, --effects: only the page on accuracy, on effects.
+// Exit: 0 done, 1 failed, 2 bad usage.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -11,6 +11,7 @@
 #include "core/contact/lane_pass.h"
 #include "tests/bench/accuracy_report.h"
 #include "tests/bench/cancel.h"
+#include "tests/bench/effects_report.h"
 #include "tests/bench/fields.h"
 #include "tests/bench/line_store.h"
 #include "tests/bench/machine.h"
@@ -22,7 +23,7 @@ namespace asperity::bench {
 namespace {
 
 struct Options {
-  bool isQuick = false, isFiltered = false, isAccuracy = false;
+  bool isQuick = false, isFiltered = false, isAccuracy = false, isEffects = false;
   std::string output, memoryChild;
   std::vector<char*> rest;  // for Google Benchmark
 };
@@ -36,6 +37,8 @@ Options readOptions(int count, char** arguments) {
       options.isQuick = true;
     else if (argument == "--accuracy")
       options.isAccuracy = true;
+    else if (argument == "--effects")
+      options.isEffects = true;
     else if (argument == "--output" && hasValue)
       options.output = arguments[++i];
     else if (argument == "--memory-child" && hasValue)
@@ -84,17 +87,27 @@ bool write(const std::string& folder, const char* what, const std::string& page)
   return static_cast<bool>(out);
 }
 
+/// A page beside the main one; false where it cannot be written.
+bool addPage(const Options& options, const char* what, const std::string& page) {
+  std::printf("\n%s", page.c_str());
+  return options.output.empty() || write(options.output, what, page);
+}
+
 int run(int count, char** arguments) {
   Options options = readOptions(count, arguments);
   if (!options.memoryChild.empty()) return runMemoryChild(options.memoryChild);
   int left = static_cast<int>(options.rest.size());
   ::benchmark::Initialize(&left, options.rest.data());
   if (::benchmark::ReportUnrecognizedArguments(left, options.rest.data())) return 2;
-  if (!options.isFiltered) {
-    const std::string page = accuracyReport(options.isQuick);
-    std::printf("\n%s", page.c_str());
-    if (!options.output.empty() && !write(options.output, "_accuracy", page)) return 1;
-    if (options.isAccuracy) return 0;
+  const bool isOnePage = options.isAccuracy || options.isEffects;
+  if (!options.isFiltered || isOnePage) {
+    if ((options.isEffects || !isOnePage) &&
+        !addPage(options, "_effects", effectsReport(options.isQuick)))
+      return 1;
+    if ((options.isAccuracy || !isOnePage) &&
+        !addPage(options, "_accuracy", accuracyReport(options.isQuick)))
+      return 1;
+    if (isOnePage) return 0;
   }
   Measured measured;
   measured.instructionSets = instructionSets();

@@ -49,11 +49,12 @@ if [[ " $* " == *" install "* ]]; then : >"$state/missing"; fi
 END
   stand_in cmake <<'END'
 [[ ! -e $state/broken_configuration ]] || { printf 'CMake Error\n' >&2; exit 1; }
-mkdir -p .build/release
-: >.build/release/build.ninja
+mkdir -p ".build/$2"
+: >".build/$2/build.ninja"
 printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "ASPERITY_TESTS:BOOL=${*##*TESTS=}" \
-  >.build/release/CMakeCache.txt
+  >".build/$2/CMakeCache.txt"
 END
+  stand_in clang++-14 <<<''
   stand_in ninja <<'END'
 if [[ $1 == -C ]]; then
   if [[ -e $2/fresh ]]; then printf 'ninja: no work to do.\n'; else printf '[0%%] Building\n'; fi
@@ -258,7 +259,8 @@ test_tests_end_with_their_count() {
   call test
   same status "$status" 0
   same 'last line' "${out##*$'\n'}" '12 passed, 0 failed'
-  like calls "$(<"$calls")" '*cmake *-DASPERITY_TESTS=ON*ninja all*ctest *'
+  like calls "$(<"$calls")" \
+    '*cmake --preset release*-DASPERITY_TESTS=ON*ninja all*cmake --preset fuzz*ninja all*ctest *'
 
   printf '8\n' >"$state/ctest_status"
   printf '%s\n' '75% tests passed, 1 tests failed out of 4' '' \
@@ -275,6 +277,24 @@ test_tests_end_with_their_count() {
 
   call run check
   same 'stderr of run after test' "$err" ''
+}
+
+test_fuzz_feeds_every_reader() {
+  mkdir -p "$project/tests/fuzz"
+  cat >"$project/tests/fuzz/run_fuzz" <<'END'
+#!/usr/bin/env bash
+printf '%s\n' "$*"
+[[ ! -e $state/found ]]
+END
+  chmod +x "$project/tests/fuzz/run_fuzz"
+  call fuzz 30
+  same status "$status" 0
+  same runs "$out" $'scene -max_total_time=30\nset -max_total_time=30\nprofile -max_total_time=30'
+  like calls "$(<"$calls")" '*cmake --preset fuzz*ninja all*'
+  : >"$state/found"
+  call fuzz 30
+  same 'status where something is found' "$status" 1
+  like 'stderr where something is found' "$err" '*dev: an input that breaks scene*'
 }
 
 test_display_for_tests() {

@@ -187,6 +187,18 @@ void addLines(Table& table) {
   each("denormal decay", "u far below 1e-308", wedgeLine(kLength, 4001, 1e-3), 1e-9);
 }
 
+/// Where the literal force jumps no depth meets the load; the share of the element on the edge
+/// does.
+void addNodalJumps(Table& table) {
+  const Line line = rough(500);
+  for (const double force : {1e-9, 1e-5, kForce})
+    for (const double velocity : {1e-9, 1e-3, 0.1, 10.0})
+      table.addOne("nodal, " + std::to_string(force * 1e9).substr(0, 5) + " nN, v = 1e" +
+                       std::to_string(static_cast<int>(std::log10(velocity))),
+                   "F_N(d) jumps; mu of either sign", Scheme::Nodal, line,
+                   {kModulus, kTau, velocity}, force);
+}
+
 void addLargest(Table& table) {
   const Line line = rough(1 << 20);
   table.add("N = 2^20, v = 1000", "long sums", line, 1e3, kForce);
@@ -199,6 +211,7 @@ std::vector<HardCase> hardCases() {
   addConditions(table);
   addFullContact(table);
   addLines(table);
+  addNodalJumps(table);
   addLargest(table);
   return table.rows;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "core/scene/arms_text.h"
 #include "core/scene/scene_file.h"
 
 namespace asperity {
@@ -60,6 +61,19 @@ std::int64_t mostOf(std::string_view key) {
   return std::int64_t{1} << 53;
 }
 
+/// Mostly moduli and times of rubber, sometimes everything that the table allows.
+rc::Gen<ParameterValue> anyArms() {
+  const auto arm =
+      rc::gen::map(rc::gen::tuple(part(), part(), rc::gen::inRange(0, 4)),
+                   [](const std::tuple<double, double, int>& at) {
+                     const auto [modulus, time, wide] = at;
+                     return wide == 0 ? Arm{between(1e-6, 1e15, modulus), between(0, 1e12, time)}
+                                      : Arm{between(1e3, 1e9, modulus), between(1e-10, 1e3, time)};
+                   });
+  return rc::gen::map(rc::gen::resize(6, rc::gen::container<std::vector<Arm>>(arm)),
+                      [](const std::vector<Arm>& arms) { return ParameterValue(textOf(arms)); });
+}
+
 rc::Gen<ParameterValue> anyValueOf(const Parameter& row) {
   return std::visit(
       Overloaded{[](const RealField& field) { return anyValue(field); },
@@ -70,6 +84,7 @@ rc::Gen<ParameterValue> anyValueOf(const Parameter& row) {
                      words.emplace_back(std::string(word));
                    return rc::gen::elementOf(words);
                  },
+                 [](const ArmsField&) { return anyArms(); },
                  [&](const auto&) {
                    return rc::gen::just(row.key == "surface.file"
                                             ? ParameterValue(std::string("profile_public.csv"))
@@ -92,6 +107,7 @@ Scene sceneWith(const std::vector<Setting>& settings) {
       setValue(row, scene, setting.value);
     }
   if (scene.surface.kind == SurfaceKind::Profile) scene.surface.file = "profile_public.csv";
+  if (scene.elastomer.rheology == Rheology::StandardSolid) scene.elastomer.arms.resize(1);
   scene.surface.waves = std::min(scene.surface.waves, (scene.surface.elements - 1) / 2);
   if (scene.accuracy.scheme == Scheme::Nodal) scene.accuracy.oversampling = 1;
   if (scene.sweep.velocityFrom > scene.sweep.velocityTo)

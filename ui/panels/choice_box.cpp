@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QWheelEvent>
+#include <algorithm>
 
 namespace asperity {
 
@@ -11,7 +12,7 @@ ChoiceBox::ChoiceBox(QWidget* parent) : QComboBox(parent) {
 }
 
 QSize ChoiceBox::sizeHint() const {
-  return {QComboBox::sizeHint().width() + 8, 24};
+  return {QComboBox::sizeHint().width() + 8, std::max(24, fontMetrics().height() + 8)};
 }
 
 void ChoiceBox::wheelEvent(QWheelEvent* event) {

@@ -1,5 +1,6 @@
 #include "ui/panels/parameter_row.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QHBoxLayout>
@@ -9,8 +10,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/unit_text.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
 
@@ -18,9 +22,12 @@ namespace asperity {
 
 namespace {
 
-constexpr int kEntryWidth = 74;
-constexpr int kUnitWidth = 25;
-constexpr int kResetWidth = 18;
+constexpr int kGap = 5;  // pixels between the columns
+
+// Digits.
+constexpr double kEntryWidth = 8.2;
+constexpr double kUnitWidth = 4.2;
+constexpr double kResetWidth = 2.25;
 
 ParameterValue sliderValue(const Parameter& parameter, double value) {
   if (std::holds_alternative<IntegerField>(parameter.field))
@@ -33,7 +40,7 @@ int labelWidth(const QFont& font) {
   const QFontMetrics metrics(font);
   int width = 0;
   for (const Parameter& parameter : parameters())
-    width = std::max(width, metrics.horizontalAdvance(fromUtf8(parameter.label) + "  " +
+    width = std::max(width, metrics.horizontalAdvance(ParameterRow::labelOf(parameter) + "  " +
                                                       fromUtf8(parameter.symbol)));
   return width + 4;
 }
@@ -42,19 +49,35 @@ int labelWidth(const QFont& font) {
 QString rangeText(const Parameter& parameter) {
   const auto between = [&](const auto& field) {
     return ParameterRow::tr("%1 to %2 %3")
-        .arg(numberText(static_cast<double>(field.minimum)),
-             numberText(static_cast<double>(field.maximum)), fromUtf8(parameter.unit))
+        .arg(shownNumber(static_cast<double>(field.minimum)),
+             shownNumber(static_cast<double>(field.maximum)), fromUtf8(parameter.unit))
         .trimmed();
   };
   if (const auto* real = std::get_if<RealField>(&parameter.field)) return between(*real);
   if (const auto* whole = std::get_if<IntegerField>(&parameter.field)) return between(*whole);
-  return QString::fromStdString(allowedText(parameter));
+  QStringList words;
+  if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
+    for (const std::string_view word : choice->choices) words += wordText(word);
+  return words.join(QStringLiteral(", "));
 }
 
 /// Arms are typed as the list that a scene file holds.
 bool isText(const Parameter& parameter) {
   return std::holds_alternative<TextField>(parameter.field) ||
          std::holds_alternative<ArmsField>(parameter.field);
+}
+
+UnitText shownText(const Parameter& parameter, const ParameterValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) {
+    const UnitText text = inReadableUnit(*real, fromUtf8(parameter.unit));
+    return {inLanguage(text.number), text.unit};
+  }
+  return {valueText(value), fromUtf8(parameter.unit)};
+}
+
+QString textWithUnit(const Parameter& parameter, const ParameterValue& value) {
+  const UnitText text = shownText(parameter, value);
+  return (text.number + ' ' + text.unit).trimmed();
 }
 
 double asNumber(const ParameterValue& value) {
@@ -71,7 +94,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, Q
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
   auto* line = new QHBoxLayout;
-  line->setSpacing(5);
+  line->setSpacing(kGap);
   column->addLayout(line);
 
   addLabel(*line, heading);
@@ -83,7 +106,12 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, Q
     addNumber(*line);
   addReset(*line);
 
-  addRemarks(*column, labelWidth(font()) + line->spacing());
+  addRemarks(*column);
+  setWidths();
+}
+
+QString ParameterRow::labelOf(const Parameter& parameter) {
+  return translatedText(parameter.label);
 }
 
 void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool replace) {
@@ -100,19 +128,21 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
 
 void ParameterRow::showEntry(const ParameterValue& value, const std::optional<StandIn>& standIn,
                              bool replace) {
-  const QString text = standIn ? QString() : valueText(value);
+  const UnitText shown = shownText(parameter_, value);
+  const QString text = standIn ? QString() : shown.number;
   if (browse_)  // in words until there is a name that needs the room
     browse_->setText(text.isEmpty() ? tr("choose file…") : QStringLiteral("…"));
   else
     entry_->setPlaceholderText(standIn ? standIn->text : QString());
-  replace ? entry_->replaceText(text) : entry_->showText(text);
+  const QString unit = standIn ? fromUtf8(parameter_.unit) : shown.unit;
+  replace ? entry_->replaceText(text, unit) : entry_->showText(text, unit);
 }
 
 void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& resting) {
   resting_ = resting;
   reset_->setEnabled(value != resting);
   reset_->setToolTip(resting == defaultOf(parameter_)
-                         ? tr("Back to the default, %1").arg(valueText(resting))
+                         ? tr("Back to the default, %1").arg(textWithUnit(parameter_, resting))
                          : tr("As the file says"));
 }
 
@@ -127,13 +157,12 @@ void ParameterRow::showNote(const QString& text) {
   note_->setVisible(!text.isEmpty());
 }
 
-void ParameterRow::addRemarks(QVBoxLayout& column, int indent) {
+void ParameterRow::addRemarks(QVBoxLayout& column) {
   const auto remark = [&](const char* role) {
     auto* label = new QLabel;
     label->setObjectName(QString(role) + ":" + fromUtf8(parameter_.key));
     label->setProperty("role", role);
     label->setWordWrap(true);
-    label->setIndent(indent);
     label->hide();
     column.addWidget(label);
     return label;
@@ -142,18 +171,38 @@ void ParameterRow::addRemarks(QVBoxLayout& column, int indent) {
   error_ = remark("error");
 }
 
+/// Columns that stand under each other in all rows, as wide as the font needs.
+void ParameterRow::setWidths() {
+  const double digit = QFontMetricsF(font()).horizontalAdvance('0');
+  const auto digits = [digit](double count) {
+    return static_cast<int>(std::lround(count * digit));
+  };
+  const int width = labelWidth(font());
+  label_->setFixedWidth(width);
+  for (QLabel* remark : {note_, error_}) remark->setIndent(width + kGap);
+  if (unit_) {
+    entry_->setFixedWidth(digits(kEntryWidth));
+    unit_->setFixedWidth(digits(kUnitWidth));
+  }
+  reset_->setFixedWidth(digits(kResetWidth));
+}
+
+void ParameterRow::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange && error_) setWidths();
+}
+
 void ParameterRow::addLabel(QHBoxLayout& line, const QString& heading) {
   auto* label = new QLabel;
   if (heading.isEmpty()) {
     const QString symbol = symbolHtml(parameter_.symbol);
-    label->setText(tr(parameter_.label.data()) +
-                   (parameter_.symbol.empty() ? "" : "&nbsp; " + symbol));
+    label->setText(labelOf(parameter_) + (parameter_.symbol.empty() ? "" : "&nbsp; " + symbol));
   } else {
     label->setText(heading);
     label->setProperty("role", "heading");
   }
   label->setTextFormat(Qt::RichText);
-  label->setFixedWidth(labelWidth(font()));
+  label_ = label;
   label->setToolTip(description());
   line.addWidget(label);
 }
@@ -167,19 +216,23 @@ void ParameterRow::addNumber(QHBoxLayout& line) {
 
   entry_ = new ValueEntry;
   describe(*entry_, "entry");
-  entry_->setFixedWidth(kEntryWidth);
-  connect(entry_, &ValueEntry::textCommitted, this, &ParameterRow::textGiven);
+  connect(entry_, &ValueEntry::textCommitted, this, [this](const QString& text) {
+    emit textGiven(inShownUnit(withPoint(text.trimmed()), entry_->unit()));
+  });
   line.addWidget(entry_);
 
-  auto* unit = new QLabel(fromUtf8(parameter_.unit));
+  auto* unit = new QLabel;
+  unit->setObjectName("unit:" + fromUtf8(parameter_.key));
   unit->setProperty("role", "unit");
-  unit->setFixedWidth(kUnitWidth);
+  connect(entry_, &ValueEntry::unitShown, unit, &QLabel::setText);
+  unit_ = unit;
   line.addWidget(unit);
 }
 
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
   choice_ = new ChoiceBox;
   describe(*choice_, "choice");
+  choice_->view()->setAccessibleName(choice_->accessibleName());
   for (const std::string_view word : field.choices)
     choice_->addItem(wordText(word), fromUtf8(word));
   choice_->setEnabled(field.choices.size() > 1);
@@ -216,8 +269,7 @@ void ParameterRow::addReset(QHBoxLayout& line) {
   reset_->setText(QStringLiteral("↺"));
   reset_->setObjectName("reset:" + fromUtf8(parameter_.key));
   reset_->setProperty("role", "reset");
-  reset_->setAccessibleName(tr("reset %1").arg(fromUtf8(parameter_.label)));
-  reset_->setFixedWidth(kResetWidth);
+  reset_->setAccessibleName(tr("reset %1").arg(labelOf(parameter_)));
   reset_->setFocusPolicy(Qt::NoFocus);
   connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(resting_); });
   line.addWidget(reset_);
@@ -225,16 +277,28 @@ void ParameterRow::addReset(QHBoxLayout& line) {
 
 void ParameterRow::describe(QWidget& control, const char* kind) {
   control.setObjectName(QString(kind) + ":" + fromUtf8(parameter_.key));
-  control.setAccessibleName(fromUtf8(parameter_.key));
-  control.setAccessibleDescription(tr(parameter_.sentence.data()));
+  control.setAccessibleName(accessibleLabel());
+  control.setAccessibleDescription(translatedText(parameter_.sentence));
   control.setToolTip(description());
 }
 
+/// "normal force (N)".
+QString ParameterRow::accessibleLabel() const {
+  const QString unit = fromUtf8(parameter_.unit);
+  return unit.isEmpty() ? labelOf(parameter_)
+                        : QStringLiteral("%1 (%2)").arg(labelOf(parameter_), unit);
+}
+
 QString ParameterRow::description() const {
-  QString text = "<p>" + tr(parameter_.sentence.data()).toHtmlEscaped() + "</p>";
+  QString text = "<p>" + translatedText(parameter_.sentence).toHtmlEscaped() + "</p>";
   if (!isText(parameter_))
     text += QStringLiteral("<p><small>%1: %2</small></p>")
                 .arg(fromUtf8(parameter_.key), rangeText(parameter_).toHtmlEscaped());
+  if (std::holds_alternative<RealField>(parameter_.field) && !parameter_.unit.empty())
+    text += QStringLiteral("<p><small>%1</small></p>")
+                .arg(tr("A number alone counts in the unit beside it, one with an exponent (1e7) "
+                        "in %1; any unit may be typed with it.")
+                         .arg(fromUtf8(parameter_.unit)));
   return text;
 }
 

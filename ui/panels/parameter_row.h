@@ -31,6 +31,9 @@ class ParameterRow : public QWidget {
 
   const Parameter& parameter() const { return parameter_; }
 
+  /// The parameter's name in the language of the window.
+  static QString labelOf(const Parameter& parameter);
+
   /// Shows the scene's value and vanishes where the row does not apply. `replace` also overwrites
   /// what someone typed and was refused. `known` is the line that is shown.
   void showScene(const Scene& scene, const LineSize& known, bool replace);
@@ -46,6 +49,7 @@ class ParameterRow : public QWidget {
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void addLabel(QHBoxLayout& line, const QString& heading);
@@ -54,16 +58,20 @@ class ParameterRow : public QWidget {
   void addText(QHBoxLayout& line);
   void addBrowse(QHBoxLayout& line);
   void addReset(QHBoxLayout& line);
-  void addRemarks(QVBoxLayout& column, int indent);
+  void addRemarks(QVBoxLayout& column);
+  void setWidths();
   void showEntry(const ParameterValue& value, const std::optional<StandIn>& standIn, bool replace);
   void showReset(const ParameterValue& value, const ParameterValue& resting);
   void describe(QWidget& control, const char* kind);
   QString description() const;
+  QString accessibleLabel() const;
 
   const Parameter& parameter_;
   ValueSlider* slider_ = nullptr;
   ValueEntry* entry_ = nullptr;
   ChoiceBox* choice_ = nullptr;
+  QLabel* label_ = nullptr;
+  QLabel* unit_ = nullptr;  // of numbers
   QToolButton* browse_ = nullptr;
   QToolButton* reset_ = nullptr;
   ParameterValue resting_;  // what the reset button gives

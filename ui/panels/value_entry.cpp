@@ -9,15 +9,21 @@ ValueEntry::ValueEntry(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::editingFinished, this, [this] { commit(); });
 }
 
-void ValueEntry::showText(const QString& text) {
+void ValueEntry::showText(const QString& text, const QString& unit) {
   accepted_ = text;
+  acceptedUnit_ = unit;
   if (hasError() || (hasFocus() && isModified())) return;
-  replaceText(text);
+  replaceText(text, unit);
 }
 
-void ValueEntry::replaceText(const QString& text) {
+void ValueEntry::replaceText(const QString& text, const QString& unit) {
   accepted_ = text;
+  acceptedUnit_ = unit;
   showError({});
+  if (unit_ != unit) {
+    unit_ = unit;
+    emit unitShown(unit);
+  }
   if (this->text() != text) {
     setText(text);
     shownEnd_ == Qt::LeftEdge ? home(false) : end(false);
@@ -35,7 +41,7 @@ void ValueEntry::showError(const QString& reason) {
 
 void ValueEntry::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && (hasError() || isModified())) {
-    replaceText(accepted_);
+    replaceText(accepted_, acceptedUnit_);
     selectAll();
     return;
   }

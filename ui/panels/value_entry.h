@@ -13,11 +13,15 @@ class ValueEntry : public QLineEdit {
  public:
   explicit ValueEntry(QWidget* parent = nullptr);
 
-  /// Shows the accepted value, unless someone is typing another one or a refused text stands.
-  void showText(const QString& text);
+  /// Shows the accepted value, unless someone is typing another one or a refused text stands. The
+  /// unit stands beside the entry, where unitShown() puts it.
+  void showText(const QString& text, const QString& unit = {});
 
   /// Shows it whatever stands there.
-  void replaceText(const QString& text);
+  void replaceText(const QString& text, const QString& unit = {});
+
+  /// Of what stands there, if it is a number alone.
+  QString unit() const { return unit_; }
 
   /// Which end of a text that is too long is in sight; the left one unless told.
   void setShownEnd(Qt::Edge end) { shownEnd_ = end; }
@@ -28,6 +32,7 @@ class ValueEntry : public QLineEdit {
 
  signals:
   void textCommitted(const QString& text);
+  void unitShown(const QString& unit);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -35,7 +40,8 @@ class ValueEntry : public QLineEdit {
  private:
   void commit();
 
-  QString accepted_;
+  QString accepted_, acceptedUnit_;
+  QString unit_;
   QString reason_;
   Qt::Edge shownEnd_ = Qt::LeftEdge;
 };

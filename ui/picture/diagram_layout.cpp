@@ -101,7 +101,7 @@ DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) 
   const float height = static_cast<float>(options.height) / static_cast<float>(grid.rows);
   const float room = std::min(width / (900 * scale), height / (620 * scale));
   float unit = scale * (room > 1 ? std::pow(room, 0.7F) : std::clamp(room, 0.85F, 1.0F));
-  unit = std::min({unit, width / 350, height / 380});
+  unit = std::max(std::min({unit, width / 350, height / 380}), options.leastText * scale);
   return {unit,
           fontSize(19 * unit),
           fontSize(13 * unit),
@@ -123,8 +123,20 @@ std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& optio
   const auto columns = static_cast<float>(grid.columns), rows = static_cast<float>(grid.rows);
   const float width =
       (static_cast<float>(options.width) - 2 * side - (columns - 1) * gap) / columns;
-  const float height = (bottom - top - (rows - 1) * gap) / rows;
+  const float room = bottom - top - (rows - 1) * gap;
   std::vector<Box> cells;
+  if (grid.columns == 1) {
+    double all = 0;
+    for (const Diagram& diagram : sheet.diagrams) all += diagram.height;
+    float y = top;
+    for (const Diagram& diagram : sheet.diagrams) {
+      const float height = room * static_cast<float>(diagram.height / all);
+      cells.push_back({std::round(side), std::round(y), std::floor(width), std::floor(height)});
+      y += height + gap;
+    }
+    return cells;
+  }
+  const float height = room / rows;
   for (std::size_t i = 0; i < sheet.diagrams.size(); ++i) {
     const int row = static_cast<int>(i) / grid.columns, column = static_cast<int>(i) % grid.columns;
     cells.push_back({std::round(side + static_cast<float>(column) * (width + gap)),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/translated.h"
 #include "ui/picture/diagram_annotations.h"
 #include "ui/picture/diagram_legend.h"
 #include "ui/picture/text_metrics.h"
@@ -28,6 +29,15 @@ class Panel {
     axes_.plot.up =
         diagramAxisUp(diagram.y, rangeUp(diagram, along_), axes_.plot.box.height, sizes);
     arrange();
+  }
+
+  /// Pixels that labels and title take at the left.
+  float left() const { return axes_.plot.box.x - cell_.x; }
+
+  /// The frame at this place along x, as wide as that of the others; the legend inside.
+  void alignTo(float left) {
+    left_ = left;
+    place(0);
   }
 
   /// Nothing where the frame would be too small to read.
@@ -70,7 +80,7 @@ class Panel {
   /// Everything, with so many pixels kept free at the right.
   void place(float right) {
     Box& box = axes_.plot.box;
-    box.x = std::round(cell_.x + leftOfAxes(axes_.plot.up, sizes_));
+    box.x = std::round(cell_.x + std::max(left_, leftOfAxes(axes_.plot.up, sizes_)));
     const auto fit = [&](float overhang) {
       box.width = std::max(1.0F, std::floor(cell_.right() - right - overhang - box.x));
       axes_.plot.along = diagramAxisAlong(diagram_.x, along_, box.width, sizes_);
@@ -123,6 +133,7 @@ class Panel {
   std::vector<SeriesStyle> styles_;
   std::vector<PlacedLabel> labels_;
   Legend legend_;
+  float left_ = 0;    // at least so many pixels left of the frame
   Box legendBox_;     // no width: not shown
   float hidden_ = 0;  // share of the legend's box that hides something
 };
@@ -149,7 +160,8 @@ DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
   return options;
 }
 
-DrawList composeDiagrams(const DiagramSheet& sheet, const DiagramOptions& asked) {
+DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {
+  const DiagramSheet sheet = translated(english);
   DiagramOptions options = asked;
   options.width = std::max(options.width, 1);
   options.height = std::max(options.height, 1);
@@ -162,8 +174,15 @@ DrawList composeDiagrams(const DiagramSheet& sheet, const DiagramOptions& asked)
   const float bottom = addNote(list, sheet, sizes, options.theme);
   const std::vector<Box> cells = cellsFor(sheet, options, top, bottom, sizes);
   const float above = aboveFrames(sheet, sizes);
+  std::vector<Panel> panels;
   for (std::size_t i = 0; i < sheet.diagrams.size(); ++i)
-    Panel(sheet.diagrams[i], cells[i], above, sizes, options.theme).addTo(list);
+    panels.emplace_back(sheet.diagrams[i], cells[i], above, sizes, options.theme);
+  if (sheet.sharesAxis) {
+    float left = 0;
+    for (const Panel& panel : panels) left = std::max(left, panel.left());
+    for (Panel& panel : panels) panel.alignTo(left);
+  }
+  for (const Panel& panel : panels) panel.addTo(list);
   return list;
 }
 

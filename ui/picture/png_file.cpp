@@ -1,9 +1,10 @@
 #include "ui/picture/png_file.h"
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -37,9 +38,7 @@ void addChunk(std::string& png, std::string_view type, std::string_view data) {
   const std::size_t start = png.size();
   png += type;
   png += data;
-  const auto* bytes = reinterpret_cast<const Bytef*>(png.data() + start);
-  png += bigEndian(
-      static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), bytes, png.size() - start)));
+  png += bigEndian(libdeflate_crc32(0, png.data() + start, png.size() - start));
 }
 
 /// UTF-8, uncompressed, so that any program can find it.
@@ -52,30 +51,32 @@ void addText(std::string& png, std::string_view key, const std::string& text) {
 
 /// Rows of colours, filtered. The channels are known to the compiler: it takes a tenth of the time.
 template <std::size_t kChannels>
-std::vector<Bytef> filteredRows(const QImage& image) {
+std::vector<std::uint8_t> filteredRows(const QImage& image) {
   const auto width = static_cast<std::size_t>(image.width());
   const auto height = static_cast<std::size_t>(image.height());
   const std::size_t row = width * kChannels;
-  std::vector<Bytef> rows((row + 1) * height), above(row), present(row);
+  std::vector<std::uint8_t> rows((row + 1) * height), above(row), present(row);
   for (std::size_t y = 0; y < height; ++y) {
     const uchar* pixels = image.constScanLine(static_cast<int>(y));
-    Bytef* colours = present.data();
+    std::uint8_t* colours = present.data();
     for (std::size_t x = 0; x < width; ++x)
       for (std::size_t c = 0; c < kChannels; ++c) colours[x * kChannels + c] = pixels[4 * x + c];
-    Bytef* out = rows.data() + y * (row + 1);
+    std::uint8_t* out = rows.data() + y * (row + 1);
     *out++ = kUpFilter;
-    for (std::size_t i = 0; i < row; ++i) out[i] = static_cast<Bytef>(present[i] - above[i]);
+    for (std::size_t i = 0; i < row; ++i) out[i] = static_cast<std::uint8_t>(present[i] - above[i]);
     above.swap(present);
   }
   return rows;
 }
 
-std::string deflated(const std::vector<Bytef>& rows) {
-  uLongf size = compressBound(rows.size());
-  std::string data(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(data.data()), &size, rows.data(), rows.size(), kEffort) !=
-      Z_OK)
-    throw std::runtime_error("the picture cannot be encoded as PNG");
+std::string deflated(const std::vector<std::uint8_t>& rows) {
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(kEffort), &libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  std::string data(libdeflate_zlib_compress_bound(compressor.get(), rows.size()), '\0');
+  const std::size_t size = libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(),
+                                                    data.data(), data.size());
+  if (size == 0) throw std::runtime_error("the picture cannot be encoded as PNG");
   data.resize(size);
   return data;
 }

@@ -13,6 +13,9 @@
 namespace asperity {
 
 bool isDark(const Theme& theme);
+
+/// Whether the desktop's own colours are dark, as found at the first call: before setPalette().
+bool systemIsDark();
 QPalette paletteOf(const Theme& theme);
 PlotColours plotColoursOf(const Theme& theme);
 

@@ -6,12 +6,11 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
-#include "ui/picture/pdf_file.h"
-#include "ui/picture/png_file.h"
-#include "ui/picture/svg_file.h"
-#include "ui/picture/text_painter.h"
-#include "ui/render/osmesa_context.h"
+#include "ui/picture/figure_drawing.h"
+#include "ui/picture/picture_origin.h"
+#include "ui/window/picture_files.h"
 
 namespace asperity {
 
@@ -23,40 +22,19 @@ namespace {
 
 /// As asperity figure says it, so that the file opens as its scene.
 std::string originOf(const Figure& figure) {
-  return provenanceLine(provenance("figure", figure.scene));
+  return pictureOrigin("figure", figure.scene);
 }
 
 }  // namespace
-
-DrawList composeFigure(const MadeFigure& made, const DiagramOptions& options) {
-  if (!made.contact) return composeDiagrams(made.figure.sheet, options);
-  ContactPictureOptions contact;
-  contact.width = options.width;
-  contact.height = options.height;
-  contact.scale = options.scale;
-  contact.theme = options.theme;
-  return composeContact(*made.contact, contact);
-}
 
 QString figureFile(FigureName name, const QString& extension) {
   return "figure_" + fromUtf8(entryOf(name).word) + extension;
 }
 
 void writeFigurePicture(const std::filesystem::path& file, const MadeFigure& made) {
-  const std::string extension = file.extension().string();
   const Figure& figure = made.figure;
-  const DrawList picture = composeFigure(made, printOptions(figure.sheet));
-  if (extension == ".png") {
-    checkWritable(file);
-    OsmesaContext context;
-    writePng(file, renderImage(context, picture), {figure.sheet.title, originOf(figure)});
-  } else if (extension == ".svg") {
-    writeSvg(file, picture, {figure.sheet.title, originOf(figure)});
-  } else if (extension == ".pdf") {
-    writePdf(file, picture, {figure.sheet.title, originOf(figure)});
-  } else {
-    refuse(file, ".png, .svg, .pdf");
-  }
+  writePicture(file, composeFigure(figure, made.contact.get(), printOptions(figure.sheet)),
+               {translated(figure.sheet.title), originOf(figure)});
 }
 
 void writeFigureData(const std::filesystem::path& file, const MadeFigure& made) {

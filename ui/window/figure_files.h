@@ -5,12 +5,9 @@
 #include <QString>
 #include <filesystem>
 
-#include "ui/picture/diagram_picture.h"
 #include "ui/window/figure_worker.h"
 
 namespace asperity {
-
-DrawList composeFigure(const MadeFigure& made, const DiagramOptions& options);
 
 /// "figure_5.csv" for ".csv".
 QString figureFile(FigureName name, const QString& extension);

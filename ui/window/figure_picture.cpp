@@ -2,8 +2,9 @@
 
 #include <QPainter>
 
+#include "ui/language/translated.h"
+#include "ui/picture/figure_drawing.h"
 #include "ui/window/appearance.h"
-#include "ui/window/figure_files.h"
 
 namespace asperity {
 
@@ -16,8 +17,8 @@ FigurePicture::FigurePicture(QWidget* parent) : QWidget(parent) {
 void FigurePicture::showFigure(std::shared_ptr<const MadeFigure> made) {
   if (made == made_) return;
   made_ = std::move(made);
-  setAccessibleName(QString::fromStdString(made_->figure.sheet.title));
-  setAccessibleDescription(QString::fromStdString(made_->figure.sheet.note));
+  setAccessibleName(translatedText(made_->figure.sheet.title));
+  setAccessibleDescription(translatedText(made_->figure.sheet.note));
   first_ = asked_ + 1;
   requestPicture();
 }
@@ -49,7 +50,7 @@ void FigurePicture::requestPicture() {
   ++asked_;
   worker().request({[this, number = asked_, made = made_, options] {
                       composed_ = number;
-                      return composeFigure(*made, options);
+                      return composeFigure(made->figure, made->contact.get(), options);
                     },
                     scale});
 }

@@ -5,24 +5,15 @@
 #include <utility>
 
 #include "core/friction/study.h"
-#include "core/run/steady_frames.h"
+#include "ui/picture/figure_drawing.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr double kFramesPerSecond = 25;  // of the film whose first frame a contact is
-
 /// One is left for the window.
 int figureThreads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
-}
-
-std::shared_ptr<const Frame> contactOf(const Figure& figure) {
-  Scene scene = figure.scene;
-  scene.title = figure.sheet.title;
-  const SteadyFrames frames(std::make_shared<const Scene>(std::move(scene)));
-  return std::make_shared<const Frame>(frames.frame(0, 1, kFramesPerSecond));
 }
 
 }  // namespace
@@ -57,7 +48,7 @@ std::shared_ptr<const MadeFigure> FigureWorker::made(const FigureJob& job,
     events_.progressed(job.name, step / 1000.0);
   };
   MadeFigure made{maker_(job.name, options), job.realizations, nullptr};
-  if (made.figure.sheet.diagrams.empty()) made.contact = contactOf(made.figure);
+  made.contact = contactOf(made.figure);
   return std::make_shared<const MadeFigure>(std::move(made));
 }
 

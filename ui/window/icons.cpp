@@ -51,6 +51,23 @@ void drawSave(QPainter& painter) {
   painter.drawPolyline(QPolygonF{{3.5, 12.5}, {3.5, 16.5}, {16.5, 16.5}, {16.5, 12.5}});
 }
 
+/// An arrow that turns back to the left.
+void drawUndo(QPainter& painter) {
+  painter.drawPolyline(QPolygonF{{7.5, 3.5}, {3.8, 7.2}, {7.5, 10.9}});
+  QPainterPath path;
+  path.moveTo(4.2, 7.2);
+  path.lineTo(12, 7.2);
+  path.cubicTo(18, 7.2, 18, 15.8, 12, 15.8);
+  path.lineTo(8, 15.8);
+  painter.drawPath(path);
+}
+
+void drawRedo(QPainter& painter) {
+  painter.translate(kSize, 0);
+  painter.scale(-1, 1);
+  drawUndo(painter);
+}
+
 void drawScenes(QPainter& painter) {
   for (const double y : {5.0, 10.0, 15.0}) {
     painter.drawLine(QPointF(8, y), QPointF(17, y));
@@ -96,8 +113,14 @@ void draw(QPainter& painter, Symbol symbol) {
       return drawOpen(painter);
     case Symbol::Save:
       return drawSave(painter);
+    case Symbol::Undo:
+      return drawUndo(painter);
+    case Symbol::Redo:
+      return drawRedo(painter);
     case Symbol::Light:
       return drawLight(painter);
+    case Symbol::None:
+      return;
   }
 }
 

@@ -5,7 +5,21 @@
 
 namespace asperity {
 
-enum class Symbol { Play, Pause, Step, Reset, Scenes, Figures, Open, Save, Light };
+/// None: a command without an icon.
+enum class Symbol {
+  Play,
+  Pause,
+  Step,
+  Reset,
+  Scenes,
+  Figures,
+  Open,
+  Save,
+  Undo,
+  Redo,
+  Light,
+  None
+};
 
 QIcon symbolIcon(Symbol symbol, const QColor& colour);
 

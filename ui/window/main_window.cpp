@@ -2,44 +2,35 @@
 
 #include <QApplication>
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QTabBar>
-#include <QTabWidget>
 #include <QTimer>
 #include <QToolButton>
-#include <cmath>
-#include <exception>
-#include <filesystem>
 
-#include "core/scene/atomic_file.h"
-#include "core/scene/input_error.h"
-#include "core/scene/provenance.h"
-#include "core/scene/scene_file.h"
 #include "ui/charts/plot_view.h"
 #include "ui/charts/transient_strips.h"
+#include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/accuracy_panel.h"
 #include "ui/window/appearance.h"
 #include "ui/window/contact_canvas.h"
+#include "ui/window/curve_reading.h"
+#include "ui/window/diagram_view.h"
 #include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/plan_list.h"
 #include "ui/window/session.h"
 #include "ui/window/status_line.h"
+#include "ui/window/tour_bar.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr int kPollInterval = 16;     // ms, 60 times a second
-constexpr int kStatusInterval = 500;  // ms
-constexpr int kMotionTab = 1;
-constexpr int kPlotPause = 80;  // ms; painting a diagram costs as much as several pictures
+constexpr int kPollInterval = 16;  // ms, 60 times a second
 
 /// A dock's title in the window's own look.
 QWidget* dockTitle(QDockWidget& dock) {
@@ -63,38 +54,28 @@ LineSize sizeOf(const Frame& frame) {
           static_cast<std::int64_t>(frame.lineHeight.size()) / pointsPerElement(*frame.scene)};
 }
 
-/// The scene as it has to be written into `folder`: a profile is named relative to its scene's
-/// file.
-Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
-  const std::filesystem::path profile = scene.surface.file;
-  if (profile.empty() || profile.is_absolute()) return scene;
-  scene.surface.file =
-      std::filesystem::absolute(scene.folder / profile)
-          .lexically_normal()
-          .lexically_proximate(std::filesystem::absolute(folder).lexically_normal())
-          .string();
-  return scene;
-}
-
 }  // namespace
 
 MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* parent)
     : QMainWindow(parent), session_(new Session(scene, options, this)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
+  buildDocument(scene);
   buildViews();
   buildPanel();
   buildActions();
   connectSession();
-  setDark(palette().color(QPalette::Window).lightness() < 128);
+  setColours(Colours::System);
   showAboutScene();
   showDescription();
-  showTitle();
+  showHistory();
   resize(1280, 800);
+  defaultLayout_ = saveState();
 
   auto* timer = new QTimer(this);
   timer->setTimerType(Qt::PreciseTimer);
   connect(timer, &QTimer::timeout, session_, &Session::poll);
+  session_->begin();
   timer->start(kPollInterval);
 }
 
@@ -102,78 +83,41 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::buildViews() {
   canvas_ = new ContactCanvas;
-  canvas_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_ = makePlotView();
-  plot_->setFocusPolicy(Qt::ClickFocus);
+  plot_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
+  plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(170);
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
-  auto* splitter = new QSplitter(Qt::Vertical);
-  splitter->setHandleWidth(1);
-  splitter->setChildrenCollapsible(false);
-  splitter->addWidget(canvas_);
-  splitter->addWidget(buildTabs());
-  splitter->setStretchFactor(0, 58);
-  splitter->setStretchFactor(1, 42);
-  splitter->setSizes({580, 420});
+  splitter_ = new QSplitter(Qt::Vertical);
+  splitter_->setHandleWidth(1);
+  splitter_->setChildrenCollapsible(false);
+  splitter_->addWidget(canvas_);
+  splitter_->addWidget(buildTabs());
+  splitter_->setStretchFactor(0, 58);
+  splitter_->setStretchFactor(1, 42);
+  splitter_->setSizes({580, 420});
 
-  gallery_ = new GalleryPage;
   pages_ = new QStackedWidget;
-  pages_->addWidget(splitter);
-  pages_->addWidget(gallery_);
+  pages_->addWidget(splitter_);
 
   messages_ = new MessageBar;
   description_ = new MessageBar;
   description_->setObjectName("descriptionBar");
+  hint_ = new MessageBar;
+  hint_->setObjectName("hintBar");
+  tourBar_ = new TourBar;
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(messages_);
+  column->addWidget(hint_);
+  column->addWidget(tourBar_);
   column->addWidget(description_);
   column->addWidget(pages_, 1);
   setCentralWidget(centre);
 
-  status_ = new StatusLine;
-  statusBar()->addWidget(status_, 1);
-  statusBar()->setSizeGripEnabled(false);
-  statusBar()->setContentsMargins(0, 0, 0, 0);
-  auto* timer = new QTimer(this);
-  connect(timer, &QTimer::timeout, this,
-          [this] { status_->showDrawing(canvas_->framesPerSecond(), canvas_->backendName()); });
-  timer->start(kStatusInterval);
-}
-
-/// What is known of the scene, under the contact; the motion's strips only where it has one.
-QTabWidget* MainWindow::buildTabs() {
-  strips_ = new TransientStrips;
-  plan_ = new PlanList;
-  tabs_ = new QTabWidget;
-  tabs_->setObjectName("tabs");
-  tabs_->setDocumentMode(true);
-  tabs_->tabBar()->setFocusPolicy(Qt::NoFocus);  // Space is the run's
-  tabs_->tabBar()->setDrawBase(false);
-  tabs_->addTab(plot_, tr("Friction curve"));
-  tabs_->addTab(strips_, tr("Motion in time"));
-  accuracy_ = new AccuracyPanel;
-  tabs_->addTab(accuracy_, tr("Accuracy"));
-  tabs_->addTab(plan_, tr("Plan"));
-  tabs_->setTabVisible(kMotionTab, false);
-  return tabs_;
-}
-
-/// The tabs for this scene; the motion comes to the front where it is new, and goes with it.
-void MainWindow::showAboutScene() {
-  const Sliding& sliding = session_->scene().sliding;
-  const bool moves = sliding.kind != SlidingKind::Steady;
-  const bool moved = tabs_->isTabVisible(kMotionTab);
-  // Left before it goes: the next tab would come to the front, which is not the curve's.
-  if (!moves && tabs_->currentWidget() == strips_) tabs_->setCurrentWidget(plot_);
-  tabs_->setTabVisible(kMotionTab, moves);
-  if (moves && !moved) tabs_->setCurrentIndex(kMotionTab);
-  if (moves) strips_->show(sliding, nullptr);
-  plan_->showScene(session_->scene());
-  accuracy_->showScene(session_->scene());
-  curveTime_.start();
+  buildStatus();
 }
 
 void MainWindow::buildPanel() {
@@ -184,114 +128,35 @@ void MainWindow::buildPanel() {
   dock_->setTitleBarWidget(dockTitle(*dock_));
   addDockWidget(Qt::RightDockWidgetArea, dock_);
   resizeDocks({dock_}, {panel_->sizeHint().width()}, Qt::Horizontal);
-  connect(panel_, &ParameterPanel::sceneEdited, session_, &Session::setScene);
-  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::showTitle);
-  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::showAboutScene);
+  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::takeStep);
 }
 
 void MainWindow::connectSession() {
   connect(session_, &Session::frameArrived, this, [this] {
     const std::shared_ptr<const Frame> frame = session_->frame();
     if (!isShowingFigures()) canvas_->setFrame(frame);
-    status_->showFrame(*frame);
+    status_->showFrame(*frame, readCurve(*frame, session_->curve()));
     if (frame->transient && frame->sceneNumber == session_->sceneNumber())
-      strips_->show(frame->scene->sliding, frame->transient);
+      strips_->show(frame->scene->sliding, frame->transient, frame->spacing, frame->length);
     if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
   });
-  connect(accuracy_, &AccuracyPanel::sceneEdited, this, [this](const Scene& scene) {
-    panel_->setScene(scene);
-    session_->setScene(scene);
-    curveTime_.start();
-  });
-  connect(session_, &Session::plotChanged, this, &MainWindow::showMeasuredCurve);
-  plotPause_ = new QTimer(this);
-  plotPause_->setSingleShot(true);
-  plotPause_->setInterval(kPlotPause);
-  connect(plotPause_, &QTimer::timeout, this, [this] {
-    if (plotIsDue_) showPlot();
-  });
-  connect(session_, &Session::plotChanged, this, &MainWindow::showPlotSoon);
-  connect(session_, &Session::complained, this, [this](const QString& key, const QString& text) {
+  connect(accuracy_, &AccuracyPanel::sceneEdited, this,
+          [this](const Scene& scene) { editScene(scene); });
+  connect(session_, &Session::complained, this, [this](const QString& key, const QString& english) {
+    const QString text = translatedText(english.toStdString());
     messages_->showMessage(key.isEmpty() ? text : key + ": " + text);
     panel_->showError(key, text);
   });
   connect(session_, &Session::sceneRuns, messages_, &QWidget::hide);
   connect(session_, &Session::sceneRuns, panel_, &ParameterPanel::clearErrors);
   connect(session_, &Session::playingChanged, this, &MainWindow::showPlaying);
-  connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
-  showPlot();
-}
-
-/// Once, when the present scene's curve is complete.
-void MainWindow::showMeasuredCurve() {
-  const Plot plot = session_->plot();
-  if (!curveTime_.isValid() || plot.progress < 1) return;
-  double squares = 0;
-  int count = 0;
-  for (const PlotSeries& series : plot.series)
-    for (const PlotPoint& point : series.points)
-      if (series.style == PlotStyle::Points && std::isfinite(point.error)) {
-        squares += std::pow(point.error / point.y, 2);
-        ++count;
-      }
-  accuracy_->showMeasured(1e-3 * static_cast<double>(curveTime_.elapsed()),
-                          count > 0 ? std::sqrt(squares / count) : kNotApplicable);
-  curveTime_.invalidate();
-}
-
-void MainWindow::showPlotSoon() {
-  if (plotPause_->isActive())
-    plotIsDue_ = true;
-  else
-    showPlot();
-}
-
-void MainWindow::showPlot() {
-  plotIsDue_ = false;
-  plot_->setPlot(session_->plot());
-  plotPause_->start();
-}
-
-void MainWindow::showScene(const Scene& scene) {
-  panel_->setScene(scene);
-  session_->setScene(scene);
-  showTitle();
-  showAboutScene();
-  showDescription();
+  connectView();
+  connectChart();
 }
 
 void MainWindow::showDescription() {
-  const QString text = QString::fromStdString(session_->scene().description);
-  text.isEmpty() ? description_->hide() : description_->showMessage(text);
-}
-
-bool MainWindow::openScene(const QString& file) {
-  try {
-    showScene(readProvenance(file.toStdString()));
-  } catch (const InputError& error) {
-    messages_->showMessage(QString::fromUtf8(error.what()));
-    return false;
-  }
-  // What was opened from a picture is not saved over it.
-  file_ = file.endsWith(QLatin1String(".json"), Qt::CaseInsensitive) ? file : QString();
-  showTitle();
-  return true;
-}
-
-bool MainWindow::saveScene(const QString& file) {
-  try {
-    if (const Missing missing = missingOf(panel_->scene()); !missing.text.isEmpty())
-      throw InputError("", std::string(missing.key), missing.text.toStdString());
-    const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
-    checkWritable(path);
-    writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), panel_->scene())));
-  } catch (const std::exception& error) {
-    messages_->showMessage(QString::fromUtf8(error.what()));
-    return false;
-  }
-  file_ = file;
-  showTitle();
-  return true;
+  const QString text = translatedText(session_->scene().description);
+  text.isEmpty() || isTouring_ ? description_->hide() : description_->showMessage(text);
 }
 
 void MainWindow::setDark(bool dark) {
@@ -301,16 +166,11 @@ void MainWindow::setDark(bool dark) {
   setStyleSheet(windowStyleSheet(theme));
   canvas_->setTheme(theme);
   plot_->setColours(plotColoursOf(theme));
+  for (DiagramView* view : {spectrum_, statistics_}) view->setTheme(theme);
   strips_->setColours(plotColoursOf(theme));
   accuracy_->setTheme(theme);
-  gallery_->setTheme(theme);
+  if (gallery_) gallery_->setTheme(theme);
   paintIcons();
-}
-
-void MainWindow::showTitle() {
-  const QString title = QString::fromStdString(session_->scene().title);
-  const QString name = title.isEmpty() ? QFileInfo(file_).fileName() : title;
-  setWindowTitle(name.isEmpty() ? tr("Asperity") : tr("%1 – Asperity").arg(name));
 }
 
 }  // namespace asperity

@@ -5,30 +5,44 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QFont>
 #include <QMainWindow>
 #include <functional>
+#include <optional>
+#include <thread>
 
 #include "core/run/runner.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/window/icons.h"
 
 class QMenu;
+class QSplitter;
 class QStackedWidget;
 class QTabWidget;
 class QTimer;
+class QToolBar;
 
 namespace asperity {
 
 class AccuracyPanel;
 class ContactCanvas;
+class CurveCommands;
+class DiagramView;
 class GalleryPage;
+class GestureCounter;
 class MessageBar;
 class ParameterPanel;
 class PlanList;
 class PlotView;
+class SceneDocument;
 class Session;
 class StatusLine;
+struct ContactShot;
+struct SceneOrigin;
+class TourBar;
 class TransientStrips;
+
+enum class Colours { System, Light, Dark };
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -40,18 +54,31 @@ class MainWindow : public QMainWindow {
   Session& session() { return *session_; }
   ParameterPanel& panel() { return *panel_; }
   PlotView& plotView() { return *plot_; }
+  CurveCommands& curveCommands() { return *curveCommands_; }
   ContactCanvas& canvas() { return *canvas_; }
   MessageBar& messages() { return *messages_; }
   MessageBar& description() { return *description_; }
-  GalleryPage& gallery() { return *gallery_; }
+  /// Made when it is first asked for.
+  GalleryPage& gallery();
 
-  /// Another scene for controls and runner.
+  /// Another scene for controls and runner: a fresh document without a history. Asks nothing.
   void showScene(const Scene& scene);
+  void showScene(const SceneOrigin& origin);
+
+  /// The next step of the present scene, for whatever lets a person change it outside of the panel
+  /// of parameters; can be undone. Steps within one drag are one. `what` names it in the menu;
+  /// empty: after the parameters that differ.
+  void editScene(const Scene& scene, const QString& what = {});
+  SceneDocument& document() { return *document_; }
 
   /// A scene file, or any file that the program wrote from one. False, with the reason in the
   /// message bar, where the file does not read or write.
   bool openScene(const QString& file);
   bool saveScene(const QString& file);
+
+  /// The contact as it is shown, with its title, as .png, .svg or .pdf. In the background;
+  /// exported() or a complaint in the message bar follows.
+  void savePicture(const QString& file);
 
   /// The page of the paper's figures in the place of the views, and back. What it computes goes on
   /// meanwhile.
@@ -62,21 +89,39 @@ class MainWindow : public QMainWindow {
   void setDark(bool dark);
   bool isDark() const { return dark_; }
 
+  /// As the desktop has them, or always light or dark.
+  void setColours(Colours colours);
+  Colours colours() const { return colours_; }
+
+  /// Size, docks, tabs and colours as they were when the last window was closed, and from now on
+  /// this window leaves its own behind. Call before it is shown.
+  void rememberLayout();
+  void restoreDefaultLayout();
+
+  /// Six scenes with a sentence each; and a small hint at it, until it was taken or put away.
+  void startTour();
+  void offerTour();
+  bool isTouring() const { return isTouring_; }
+
+  /// For an audience: the whole screen, large texts, contact and curve alone; Escape leaves.
+  void setPresenting(bool presenting);
+  bool isPresenting() const { return presentation_.has_value(); }
+
+ signals:
+  /// A picture is on the clipboard (empty) or in this file.
+  void exported(const QString& file);
+
  protected:
   /// A scene, or a picture or table made from one, dropped on the window is opened.
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
 
  private:
   void buildViews();
   void buildPanel();
-  QTabWidget* buildTabs();
   void connectSession();
-  void showAboutScene();
   void showDescription();
-  void showMeasuredCurve();
-  void showPlotSoon();
-  void showPlot();
   void showTitle();
 
   // Commands, in main_window_actions.cpp.
@@ -84,42 +129,129 @@ class MainWindow : public QMainWindow {
   QAction* addCommand(const char* name, const QString& text, const QKeySequence& key, Symbol symbol,
                       std::function<void()> run);
   void buildMenus();
+  void adoptActions(QMenu& menu);
   void buildToolBar();
   void fillScenes(QMenu& menu);
   void showPlaying(bool playing);
   void paintIcons();
-  void askOpen();
-  void askSave();
+
+  // In main_window_help.cpp.
+  void buildHelpCommands();
+  void fillHelp(QMenu& menu);
+  void showTourStep(int step);
+  void endTour();
+  void showShortcuts();
   void showAbout();
+
+  // In main_window_files.cpp.
+  void buildFileCommands();
+  void fillFiles(QMenu& menu);
+  void fillRecent();
+  void askOpen();
+  bool save();
+  bool askSave();
+
+  // In main_window_document.cpp: history, and what is not saved yet.
+  void buildDocument(const Scene& scene);
+  void buildEditCommands();
+  void fillEdit(QMenu& menu);
+  void showHistory();
+  void takeStep(const Scene& scene);
+  void resetAll();
+  bool mayLeaveScene();
+  void replaceScene(const SceneOrigin& origin);
+
+  // In main_window_layout.cpp: docks, tabs, full screen, colours.
+  void buildLayoutCommands();
+  void fillLayout(QMenu& menu);
+  void fillTabs(QMenu& menu);
+  void fillColours(QMenu& menu);
+  void showTab(int index);
+  void setFullScreen(bool full);
+  void leaveFullScreen();
+  void showScreenMode();
+  void saveLayout();
+
+  // In main_window_copy.cpp: what leaves the window.
+  void buildCopyCommands();
+  std::optional<ContactShot> shot() const;
+  void copyPicture();
+  void askPicture();
+  QString pictureCommand() const;
+  void copyText(const QString& text);
+  void runExport(std::function<void()> work, std::function<void()> done);
+
+  // In main_window_tabs.cpp.
+  QTabWidget* buildTabs();
+  void showAboutScene();
+  void showMeasuredCurve();
+
+  // In main_window_status.cpp: the facts below.
+  void buildStatus();
+  void showWork();
+
+  // In main_window_view.cpp: the contact's commands and facts.
+  void buildViewCommands(QMenu& menu);
+  void connectView();
+  void wantFields();
+
+  // In main_window_chart.cpp: the friction curve's.
+  void buildChartCommands(QMenu& menu);
+  void connectChart();
 
   // In main_window_figures.cpp.
   void buildFigures();
   void fillFigures(QMenu& menu);
 
   Session* session_ = nullptr;
+  SceneDocument* document_ = nullptr;
+  GestureCounter* gestures_ = nullptr;
   ContactCanvas* canvas_ = nullptr;
   PlotView* plot_ = nullptr;
   ParameterPanel* panel_ = nullptr;
   QTabWidget* tabs_ = nullptr;  // under the contact
   TransientStrips* strips_ = nullptr;
+  DiagramView *spectrum_ = nullptr, *statistics_ = nullptr;
   PlanList* plan_ = nullptr;
   AccuracyPanel* accuracy_ = nullptr;
   QElapsedTimer curveTime_;  // since the present curve was wanted
   MessageBar* messages_ = nullptr;
   MessageBar* description_ = nullptr;  // what to look for in the scene that was opened
+  MessageBar* hint_ = nullptr;         // at the tour
+  TourBar* tourBar_ = nullptr;
+  bool isTouring_ = false;
   StatusLine* status_ = nullptr;
+  QSplitter* splitter_ = nullptr;
   QStackedWidget* pages_ = nullptr;  // the views, and the figures
   GalleryPage* gallery_ = nullptr;
   QDockWidget* dock_ = nullptr;
-  QTimer* plotPause_ = nullptr;  // runs after the diagram was painted
-  bool plotIsDue_ = false;       // and something came meanwhile
+  QToolBar* tools_ = nullptr;
+  CurveCommands* curveCommands_ = nullptr;
   QAction *play_ = nullptr, *step_ = nullptr, *reset_ = nullptr;
-  QAction *open_ = nullptr, *save_ = nullptr, *light_ = nullptr;
+  QAction *open_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr, *light_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *revert_ = nullptr, *resetAll_ = nullptr;
+  QAction *copyPicture_ = nullptr, *savePicture_ = nullptr;
+  QAction *copyRender_ = nullptr, *copyCurve_ = nullptr;
+  QAction *fullScreen_ = nullptr, *present_ = nullptr, *leave_ = nullptr;
+  QAction* restoreLayout_ = nullptr;
+  QAction *tour_ = nullptr, *tourBack_ = nullptr, *tourNext_ = nullptr;
+  QAction *shortcuts_ = nullptr, *about_ = nullptr;
+  QList<QAction*> tabActions_, colourActions_;
+  QMenu* recent_ = nullptr;
   QAction* figures_ = nullptr;
   QMenu* scenes_ = nullptr;
-  QString file_;  // last opened or saved
   bool dark_ = false;
+  Colours colours_ = Colours::System;
+  bool remembers_ = false;
+  QByteArray defaultLayout_;
+  /// What comes back when the presentation ends.
+  struct Presentation {
+    QFont font;
+    bool isFullScreen, hasDock, hasTools, hasStatus;
+  };
+  std::optional<Presentation> presentation_;
   bool hadDock_ = true;  // before the figures were opened
+  std::jthread export_;  // last: ends before anything else here goes
 };
 
 }  // namespace asperity

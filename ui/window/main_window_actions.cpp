@@ -1,48 +1,25 @@
 // The main window's commands: actions with their keys, menus, tool bar, dialogs.
 #include <QAction>
 #include <QDockWidget>
-#include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
-#include <QMimeData>
 #include <QToolBar>
 #include <QToolButton>
-#include <QUrl>
 #include <string>
 #include <utility>
 
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/appearance.h"
+#include "ui/window/command_words.h"
 #include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/scene_document.h"
 #include "ui/window/scene_library.h"
 #include "ui/window/session.h"
+#include "ui/window/window_language.h"
 
 namespace asperity {
-
-namespace {
-
-/// On buttons without dots, and with air between icon and text.
-QString buttonText(QString text) {
-  return QChar(0x2002) + text.remove(u'…');
-}
-
-/// Rich text is broken into lines where plain text is not.
-QString wrappedTip(const QString& text) {
-  return text.isEmpty() ? QString() : "<p>" + text.toHtmlEscaped() + "</p>";
-}
-
-void setCommandText(QAction& action, const QString& text) {
-  action.setText(text);
-  action.setIconText(buttonText(text));
-  action.setToolTip(action.shortcut().isEmpty()
-                        ? text
-                        : QStringLiteral("%1 (%2)").arg(
-                              text, action.shortcut().toString(QKeySequence::NativeText)));
-}
-
-}  // namespace
 
 void MainWindow::buildActions() {
   play_ = addCommand("play", tr("Pause"), Qt::Key_Space, Symbol::Pause,
@@ -51,11 +28,13 @@ void MainWindow::buildActions() {
                      [this] { session_->singleStep(); });
   reset_ =
       addCommand("reset", tr("Reset"), Qt::Key_R, Symbol::Reset, [this] { session_->reset(); });
-  open_ = addCommand("open", tr("Open scene…"), QKeySequence::Open, Symbol::Open,
-                     [this] { askOpen(); });
-  save_ = addCommand("save", tr("Save scene…"), QKeySequence::Save, Symbol::Save,
-                     [this] { askSave(); });
-  light_ = addCommand("light", tr("Dark colours"), {}, Symbol::Light, [this] { setDark(!dark_); });
+  buildFileCommands();
+  buildEditCommands();
+  buildCopyCommands();
+  light_ = addCommand("light", tr("Dark colours"), {}, Symbol::Light,
+                      [this] { setColours(dark_ ? Colours::Light : Colours::Dark); });
+  buildLayoutCommands();
+  buildHelpCommands();
   buildFigures();
   buildMenus();
   buildToolBar();
@@ -74,10 +53,8 @@ QAction* MainWindow::addCommand(const char* name, const QString& text, const QKe
 }
 
 void MainWindow::buildMenus() {
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  file->addActions({open_, save_});
-  file->addSeparator();
-  file->addAction(tr("Quit"), QKeySequence::Quit, this, &QWidget::close);
+  fillFiles(*menuBar()->addMenu(tr("&File")));
+  fillEdit(*menuBar()->addMenu(tr("&Edit")));
 
   scenes_ = menuBar()->addMenu(tr("&Scenes"));
   fillScenes(*scenes_);
@@ -88,10 +65,28 @@ void MainWindow::buildMenus() {
   run->addActions({play_, step_, reset_});
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  view->addAction(dock_->toggleViewAction());
-  view->addAction(light_);
+  buildViewCommands(*view);
+  view->addSeparator();
+  fillLayout(*view);
+  view->addSeparator();
+  addLanguages(*view, [this] {
+    messages_->showMessage(tr("The language changes when Asperity is started again."));
+  });
 
-  menuBar()->addMenu(tr("&Help"))->addAction(tr("About Asperity"), this, &MainWindow::showAbout);
+  buildChartCommands(*menuBar()->addMenu(tr("&Curve")));
+
+  fillHelp(*menuBar()->addMenu(tr("&Help")));
+  for (QAction* action : menuBar()->actions()) adoptActions(*action->menu());
+}
+
+/// Their keys are the window's, too: they go on where the menu bar is hidden.
+void MainWindow::adoptActions(QMenu& menu) {
+  for (QAction* action : menu.actions()) {
+    if (action->menu())
+      adoptActions(*action->menu());
+    else if (!action->shortcut().isEmpty())
+      addAction(action);
+  }
 }
 
 /// A submenu for each chapter; what has none stands in the menu itself.
@@ -101,19 +96,21 @@ void MainWindow::fillScenes(QMenu& menu) {
   for (const LibraryScene& entry : libraryScenes()) {
     if (entry.scene.chapter != chapter) {
       chapter = entry.scene.chapter;
-      part = chapter.empty() ? &menu : menu.addMenu(fromUtf8(chapter));
+      part = chapter.empty() ? &menu : menu.addMenu(translatedText(chapter));
       part->setToolTipsVisible(true);
     }
-    const QString title = QString::fromStdString(entry.scene.title);
-    QAction* action = part->addAction(title.isEmpty() ? entry.name : title, this,
-                                      [this, scene = entry.scene] { showScene(scene); });
-    action->setToolTip(wrappedTip(fromUtf8(entry.scene.description)));
+    const QString title = translatedText(entry.scene.title);
+    QAction* action = part->addAction(title.isEmpty() ? entry.name : title, this, [this, entry] {
+      replaceScene({entry.name, {}, entry.scene});
+    });
+    action->setToolTip(wrappedTip(translatedText(entry.scene.description)));
     action->setObjectName("scene:" + entry.name);
   }
 }
 
 void MainWindow::buildToolBar() {
   QToolBar* bar = addToolBar(tr("Commands"));
+  tools_ = bar;
   bar->setObjectName("commands");
   bar->setMovable(false);
   bar->setIconSize({20, 20});
@@ -129,13 +126,16 @@ void MainWindow::buildToolBar() {
   scenes->setMenu(scenes_);
   bar->addWidget(scenes);
   bar->addActions({figures_, open_, save_});
+  bar->addSeparator();
+  bar->addActions({undo_, redo_});
 
   auto* space = new QWidget;
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
   bar->addAction(light_);
-  if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(light_)))
-    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  for (QAction* action : {undo_, redo_, light_})
+    if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action)))
+      button->setToolButtonStyle(Qt::ToolButtonIconOnly);
 }
 
 void MainWindow::showPlaying(bool playing) {
@@ -146,54 +146,13 @@ void MainWindow::showPlaying(bool playing) {
 
 void MainWindow::paintIcons() {
   const QColor colour = paletteOf(dark_ ? darkTheme() : lightTheme()).color(QPalette::WindowText);
-  for (QAction* action : {play_, step_, reset_, figures_, open_, save_, light_}) {
+  for (QAction* action : {play_, step_, reset_, figures_, open_, save_, undo_, redo_, light_}) {
     action->setIcon(symbolIcon(static_cast<Symbol>(action->data().toInt()), colour));
     action->setIconVisibleInMenu(false);
   }
   if (auto* scenes = findChild<QToolButton*>("scenesButton"))
     scenes->setIcon(symbolIcon(Symbol::Scenes, colour));
   setCommandText(*light_, dark_ ? tr("Light colours") : tr("Dark colours"));
-}
-
-void MainWindow::askOpen() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open scene"), file_,
-      tr("Scenes (*.json);;Pictures and tables (*.png *.svg *.pdf *.csv *.mp4 "
-         "*.webm *.gif *.webp)"));
-  if (!file.isEmpty()) openScene(file);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  const QList<QUrl> urls = event->mimeData()->urls();
-  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  const QList<QUrl> urls = event->mimeData()->urls();
-  if (urls.size() != 1 || !urls.front().isLocalFile()) return;
-  event->acceptProposedAction();
-  openScene(urls.front().toLocalFile());
-}
-
-void MainWindow::askSave() {
-  const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save scene"), file_.isEmpty() ? QStringLiteral("scene.json") : file_,
-      tr("Scenes (*.json)"));
-  if (!file.isEmpty()) saveScene(file);
-}
-
-void MainWindow::showAbout() {
-  auto* box = new QMessageBox(this);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setWindowTitle(tr("About Asperity"));
-  box->setText(tr("<h3>Asperity %1</h3>").arg(ASPERITY_VERSION));
-  box->setInformativeText(
-      tr("Shows how a viscoelastic elastomer slides over a randomly rough rigid line, after Li et "
-         "al., <i>Friction between a viscoelastic body and a rigid surface with random self-affine "
-         "roughness</i>, Physical Review Letters 111, 034301 (2013).<br><br>The elements of the "
-         "elastomer are independent of each other: long-range elastic coupling is not in the "
-         "model.<br><br>Free software, GPL-3.0-or-later."));
-  box->open();
 }
 
 }  // namespace asperity

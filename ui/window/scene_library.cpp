@@ -19,6 +19,8 @@ namespace asperity {
 
 namespace {
 
+const QString kFolder = QStringLiteral(":/asperity/scenes");
+
 /// Chapters that the list does not know come last.
 std::size_t rankOf(const std::string& chapter) {
   static const std::string_view order[] = {
@@ -27,12 +29,10 @@ std::size_t rankOf(const std::string& chapter) {
   return static_cast<std::size_t>(std::ranges::find(order, chapter) - std::begin(order));
 }
 
-}  // namespace
-
-std::vector<LibraryScene> libraryScenes() {
+std::vector<LibraryScene> readLibrary() {
   openResources();
   std::vector<LibraryScene> scenes;
-  const QDir folder(QStringLiteral(":/asperity/scenes"));
+  const QDir folder(kFolder);
   for (const QFileInfo& entry : folder.entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
     QFile file(entry.filePath());
     if (!file.open(QIODevice::ReadOnly)) continue;
@@ -46,6 +46,22 @@ std::vector<LibraryScene> libraryScenes() {
   std::ranges::stable_sort(scenes, {}, [](const LibraryScene& entry) {
     return std::pair(rankOf(entry.scene.chapter), entry.scene.chapter);
   });
+  return scenes;
+}
+
+}  // namespace
+
+std::optional<std::string> libraryFile(const std::string& name) {
+  openResources();
+  QFile file(kFolder + "/" + QString::fromStdString(name));
+  if (!name.ends_with(".json") || name.find('/') != std::string::npos ||
+      !file.open(QIODevice::ReadOnly))
+    return std::nullopt;
+  return file.readAll().toStdString();
+}
+
+const std::vector<LibraryScene>& libraryScenes() {
+  static const std::vector<LibraryScene> scenes = readLibrary();
   return scenes;
 }
 

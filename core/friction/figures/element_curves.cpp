@@ -1,8 +1,5 @@
 #include "core/friction/figures/element_curves.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -10,6 +7,7 @@
 
 #include "core/accuracy/literal_march.h"
 #include "core/contact/time_march.h"
+#include "core/friction/jobs.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -31,15 +29,11 @@ std::vector<ElementPoint> curveOf(const Scene& scene, std::span<const double> ve
     made.push_back(std::make_shared<const Line>(source.make(r)));
   std::vector<Reading> readings(static_cast<std::size_t>(lines * columns));
   std::atomic<std::int64_t> done = 0;
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(std::int64_t{0}, lines * columns, [&](std::int64_t k) {
-      if (options.stop.stop_requested()) return;
-      const auto place = static_cast<std::size_t>(k);
-      readings[place] =
-          read(made[place / velocities.size()], velocities[place % velocities.size()]);
-      ++done;
-    });
+  Jobs(options.threads).run(lines * columns, [&](std::int64_t k) {
+    if (options.stop.stop_requested()) return;
+    const auto place = static_cast<std::size_t>(k);
+    readings[place] = read(made[place / velocities.size()], velocities[place % velocities.size()]);
+    ++done;
   });
   if (options.stop.stop_requested()) throw StudyStopped{};
   if (options.progress) options.progress(done, lines * columns);

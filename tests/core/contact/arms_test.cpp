@@ -114,6 +114,54 @@ TEST(Arms, TendToKelvinAndToElastic) {
   EXPECT_LT(relative(soft.indentation, elastic.indentation), 1e-9);
 }
 
+/// Arms a million times stiffer than the equilibrium, loads from light to heavy: strains far below
+/// depths keep their digits, and what is not balanced says so.
+TEST(Arms, AMillionTimesStifferThanTheEquilibriumStillBalance) {
+  const TravelLine line = prepareTravel(roughLine(47, 1), Scheme::Linear);
+  for (const auto& elastomer :
+       {standardSolid(1e3, {1e9, 1e-3}), prony(1e3, {{1e9, 1e-2}, {1e6, 1e-4}, {3e8, 1e-6}})})
+    for (const double normal : {1e-9, 1e-7, 1e-5, 1e-3, 0.1})
+      for (const double velocity : {1e-6, 1e-3, 0.1, 10.0, 1e3}) {
+        SCOPED_TRACE(testing::Message() << normal << " N, " << velocity << " m/s");
+        const SteadyResult result = slide(elastomer, line, velocity, force(normal)).result;
+        EXPECT_EQ(result.status, SteadyStatus::Balanced) << result.residual;
+        EXPECT_LT(relative(result.forceFromPressure, result.forceFromDepth), 2e-7);
+        EXPECT_LT(relative(result.powerIn, result.powerDissipated), 2e-7);
+        EXPECT_GT(result.mu, 0);
+      }
+}
+
+/// Friction so small that it would be lost in what springs store and give back.
+TEST(Arms, SlowAndFastArmsKeepTheirDigits) {
+  const TravelLine line = prepareTravel(roughLine(100, 2), Scheme::Cubic);
+  // All in contact, G'' of an arm falls as 1 / (q v tau) and as q v tau.
+  const auto friction = [&](double tau) {
+    return slide(standardSolid(1e7, {1e7, tau}), line, 1, force(1e4)).result.tangentialForce;
+  };
+  EXPECT_LT(relative(friction(1e6) * 1e6, friction(1e3) * 1e3), 1e-6);
+  EXPECT_LT(relative(friction(1e9) * 1e9, friction(1e6) * 1e6), 1e-9);
+  EXPECT_LT(relative(friction(1e-9) / 1e-9, friction(1e-12) / 1e-12), 1e-6);
+}
+
+/// Why steady sliding needs an equilibrium: F_N = 4G integral of y, whatever arms and dashpot are.
+TEST(Arms, WithoutAnEquilibriumNothingIsCarried) {
+  const TravelLine line = prepareTravel(roughLine(200, 2), Scheme::Cubic);
+  double last = 0;
+  for (const double g : {1e6, 1e4, 1e2, 1.0}) {
+    const Elastomer elastomer = prony(g, {{1e7, 1e-2}, {1e7, 1e-4}}, 10);
+    const SteadyResult pressed = slide(elastomer, line, 1, force(0.02)).result;
+    EXPECT_EQ(pressed.status, SteadyStatus::Balanced);
+    EXPECT_GE(pressed.indentation, 0.02 / (4 * g * line.length));  // without bound as G falls
+    const SteadyResult held = slide(elastomer, line, 1, indentation(1e-6)).result;
+    EXPECT_EQ(held.status, SteadyStatus::Balanced);
+    EXPECT_LE(held.normalForce, 4 * g * line.length * 1e-6);  // nothing as G falls
+    if (last > 0) {
+      EXPECT_LT(held.normalForce, 0.05 * last);
+    }
+    last = held.normalForce;
+  }
+}
+
 /// Many arms that together are one, and arms without strength.
 TEST(Arms, OfNoStrengthChangeNothing) {
   const TravelLine line = prepareTravel(roughLine(300, 2), Scheme::Cubic);

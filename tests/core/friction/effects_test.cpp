@@ -5,6 +5,7 @@
 
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/line_plan.h"
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/plan.h"
@@ -50,6 +51,33 @@ TEST(Effects, WhatRunsIsWhatThePlanSays) {
   }
 }
 
+/// Whether contact is complete is known on the line alone: at all velocities, at some, at none.
+TEST(Effects, InCompleteContactThereIsNoSearch) {
+  for (const auto& [name, elastomer] : allElastomers())
+    for (const double force : {1e-3, 2.0, 1e5}) {
+      SCOPED_TRACE(testing::Message() << name << ", " << force << " N");
+      Scene scene = smallScene();
+      scene.elastomer = elastomer;
+      scene.load.normalForce = force;
+      scene.ensemble.realizations = 1;
+      const PlanStage planned =
+          planOnLine(scene, Purpose::Curve)[static_cast<std::size_t>(Stage::ContactSearch)];
+      const auto searches = [] {
+        return stageCounts()[static_cast<std::size_t>(Stage::ContactSearch)];
+      };
+      const std::uint64_t before = searches();
+      const Curve curve = frictionCurve(scene);
+      EXPECT_EQ(searches() > before, planned.runs) << planned.reason;
+      EXPECT_EQ(planned.runs, curve.points.back().contactFraction < 1);
+      EXPECT_NE(planned.reason.find("contact is complete"), std::string::npos) << planned.reason;
+      if (force == 1e5) {
+        EXPECT_FALSE(planned.runs);
+      } else if (force == 1e-3) {
+        EXPECT_TRUE(planned.runs);
+      }
+    }
+}
+
 TEST(Effects, EveryRheologyHasACurve) {
   for (const auto& [name, elastomer] : allElastomers()) {
     Scene scene = smallScene();
@@ -81,6 +109,29 @@ TEST(Effects, OfNoStrengthLeaveEveryBit) {
   elastic.elastomer.rheology = Rheology::Elastic;
   nothing.elastomer = prony(1e7, {{0, 1}, {1e6, 0}});
   EXPECT_EQ(bytesOf(elastic), bytesOf(nothing));
+}
+
+/// Not a stage more runs for an effect of no strength: it costs nothing.
+TEST(Effects, OfNoStrengthRunNoStage) {
+  const auto stagesOf = [](const Scene& scene) {
+    const StageCounts before = stageCounts();
+    frictionCurve(scene);
+    StageCounts ran = stageCounts();
+    for (std::size_t i = 0; i < kStages; ++i) ran[i] -= before[i];
+    return ran;
+  };
+  for (const auto& [name, elastomer] : allElastomers()) {
+    Scene plain = smallScene();
+    plain.elastomer = elastomer;
+    Scene with = plain;
+    with.interface = {0, 0};
+    with.surface.rollOffWavelength = plain.surface.length;
+    with.surface.summitCorrelation = 0;
+    with.elastomer.temperature = with.elastomer.shift.referenceTemperature = 320;
+    if (with.elastomer.rheology == Rheology::Prony)
+      with.elastomer.arms.insert(with.elastomer.arms.end(), {{0, 1}, {1e6, 0}});
+    EXPECT_EQ(stagesOf(with), stagesOf(plain)) << name;
+  }
 }
 
 TEST(Effects, LocalFrictionStandsInItsOwnColumns) {

@@ -41,6 +41,23 @@ TEST(Plan, SteadySlidingIsNeverMarched) {
   EXPECT_FALSE(callsFor(scene, Purpose::Curve, Stage::TimeMarch));
 }
 
+TEST(Plan, TheWindowMovesThePictureAndDrawsTheCurve) {
+  for (const SlidingKind kind : {SlidingKind::Steady, SlidingKind::Start, SlidingKind::Step}) {
+    Scene scene;
+    scene.sliding.kind = kind;
+    for (std::size_t i = 0; i < kStages; ++i) {
+      const auto stage = static_cast<Stage>(i);
+      if (stage == Stage::TimeMarch) continue;
+      EXPECT_EQ(callsFor(scene, Purpose::Window, stage),
+                callsFor(scene, Purpose::Curve, stage) || callsFor(scene, Purpose::Picture, stage))
+          << nameOf(stage);
+    }
+    EXPECT_TRUE(callsFor(scene, Purpose::Window, Stage::Sweep));
+    EXPECT_TRUE(callsFor(scene, Purpose::Window, Stage::Averaging));
+    EXPECT_TRUE(callsFor(scene, Purpose::Window, Stage::Shape));
+  }
+}
+
 TEST(Plan, EffectsOfNoStrengthAreLeftOut) {
   const Scene scene = readScene(
       R"({"elastomer":{"rheology":"prony","viscosity":0,"arms":[{"modulus":0,"relaxation_time":1}],

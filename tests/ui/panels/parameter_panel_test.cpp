@@ -13,6 +13,7 @@
 #include "core/scene/parameters.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/unit_text.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
 
@@ -89,7 +90,8 @@ TEST_F(ParameterPanelTest, ControlsSayWhatTheyAre) {
     const QString key = fromUtf8(row.key);
     for (QWidget* widget : panel_.findChildren<QWidget*>(QRegularExpression(
              "^(slider|entry|choice):" + QRegularExpression::escape(key) + "$"))) {
-      EXPECT_EQ(widget->accessibleName(), key);
+      EXPECT_TRUE(widget->accessibleName().startsWith(fromUtf8(row.label))) << row.key;
+      EXPECT_TRUE(widget->accessibleName().contains(fromUtf8(row.unit))) << row.key;
       EXPECT_EQ(widget->accessibleDescription(), fromUtf8(row.sentence));
       EXPECT_TRUE(widget->toolTip().contains(fromUtf8(row.sentence).toHtmlEscaped())) << row.key;
     }
@@ -107,7 +109,9 @@ TEST_F(ParameterPanelTest, KeysOnASliderChangeTheScene) {
     EXPECT_EQ(spy_.count(), 1) << key;
     const ParameterValue after = valueOf(row, panel_.scene());
     EXPECT_GT(after, before) << key;
-    EXPECT_EQ(entry(key).text(), valueText(after)) << key;
+    const QString unit = control<QLabel>("unit:" + QString(key))->text();
+    const QString text = inShownUnit(entry(key).text(), unit);
+    EXPECT_EQ(inPlainUnit(text, fromUtf8(row.unit)), valueText(after)) << key;
     EXPECT_EQ(spy_.back().front().value<Scene>(), panel_.scene());
   }
 }
@@ -128,6 +132,19 @@ TEST_F(ParameterPanelTest, AcceptsExactNumbers) {
   type("load.normal_force", "1e-9");  // beyond the slider, within the range
   EXPECT_EQ(panel_.scene().load.normalForce, 1e-9);
   EXPECT_EQ(spy_.count(), 4);
+}
+
+TEST_F(ParameterPanelTest, ANumberAloneIsInTheUnitBesideIt) {
+  const auto* unit = control<QLabel>("unit:elastomer.shear_modulus");
+  EXPECT_EQ(unit->text(), "MPa");
+  type("elastomer.shear_modulus", "20");
+  EXPECT_EQ(panel_.scene().elastomer.shearModulus, 2e7);
+  type("elastomer.shear_modulus", "500 kPa");
+  EXPECT_EQ(panel_.scene().elastomer.shearModulus, 5e5);
+  EXPECT_EQ(entry("elastomer.shear_modulus").text(), "500");
+  EXPECT_EQ(unit->text(), "kPa");
+  type("elastomer.shear_modulus", "-2");  // refused: the unit stays with what was typed
+  EXPECT_EQ(unit->text(), "kPa");
 }
 
 TEST_F(ParameterPanelTest, RefusesBadTextAndKeepsTheOldValue) {
@@ -160,12 +177,12 @@ TEST_F(ParameterPanelTest, EscapeTakesBackWhatWasTyped) {
   force.selectAll();
   QTest::keyClicks(&force, "99");
   QTest::keyClick(&force, Qt::Key_Escape);
-  EXPECT_EQ(force.text(), "0.0034");
+  EXPECT_EQ(force.text(), "3.4");
   EXPECT_EQ(spy_.count(), 0);
 }
 
 TEST_F(ParameterPanelTest, ResetGoesBackToTheDefault) {
-  type("load.normal_force", "5");
+  type("load.normal_force", "5 N");
   auto* reset = control<QToolButton>("reset:load.normal_force");
   EXPECT_TRUE(reset->isEnabled());
   QTest::mouseClick(reset, Qt::LeftButton);
@@ -221,7 +238,7 @@ TEST_F(ParameterPanelTest, AProfileAsksForItsFileAndIsNotPassedOnWithout) {
 
 TEST_F(ParameterPanelTest, LengthAndElementsComeBackWithTheirKind) {
   type("surface.elements", "1000");
-  type("surface.length", "0.03");
+  type("surface.length", "0.03 m");
   spy_.clear();
   choose("surface.kind", "profile");
   EXPECT_EQ(panel_.scene().surface.length, 0);
@@ -263,7 +280,7 @@ TEST_F(ParameterPanelTest, WhatTheFileSaysStandsInPaleLetters) {
   EXPECT_EQ(entry("surface.elements").placeholderText(), "1024");
   EXPECT_EQ(panel_.scene().surface.length, 0);
 
-  type("surface.length", "0.1");
+  type("surface.length", "0.1 m");
   EXPECT_EQ(panel_.scene().surface.length, 0.1);
   auto* reset = control<QToolButton>("reset:surface.length");
   QTest::mouseClick(reset, Qt::LeftButton);
@@ -332,7 +349,7 @@ TEST_F(ParameterPanelTest, ShowsAnotherSceneSilently) {
   scene.title = "another";
   panel_.setScene(scene);
   EXPECT_EQ(spy_.count(), 0);
-  EXPECT_EQ(entry("load.normal_force").text(), "0.1");
+  EXPECT_EQ(entry("load.normal_force").text(), "100");
   EXPECT_EQ(entry("title").text(), "another");
 }
 

@@ -28,11 +28,61 @@ TEST(UnitText, AUnitWithoutPrefixIsNotTakenForOne) {
   EXPECT_EQ(inPlainUnit("2 m/s", "m/s").toDouble(), 2);
 }
 
+TEST(UnitText, ACommaIsAPoint) {
+  EXPECT_EQ(withPoint("2,5"), "2.5");
+  EXPECT_EQ(inPlainUnit(withPoint("2,5 mm"), "m").toDouble(), 0.0025);
+  EXPECT_EQ(withPoint("-1,5e-3 Pa s"), "-1.5e-3 Pa s");
+  EXPECT_EQ(withPoint(",5"), ".5");
+  EXPECT_EQ(withPoint("2.5 mm"), "2.5 mm");
+  for (const char* text : {"1,2,3", "1.000,5", "1,000.5", "a,b", "profile,1.csv", ""})
+    EXPECT_EQ(withPoint(text), text);
+}
+
 TEST(UnitText, WhatHasNoUnitOrAnotherOneIsLeftAsItIs) {
   for (const char* text : {"0.125", "1e7", "10 MN", "ten", "", "5 e", "1.2.3 m", "2 PA"})
     EXPECT_EQ(inPlainUnit(text, "Pa"), text);
   EXPECT_EQ(inPlainUnit("3 m", ""), "3 m");
   EXPECT_EQ(inPlainUnit(QStringLiteral("25 °C"), "K"), QStringLiteral("25 °C"));
+}
+
+TEST(UnitText, ValuesAreShownWithThePrefixThatSuitsThem) {
+  const auto shown = [](double value, const char* unit) {
+    const UnitText text = inReadableUnit(value, unit);
+    return (text.number + ' ' + text.unit).toStdString();
+  };
+  EXPECT_EQ(shown(1e7, "Pa"), "10 MPa");
+  EXPECT_EQ(shown(0.0034, "N"), "3.4 mN");
+  EXPECT_EQ(shown(0.02, "m"), "20 mm");
+  EXPECT_EQ(shown(5e-7, "m"), "500 nm");
+  EXPECT_EQ(shown(1e-6, "m"), "1 \u00b5m");
+  EXPECT_EQ(shown(999.5, "N"), "999.5 N");
+  EXPECT_EQ(shown(1000, "N"), "1 kN");
+  EXPECT_EQ(shown(1000, "m/s"), "1000 m/s");
+  EXPECT_EQ(shown(-0.25, "m/s"), "-250 mm/s");
+  EXPECT_EQ(shown(3e12, "Pa"), "3000 GPa");
+  EXPECT_EQ(shown(1e12, "s"), "1e12 s");
+  EXPECT_EQ(shown(2.5e-14, "m"), "0.025 pm");
+  EXPECT_EQ(shown(1e-30, "N"), "1e-18 pN");
+  EXPECT_EQ(shown(298.15, "K"), "298.15 K");
+  EXPECT_EQ(shown(0, "m"), "0 m");
+  EXPECT_EQ(shown(0.7, ""), "0.7 ");
+}
+
+TEST(UnitText, AValueThatIsShownReadsBackToTheVeryNumber) {
+  for (double value = 1.2345678901234567e-31; value < 1e31; value *= -3.3333333333333335) {
+    const UnitText text = inReadableUnit(value, "N");
+    const QString typed = inShownUnit(text.number, text.unit);
+    EXPECT_EQ(inPlainUnit(typed + (typed == text.number ? ' ' + text.unit : ""), "N").toDouble(),
+              value)
+        << text.number.toStdString() << text.unit.toStdString();
+  }
+}
+
+TEST(UnitText, ANumberAloneIsInTheUnitShownAndOneWithAnExponentInThePlainOne) {
+  EXPECT_EQ(inShownUnit("20", "MPa"), "20 MPa");
+  EXPECT_EQ(inShownUnit(" .5 ", "mm"), ".5 mm");
+  for (const char* text : {"1e7", "20 kPa", "abc", ""}) EXPECT_EQ(inShownUnit(text, "MPa"), text);
+  EXPECT_EQ(inShownUnit("5", ""), "5");
 }
 
 }  // namespace

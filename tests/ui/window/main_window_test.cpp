@@ -6,11 +6,9 @@
 
 #include <QComboBox>
 #include <QDir>
-#include <QDragEnterEvent>
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
-#include <QMimeData>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTemporaryDir>
@@ -23,6 +21,7 @@
 #include "core/scene/plan.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
+#include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/charts/plot_view.h"
 #include "ui/charts/transient_strips.h"
@@ -38,60 +37,6 @@
 namespace asperity {
 namespace {
 
-constexpr int kPatience = 20000;  // ms, far more than anything here takes
-
-Scene smallScene() {
-  Scene scene;
-  scene.title = "small";
-  scene.surface.elements = 256;
-  scene.sweep.points = 9;
-  scene.ensemble.realizations = 3;
-  return scene;
-}
-
-class MainWindowTest : public testing::Test {
- protected:
-  MainWindowTest() : window_(smallScene()) {
-    window_.show();
-    window_.activateWindow();
-  }
-
-  Session& session() { return window_.session(); }
-  const Frame* frame() { return session().frame().get(); }
-
-  template <class Condition>
-  bool waitFor(Condition condition) {
-    return QTest::qWaitFor(condition, kPatience);
-  }
-  void drop(const QString& file) {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(file)});
-    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&window_, &enter);
-    EXPECT_TRUE(enter.isAccepted());
-    QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&window_, &drop);
-  }
-  bool waitForFrame() {
-    return waitFor([&] { return frame() && frame()->sceneNumber == session().sceneNumber(); });
-  }
-
-  template <class Control>
-  Control& control(const QString& name) {
-    return *window_.findChild<Control*>(name);
-  }
-  void type(const QString& key, const QString& text) {
-    auto& entry = control<ValueEntry>("entry:" + key);
-    entry.setFocus();
-    entry.selectAll();
-    QTest::keyClicks(&entry, text);
-    QTest::keyClick(&entry, Qt::Key_Return);
-  }
-  QString fact(const QString& name) { return control<QLabel>(name).text(); }
-
-  MainWindow window_;
-};
-
 TEST_F(MainWindowTest, ASliderBringsOneSceneToTheWorkerAndItsFrameBack) {
   ASSERT_TRUE(waitForFrame());
   const std::uint64_t before = session().sceneNumber();
@@ -105,7 +50,7 @@ TEST_F(MainWindowTest, ASliderBringsOneSceneToTheWorkerAndItsFrameBack) {
 
 TEST_F(MainWindowTest, TypingANumberDoesTheSame) {
   ASSERT_TRUE(waitForFrame());
-  type("sliding.velocity", "0.125");  // the dot is text here, not the key of a single step
+  type("sliding.velocity", "0.125 m/s");  // the dot is text here, not the key of a single step
   EXPECT_TRUE(session().isPlaying());
   ASSERT_TRUE(waitForFrame());
   EXPECT_EQ(frame()->scene->sliding.velocity, 0.125);
@@ -202,9 +147,9 @@ TEST_F(MainWindowTest, KeysAreTheWindowsAgainAfterEnterOrAClickOnTheViews) {
   auto& entry = control<ValueEntry>("entry:sliding.velocity");
   QTest::mouseClick(&entry, Qt::LeftButton);
   ASSERT_TRUE(entry.hasFocus());
-  type("sliding.velocity", "0.5");
+  type("sliding.velocity", "0.5 m/s");
   QTest::keyClick(window_.windowHandle(), Qt::Key_Space);
-  EXPECT_EQ(entry.text(), "0.5");
+  EXPECT_EQ(entry.text(), "500");
   EXPECT_FALSE(session().isPlaying());
 
   for (QWidget* view :
@@ -271,7 +216,7 @@ TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   QTest::qWait(100);
   EXPECT_TRUE(window_.messages().isVisible());
-  EXPECT_LT(window_.messages().text().size(), 160);
+  EXPECT_LT(window_.messages().text().size(), 160) << window_.messages().text().toStdString();
 }
 
 TEST_F(MainWindowTest, AProfileWithoutAFileIsNeitherRunNorSaved) {
@@ -325,7 +270,7 @@ TEST_F(MainWindowTest, APictureDroppedOnItOpensItsScene) {
 
   drop(file);
   EXPECT_EQ(session().scene().title, "from a picture");
-  EXPECT_EQ(window_.windowTitle(), "from a picture – Asperity");
+  EXPECT_EQ(window_.windowTitle(), "from a picture[*] – Asperity");
 
   drop(folder.filePath("gone.png"));
   EXPECT_TRUE(window_.messages().text().contains("gone.png"));
@@ -471,12 +416,12 @@ TEST_F(MainWindowTest, LightAndDark) {
 
 TEST_F(MainWindowTest, FactsComeFromTheFrame) {
   ASSERT_TRUE(waitForFrame());
-  EXPECT_EQ(fact("factForce"), QStringLiteral("dimensionless force F̄ = 0.034"));
+  EXPECT_EQ(fact("factForce"), QStringLiteral("force F̄ = 0.034"));
   EXPECT_TRUE(control<QLabel>("factForce").toolTip().contains("Eq. (14)"));
-  EXPECT_TRUE(fact("factVelocity").startsWith(QStringLiteral("dimensionless velocity v̄ = ")));
+  EXPECT_TRUE(fact("factVelocity").startsWith(QStringLiteral("velocity v̄ = ")));
   EXPECT_TRUE(control<QLabel>("factVelocity").toolTip().contains("Eq. (13)"));
-  EXPECT_EQ(fact("factMu"), QStringLiteral("friction coefficient μ = %1")
-                                .arg(QString::number(frame()->muSteady, 'g', 3)));
+  EXPECT_TRUE(fact("factMu").startsWith(
+      QStringLiteral("friction μ = %1").arg(QString::number(frame()->muSteady, 'g', 3))));
   ASSERT_TRUE(waitFor([&] { return fact("factBackend") == "software (OSMesa)"; }));
 }
 

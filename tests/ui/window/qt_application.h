@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
 #include <memory>
 
 #include "ui/window/run_window.h"
@@ -15,12 +17,15 @@ class QtApplication : public testing::Environment {
  public:
   void SetUp() override {
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    for (const QSettings::Format format : {QSettings::NativeFormat, QSettings::IniFormat})
+      QSettings::setPath(format, QSettings::UserScope, settings_.path());
     application_ = std::make_unique<QApplication>(count_, arguments_);
     prepareApplication(*application_);
   }
   void TearDown() override { application_.reset(); }
 
  private:
+  QTemporaryDir settings_;  // never the user's own
   int count_ = 1;
   char name_[5] = "test";
   char* arguments_[2] = {name_, nullptr};

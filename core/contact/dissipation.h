@@ -1,0 +1,19 @@
+// Where the power goes: what the dashpots of each element turn into heat. Pure; any thread.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/contact/retardation.h"
+
+namespace asperity {
+
+/// W/m, now, of elements under pressures p (N/m) with creeping amplitudes a_j (m), [mode][element]
+/// as TimeMarch holds them. Each amplitude is a spring and a dashpot side by side that follow
+/// a_j' = -rate_j a_j + fluidity_j p/4, so that the dashpots take 4 sum a_j'^2 / fluidity_j; of
+/// Kelvin elements 4 eta u'^2, in contact or free. Its integral over a period of steady sliding is
+/// F_x v. Zeros for elastic elements.
+std::vector<double> dissipatedPower(const RetardationModes& modes, std::span<const double> pressure,
+                                    std::span<const double> amplitudes);
+
+}  // namespace asperity

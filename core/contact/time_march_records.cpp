@@ -1,0 +1,89 @@
+// What a march notes of its elements where a picture asks for it.
+#include <algorithm>
+#include <limits>
+
+#include "core/contact/dissipation.h"
+#include "core/contact/time_march.h"
+
+namespace asperity {
+
+void TimeMarch::record(MarchRecords wanted) {
+  const std::size_t count = depth_.size();
+  if (!wanted.sinceContact) {
+    sinceContact_.clear();
+  } else if (sinceContact_.empty()) {
+    sinceContact_.assign(count, std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < count; ++i)
+      if (pressure_[i] > 0) sinceContact_[i] = 0;
+  }
+  if (!wanted.power)
+    power_.clear();
+  else if (power_.empty())
+    power_ = dissipatedPower(modes_, pressure_, amplitude_);
+  records_ = wanted;
+}
+
+void TimeMarch::setSinceContact(std::span<const double> seconds) {
+  sinceContact_.assign(seconds.begin(), seconds.end());
+}
+
+std::vector<double> TimeMarch::lineSlope() const {
+  const std::size_t count = line_->nodes();
+  const double h = line_->spacing, t = ahead_;
+  const auto size = static_cast<std::ptrdiff_t>(count);
+  std::size_t from = static_cast<std::size_t>((size - passedNodes_) % size);
+  std::vector<double> slope(count);
+  for (double& here : slope) {
+    const std::size_t to = from + 1 == count ? 0 : from + 1;
+    const double rise = (line_->height[to] - line_->height[from]) / h;
+    here = t == 0 ? line_->slopeAfter[from]
+                  : 6 * t * (1 - t) * rise + (1 - t) * (1 - 3 * t) * line_->slopeAfter[from] +
+                        t * (3 * t - 2) * line_->slopeLeftOf(to);
+    from = to;
+  }
+  return slope;
+}
+
+void TimeMarch::keepBegin() {
+  if (!records_.power) return;
+  beginDepth_ = depth_;
+  beginPressure_ = pressure_;
+  beginAmplitude_ = amplitude_;
+}
+
+void TimeMarch::recordStep(double dt) {
+  if (records_.sinceContact)
+    for (std::size_t i = 0; i < sinceContact_.size(); ++i)
+      sinceContact_[i] = pressure_[i] > 0 ? 0 : sinceContact_[i] + dt;
+  if (records_.power) recordPower(dt);
+}
+
+/// Element by element what finishStep sums up as MarchStep::dissipated.
+void TimeMarch::recordPower(double dt) {
+  const std::size_t count = depth_.size();
+  const bool hasDashpot = modes_.glassyCompliance == 0;
+  std::fill(power_.begin(), power_.end(), 0.0);
+  for (std::size_t j = 0; j < creep_.size(); ++j) {
+    const Creep creep = creep_[j];
+    const double softness = creep.stiffness > 0 ? 1 / creep.stiffness : 0;
+    const double *begin = beginAmplitude_.data() + j * count, *end = amplitude_.data() + j * count;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double now = 0.25 * pressure_[i], unrelaxed = begin[i] - softness * now;
+      if (!hasDashpot)
+        power_[i] -= 0.5 * creep.stiffness * (end[i] - begin[i]) * (end[i] + begin[i]);
+      else if (creep.stiffness > 0)
+        power_[i] += 0.5 * creep.stiffness * creep.lost * unrelaxed * unrelaxed;
+      else
+        power_[i] += creep.after * now * now;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const double last = 0.25 * beginPressure_[i], now = 0.25 * pressure_[i];
+    if (!hasDashpot)
+      power_[i] += 0.5 * (last + now) * (depth_[i] - beginDepth_[i]) -
+                   0.5 * modes_.glassyCompliance * (now - last) * (now + last);
+    power_[i] *= 4 / dt;
+  }
+}
+
+}  // namespace asperity

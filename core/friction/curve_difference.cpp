@@ -1,0 +1,159 @@
+#include "core/friction/curve_difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/friction/ensemble.h"
+#include "core/friction/realizations.h"
+#include "core/scene/effects.h"
+#include "core/scene/input_error.h"
+#include "core/scene/parameters.h"
+#include "core/surface/line_source.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::int64_t kLargestPart = 32;  // realizations of one setting before the other's turn
+
+/// One way to compute the curve, a few lines at a time.
+class Side {
+ public:
+  Side(Scene scene, std::vector<double> velocities)
+      : scene_(std::move(scene)),
+        source_(scene_, pointsPerElement(scene_)),
+        sweep_{scene_.load, std::move(velocities)},
+        total_(source_.isRandom() ? scene_.ensemble.realizations : 1) {}
+
+  std::int64_t total() const { return total_; }
+  std::int64_t done() const { return done_; }
+
+  /// mu of so many lines more, line by line; false where stop was requested.
+  bool slide(std::int64_t upTo, const DifferenceOptions& options,
+             std::vector<std::vector<double>>& rows) {
+    const std::int64_t count = std::min(upTo, total_) - done_;
+    rows.clear();
+    if (count <= 0) return true;
+    const RealizationTask task{scene_, source_, {&sweep_, 1}, done_};
+    const bool isWhole = slideRealizations(task, count, options.threads, options.stop,
+                                           [&](std::span<const SteadyResult> results) {
+                                             std::vector<double>& row = rows.emplace_back();
+                                             for (const SteadyResult& result : results)
+                                               row.push_back(result.mu);
+                                           });
+    done_ += count;
+    return isWhole;
+  }
+
+ private:
+  Scene scene_;
+  LineSource source_;
+  LoadCase sweep_;
+  std::int64_t total_, done_ = 0;
+};
+
+DifferencePoint pointOf(double velocity, const PairedMeans& means) {
+  const PairedMeans::Ratio ratio = means.ratio();
+  return {velocity, means.meanB(), means.standardErrorB(), ratio.value - 1, ratio.standardError};
+}
+
+}  // namespace
+
+void PairedMeans::Moments::add(double value) {
+  count += 1;
+  const double step = value - mean;
+  mean += step / count;
+  squares += step * (value - mean);
+}
+
+double PairedMeans::Moments::meanWith(const Moments& other) const {
+  const double all = count + other.count;
+  return all > 0 ? mean + (other.mean - mean) * (other.count / all) : kNotApplicable;
+}
+
+double PairedMeans::Moments::standardErrorWith(const Moments& other) const {
+  const double all = count + other.count;
+  if (all < 2) return kNotApplicable;
+  const double apart = other.mean - mean;
+  const double sum = squares + other.squares + apart * apart * count * other.count / all;
+  return std::sqrt(sum / (all - 1) / all);
+}
+
+void PairedMeans::addPair(double a, double b) {
+  const double before = a - a_.mean;
+  a_.add(a);
+  b_.add(b);
+  products_ += before * (b - b_.mean);
+}
+
+/// With n pairs, N_a and N_b lines of each and ratio R, mean_b - R mean_a is a sum of independent
+/// terms: of a pair (b / N_b - R a / N_a), of a line that only one side has its own part.
+PairedMeans::Ratio PairedMeans::ratio() const {
+  Ratio ratio{meanB() / meanA(), kNotApplicable};
+  const double n = a_.count;
+  if (n < 2 || !std::isfinite(ratio.value)) return ratio;
+  const double wa = ratio.value / (n + onlyA_.count), wb = 1 / (n + onlyB_.count);
+  const double ofPairs =
+      (wb * wb * b_.squares - 2 * wa * wb * products_ + wa * wa * a_.squares) / (n - 1);
+  // Lines of one side alone vary as all of that side do.
+  const double ofA = std::pow(a_.standardErrorWith(onlyA_), 2) * (n + onlyA_.count);
+  const double ofB = std::pow(b_.standardErrorWith(onlyB_), 2) * (n + onlyB_.count);
+  const double variance =
+      n * std::max(0.0, ofPairs) + onlyA_.count * wa * wa * ofA + onlyB_.count * wb * wb * ofB;
+  ratio.standardError = std::sqrt(variance) / std::abs(meanA());
+  return ratio;
+}
+
+std::string nameOf(const CurveSetting& setting) {
+  const auto choices = std::get<ChoiceField>(findParameter("accuracy.scheme")->field).choices;
+  const std::string_view scheme = choices[static_cast<std::size_t>(setting.scheme)];
+  const std::string lines =
+      fmt::format("{} line{}", setting.realizations, setting.realizations == 1 ? "" : "s");
+  return setting.scheme == Scheme::Nodal
+             ? fmt::format("{}, {}", scheme, lines)
+             : fmt::format("{} x{}, {}", scheme, setting.oversampling, lines);
+}
+
+Scene withSetting(Scene scene, const CurveSetting& setting) {
+  scene.accuracy = {setting.scheme, setting.oversampling, 0};
+  scene.ensemble.realizations = setting.realizations;
+  return scene;
+}
+
+CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
+                                const DifferenceOptions& options) {
+  needSteadySliding(scene, "a comparison of curves");
+  if (choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "a comparison needs the same resolution at every velocity, not a target");
+  const std::vector<double> velocities = sweepVelocities(scene.sweep);
+  Side own(scene, velocities), other(withSetting(scene, setting), velocities);
+  CurveDifference difference{
+      std::make_shared<const Scene>(scene), setting, {}, 0, own.total() + other.total()};
+  std::vector<PairedMeans> means(velocities.size());
+  std::vector<std::vector<double>> a, b;
+  const std::int64_t most = std::max(own.total(), other.total());
+  for (std::int64_t part = 1, upTo = 1; difference.done < difference.total;
+       part = std::min(2 * part, kLargestPart), upTo = std::min(upTo + part, most)) {
+    if (!own.slide(upTo, options, a) || !other.slide(upTo, options, b)) break;
+    for (std::size_t r = 0; r < std::max(a.size(), b.size()); ++r)
+      for (std::size_t i = 0; i < means.size(); ++i) {
+        if (r < a.size() && r < b.size())
+          means[i].addPair(a[r][i], b[r][i]);
+        else if (r < a.size())
+          means[i].addOnlyA(a[r][i]);
+        else
+          means[i].addOnlyB(b[r][i]);
+      }
+    difference.done = own.done() + other.done();
+    difference.points.clear();
+    for (std::size_t i = 0; i < means.size(); ++i)
+      difference.points.push_back(pointOf(velocities[i], means[i]));
+    if (options.progress) options.progress(difference);
+  }
+  return difference;
+}
+
+}  // namespace asperity

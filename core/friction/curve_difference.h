@@ -1,0 +1,89 @@
+// Two ways to compute the same friction curve (scheme, oversampling, number of realizations) on
+// common lines: the difference of their means with an error in which the noise that both share has
+// cancelled. Realizations of equal number have equal phases at every resolution, so they are pairs.
+// Threading, failure, cancelling: as frictionCurve. The same bits for any number of threads.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/friction/curve_point.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// What is compared with: how the scene's curve might be computed as well.
+struct CurveSetting {
+  Scheme scheme = Scheme::Cubic;
+  std::int64_t oversampling = 8;  // `nodal`: 1, always
+  std::int64_t realizations = 20;
+
+  bool operator==(const CurveSetting&) const = default;
+};
+
+/// "cubic x8, 20 lines"; nodal has no oversampling.
+std::string nameOf(const CurveSetting& setting);
+
+/// The scene computed that way; its target accuracy, if any, is dropped.
+Scene withSetting(Scene scene, const CurveSetting& setting);
+
+struct DifferencePoint {
+  double velocity = 0;  // m/s
+  double mu = 0;        // of the setting compared with
+  double muStandardError = kNotApplicable;
+  double relative = 0;                    // its mean over the scene's own, less 1
+  double standardError = kNotApplicable;  // of that, pairs told from strangers; needs two lines
+};
+
+struct CurveDifference {
+  std::shared_ptr<const Scene> scene;  // as it stands
+  CurveSetting setting;
+  std::vector<DifferencePoint> points;
+  std::int64_t done = 0, total = 0;  // realizations of both settings together
+};
+
+struct DifferenceOptions {
+  int threads = 0;
+  std::stop_token stop;
+  std::function<void(const CurveDifference&)> progress;  // from the calling thread; may be empty
+};
+
+/// scene: without a target accuracy, else InputError. Cut short where `stop` is requested: the
+/// points are those of the part done.
+CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
+                                const DifferenceOptions& options = {});
+
+/// Means of a and b over their lines, of which the first ones are common, and their ratio. Exact
+/// for any two numbers of lines; to first order in the errors (delta method).
+class PairedMeans {
+ public:
+  void addPair(double a, double b);
+  void addOnlyA(double a) { onlyA_.add(a); }
+  void addOnlyB(double b) { onlyB_.add(b); }
+
+  struct Ratio {
+    double value = kNotApplicable;          // mean b / mean a
+    double standardError = kNotApplicable;  // needs two pairs
+  };
+  Ratio ratio() const;
+  double meanA() const { return a_.meanWith(onlyA_); }
+  double meanB() const { return b_.meanWith(onlyB_); }
+  double standardErrorB() const { return b_.standardErrorWith(onlyB_); }
+
+ private:
+  /// Count, mean and sum of squared deviations.
+  struct Moments {
+    double count = 0, mean = 0, squares = 0;
+    void add(double value);
+    double meanWith(const Moments& other) const;
+    double standardErrorWith(const Moments& other) const;
+  };
+  Moments a_, b_, onlyA_, onlyB_;
+  double products_ = 0;  // sum of the products of deviations of pairs
+};
+
+}  // namespace asperity

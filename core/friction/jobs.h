@@ -1,0 +1,52 @@
+// Numbered jobs on oneTBB's threads, the caller's among them. What was written before is there for
+// every job, and what jobs wrote is there for the caller and for later jobs: by an atomic of our
+// own, since what oneTBB does inside its library is out of sight for tools that look for races.
+// Ownership: one owner, from whose thread run() is called. Failure: run() throws what a job threw;
+// jobs that have not begun are then left out.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+namespace asperity {
+
+class Jobs {
+ public:
+  /// threads: 0 for as many as the machine has.
+  explicit Jobs(int threads);
+  ~Jobs();
+
+  /// job(0) to job(count - 1), each once, in any order and on any thread.
+  template <class Job>
+  void run(std::int64_t count, const Job& job) {
+    const HandOver caller;
+    runEach(count, &call<Job>, &job);
+  }
+
+ private:
+  /// Gives what this thread wrote to the next one that takes, at its end too. One for the process,
+  /// because a job must take before it follows the first pointer.
+  struct HandOver {
+    HandOver() { count.fetch_add(1, std::memory_order_acq_rel); }
+    ~HandOver() { count.fetch_add(1, std::memory_order_acq_rel); }
+    HandOver(const HandOver&) = delete;
+    HandOver& operator=(const HandOver&) = delete;
+    static inline std::atomic<std::uint64_t> count{0};
+  };
+
+  using Call = void (*)(const void* job, std::int64_t number);
+
+  template <class Job>
+  static void call(const void* job, std::int64_t number) {
+    const HandOver worker;
+    (*static_cast<const Job*>(job))(number);
+  }
+
+  void runEach(std::int64_t count, Call one, const void* job);
+
+  struct Arena;
+  std::unique_ptr<Arena> arena_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,16 @@
+// How long ago each element was in contact, where steady sliding tells it. Pure; any thread.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace asperity {
+
+/// s since contact ended at each of the periodic points, 0 in contact. Elements behind a contact
+/// were in it a moment ago: it is the way to the nearest contact in the direction of sliding over
+/// the velocity (m/s, either sign), to within one spacing (m). Infinite where nothing is in contact
+/// or nothing slides.
+std::vector<double> steadyContactAge(std::span<const double> pressure, double spacing,
+                                     double velocity);
+
+}  // namespace asperity

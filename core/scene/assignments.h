@@ -1,0 +1,16 @@
+// The way back from --set: what has to be set over one scene so that it becomes another. Pure; any
+// thread.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// "KEY=VALUE" of every key that differs, in the table's order: readScene(text of base, ...,
+/// assignments) is `scene` up to the folder and to keys that have no meaning in it.
+std::vector<std::string> assignmentsFrom(const Scene& base, const Scene& scene);
+
+}  // namespace asperity

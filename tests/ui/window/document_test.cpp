@@ -1,0 +1,262 @@
+// Undo and redo, the mark of unsaved changes and the question about them, recent files.
+#include "ui/window/scene_document.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QMenu>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include "core/scene/scene_file.h"
+#include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/recent_files.h"
+#include "ui/window/scene_library.h"
+
+namespace asperity {
+namespace {
+
+using DocumentTest = MainWindowTest;
+
+Scene withForce(Scene scene, double force) {
+  scene.load.normalForce = force;
+  return scene;
+}
+
+TEST(SceneDocument, EveryChangeGoesBackAndForth) {
+  SceneDocument document(smallScene());
+  std::vector<Scene> scenes{smallScene()};
+  for (int i = 1; i <= 5; ++i) {
+    scenes.push_back(withForce(scenes.back(), 0.1 * i));
+    document.change(scenes.back(), static_cast<std::uint64_t>(i));
+  }
+  for (std::size_t i = scenes.size(); i-- > 1;) {
+    EXPECT_EQ(document.scene(), scenes[i]);
+    document.history().undo();
+  }
+  EXPECT_EQ(document.scene(), scenes.front());
+  EXPECT_FALSE(document.history().canUndo());
+  for (std::size_t i = 1; i < scenes.size(); ++i) {
+    document.history().redo();
+    EXPECT_EQ(document.scene(), scenes[i]);
+  }
+}
+
+TEST(SceneDocument, OneGestureOnOneParameterIsOneStep) {
+  SceneDocument document(smallScene());
+  for (int i = 1; i <= 50; ++i) document.change(withForce(smallScene(), 0.01 * i), 7);
+  EXPECT_EQ(document.history().count(), 1);
+  Scene other = document.scene();
+  other.sliding.velocity = 3;
+  document.change(other, 7);  // of another parameter
+  EXPECT_EQ(document.history().count(), 2);
+  document.change(withForce(other, 4), 8);
+  document.change(withForce(other, 5), 9);
+  EXPECT_EQ(document.history().count(), 4);
+}
+
+TEST(SceneDocument, AGestureThatEndsWhereItBeganIsNoStep) {
+  SceneDocument document(smallScene());
+  document.change(withForce(smallScene(), 2), 1);
+  EXPECT_TRUE(document.isChanged());
+  document.change(smallScene(), 1);
+  EXPECT_FALSE(document.isChanged());
+  EXPECT_EQ(document.history().count(), 0);
+}
+
+TEST(SceneDocument, StepsAreNamedAfterWhatTheyChange) {
+  SceneDocument document(smallScene());
+  document.change(withForce(smallScene(), 2), 1);
+  EXPECT_EQ(document.history().undoText(), "Normal force");
+  Scene profile = document.scene();
+  profile.surface.kind = SurfaceKind::Sine;
+  profile.surface.elements = 99;
+  EXPECT_EQ(stepName(document.scene(), profile), "Kind of line");
+  Scene two = document.scene();
+  two.surface.hurst = 0.1;
+  two.surface.seed = 9;
+  EXPECT_EQ(stepName(document.scene(), two), "2 parameters");
+}
+
+TEST_F(DocumentTest, AnEditIsUndoneAndRedoneByItsKeys) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  EXPECT_FALSE(action("undo").isEnabled());
+  type("load.normal_force", "0.5 N");
+  EXPECT_EQ(action("undo").text(), "Undo Normal force");
+  EXPECT_TRUE(action("undo").toolTip().contains("Ctrl+Z"));
+  QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(session().scene(), smallScene());
+  EXPECT_EQ(window_.panel().scene(), smallScene());
+  EXPECT_EQ(action("undo").text(), "Undo");
+  EXPECT_EQ(action("redo").text(), "Redo Normal force");
+  QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(session().scene().load.normalForce, 0.5);
+  EXPECT_EQ(control<ValueEntry>("entry:load.normal_force").text(), "500");
+  ASSERT_TRUE(waitForFrame());
+  EXPECT_EQ(frame()->scene->load.normalForce, 0.5);
+}
+
+TEST_F(DocumentTest, ADragOfASliderIsOneStep) {
+  auto& slider = control<ValueSlider>("slider:load.normal_force");
+  const int y = slider.height() / 2;
+  for (int lap = 1; lap <= 2; ++lap) {
+    QTest::mousePress(&slider, Qt::LeftButton, {}, QPoint(10, y));
+    for (int x = 10; x <= slider.width() - 20 * lap; ++x) QTest::mouseMove(&slider, QPoint(x, y));
+    QTest::mouseRelease(&slider, Qt::LeftButton, {}, QPoint(slider.width() - 20 * lap, y));
+    EXPECT_EQ(window_.document().history().count(), lap);
+  }
+  action("undo").trigger();
+  action("undo").trigger();
+  EXPECT_EQ(session().scene(), smallScene());
+}
+
+TEST_F(DocumentTest, KeysPressedOneByOneAreStepsAndAHeldKeyIsOne) {
+  press("load.normal_force");
+  press("load.normal_force");
+  EXPECT_EQ(window_.document().history().count(), 2);
+  auto& slider = control<ValueSlider>("slider:load.normal_force");
+  for (int i = 0; i < 20; ++i) {
+    QKeyEvent held(QEvent::KeyPress, Qt::Key_Right, {}, {}, i > 0);
+    QApplication::sendEvent(&slider, &held);
+  }
+  EXPECT_EQ(window_.document().history().count(), 3);
+}
+
+TEST_F(DocumentTest, EveryParameterGoesBackToItsDefaultAndBackAgain) {
+  type("surface.hurst", "0.3");
+  type("load.normal_force", "0.5 N");
+  const Scene before = session().scene();
+  action("resetAll").trigger();
+  EXPECT_EQ(session().scene(), Scene{});
+  EXPECT_EQ(window_.panel().scene(), Scene{});
+  action("undo").trigger();
+  EXPECT_EQ(session().scene(), before);
+  action("revert").trigger();
+  EXPECT_EQ(session().scene(), smallScene());
+  EXPECT_FALSE(window_.isWindowModified());
+  EXPECT_FALSE(action("revert").isEnabled());
+}
+
+TEST_F(DocumentTest, TheTitleIsMarkedWhileTheSceneDiffers) {
+  EXPECT_FALSE(window_.isWindowModified());
+  EXPECT_TRUE(window_.windowTitle().contains("[*]"));
+  press("load.normal_force");
+  EXPECT_TRUE(window_.isWindowModified());
+  action("undo").trigger();
+  EXPECT_FALSE(window_.isWindowModified());
+}
+
+TEST_F(DocumentTest, AnUnchangedSceneIsLeftWithoutAQuestion) {
+  answer(QMessageBox::Cancel);
+  action("scene:figure_2").trigger();
+  action("scene:region_1").trigger();
+  EXPECT_TRUE(window_.close());
+  EXPECT_EQ(asked_, 0);
+}
+
+TEST_F(DocumentTest, CancelStaysWithTheChangedScene) {
+  press("load.normal_force");
+  const Scene changed = session().scene();
+  answer(QMessageBox::Cancel);
+  action("scene:figure_2").trigger();
+  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(session().scene(), changed);
+  EXPECT_TRUE(window_.document().history().canUndo());
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window_.close());
+  EXPECT_EQ(asked_, 1);
+  EXPECT_TRUE(window_.isVisible());
+}
+
+TEST_F(DocumentTest, DiscardLosesTheChangesAndTheHistory) {
+  press("load.normal_force");
+  answer(QMessageBox::Discard);
+  action("scene:figure_2").trigger();
+  EXPECT_EQ(asked_, 1);
+  EXPECT_TRUE(session().scene().title.starts_with("Figure 2"));
+  EXPECT_FALSE(window_.document().history().canUndo());
+  EXPECT_FALSE(window_.isWindowModified());
+}
+
+TEST_F(DocumentTest, SaveWritesTheFileBeforeTheSceneIsLeft) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("mine.json");
+  ASSERT_TRUE(window_.saveScene(file));
+  type("load.normal_force", "0.75 N");
+  answer(QMessageBox::Save);
+  EXPECT_TRUE(window_.close());
+  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(readSceneFile(file.toStdString()).load.normalForce, 0.75);
+}
+
+TEST_F(DocumentTest, SaveThatFailsStays) {
+  QTemporaryDir folder;
+  ASSERT_TRUE(window_.saveScene(folder.filePath("mine.json")));
+  folder.remove();
+  press("load.normal_force");
+  const Scene changed = session().scene();
+  answer(QMessageBox::Save);
+  action("scene:figure_2").trigger();
+  EXPECT_EQ(session().scene(), changed);
+  EXPECT_TRUE(window_.messages().isVisible());
+}
+
+TEST_F(DocumentTest, ADropAsksToo) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("other.json");
+  QFile other(file);
+  ASSERT_TRUE(other.open(QIODevice::WriteOnly));
+  Scene scene = smallScene();
+  scene.title = "dropped";
+  other.write(writeScene(scene).c_str());
+  other.close();
+  press("load.normal_force");
+  answer(QMessageBox::Discard);
+  drop(file);
+  ASSERT_TRUE(waitFor([&] { return session().scene().title == "dropped"; }));
+  EXPECT_EQ(asked_, 1);
+}
+
+TEST_F(DocumentTest, SettingsOfTestsAreTheirOwn) {
+  EXPECT_TRUE(QSettings().fileName().startsWith(QDir::tempPath()));
+  EXPECT_EQ(QApplication::organizationName(), "Asperity");
+}
+
+TEST_F(DocumentTest, RecentFilesAreOfferedWhileTheyAreThere) {
+  clearRecentFiles();
+  const QTemporaryDir folder;
+  auto& menu = control<QMenu>("recentMenu");
+  for (int i = 0; i < kMostRecentFiles + 2; ++i)
+    ASSERT_TRUE(window_.saveScene(folder.filePath(QStringLiteral("%1.json").arg(i))));
+  EXPECT_EQ(recentFiles().size(), kMostRecentFiles);
+  EXPECT_EQ(menu.actions().first()->text(), "9.json");
+  ASSERT_TRUE(QFile::remove(folder.filePath("9.json")));
+  EXPECT_EQ(recentFiles().size(), kMostRecentFiles - 1);
+  ASSERT_TRUE(window_.openScene(folder.filePath("5.json")));
+  EXPECT_EQ(menu.actions().first()->text(), "5.json");
+  menu.actions().at(1)->trigger();
+  EXPECT_TRUE(window_.document().file().endsWith("8.json"));
+  menu.actions().last()->trigger();
+  EXPECT_TRUE(recentFiles().isEmpty());
+  EXPECT_FALSE(menu.isEnabled());
+}
+
+TEST_F(DocumentTest, AnOpenedFileIsSavedWhereItCameFrom) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("mine.json");
+  ASSERT_TRUE(window_.saveScene(file));
+  window_.showScene(Scene{});
+  EXPECT_TRUE(window_.document().file().isEmpty());
+  ASSERT_TRUE(window_.openScene(file));
+  type("sliding.velocity", "0.125 m/s");
+  QTest::keyClick(&window_, Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(readSceneFile(file.toStdString()).sliding.velocity, 0.125);
+  EXPECT_FALSE(window_.isWindowModified());
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,149 @@
+// Docks, tabs, full screen, presentation and colours, and that they are remembered.
+#include <gtest/gtest.h>
+
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QToolBar>
+#include <memory>
+
+#include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/window/appearance.h"
+
+namespace asperity {
+namespace {
+
+class LayoutTest : public MainWindowTest {
+ protected:
+  LayoutTest() { QSettings().clear(); }
+
+  QDockWidget& dock() { return control<QDockWidget>("parameterDock"); }
+  QTabWidget& tabs() { return control<QTabWidget>("tabs"); }
+};
+
+TEST_F(LayoutTest, ParametersCloseAndComeBackByTheirKey) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  EXPECT_TRUE(dock().isVisible());
+  QTest::keyClick(&window_, Qt::Key_F9);
+  EXPECT_FALSE(dock().isVisible());
+  QTest::keyClick(&window_, Qt::Key_F9);
+  EXPECT_TRUE(dock().isVisible());
+}
+
+TEST_F(LayoutTest, DocksMayBeMoved) {
+  EXPECT_TRUE(dock().features().testFlag(QDockWidget::DockWidgetMovable));
+  EXPECT_TRUE(dock().features().testFlag(QDockWidget::DockWidgetFloatable));
+  window_.addDockWidget(Qt::LeftDockWidgetArea, &dock());
+  ASSERT_TRUE(waitFor([&] { return dock().x() < window_.centralWidget()->x(); }));
+  action("restoreLayout").trigger();
+  EXPECT_EQ(window_.dockWidgetArea(&dock()), Qt::RightDockWidgetArea);
+}
+
+TEST_F(LayoutTest, TabsAreHiddenAndShown) {
+  auto& plan = action("tab:planList");
+  const int index = tabs().indexOf(&control<QWidget>("planList"));
+  plan.setChecked(false);
+  EXPECT_FALSE(tabs().isTabVisible(index));
+  action("go:planList").trigger();  // wanted again
+  EXPECT_TRUE(plan.isChecked());
+  EXPECT_EQ(tabs().currentIndex(), index);
+  for (QAction* each : window_.findChildren<QAction*>())
+    if (each->objectName().startsWith("tab:")) each->setChecked(false);
+  EXPECT_FALSE(tabs().isVisible());
+  action("restoreLayout").trigger();
+  EXPECT_TRUE(tabs().isVisible());
+}
+
+TEST_F(LayoutTest, TheMotionsTabComesOnlyWithAMotion) {
+  EXPECT_FALSE(action("tab:transientStrips").isVisible());
+  action("go:transientStrips").trigger();
+  EXPECT_FALSE(tabs().isTabVisible(1));
+  Scene moving = smallScene();
+  moving.sliding.kind = SlidingKind::Step;
+  window_.showScene(moving);
+  EXPECT_TRUE(action("tab:transientStrips").isVisible());
+  EXPECT_TRUE(tabs().isTabVisible(1));
+}
+
+TEST_F(LayoutTest, FullScreenAndBack) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  QTest::keyClick(&window_, Qt::Key_F11);
+  EXPECT_TRUE(window_.isFullScreen());
+  EXPECT_TRUE(action("fullScreen").isChecked());
+  QTest::keyClick(&window_, Qt::Key_Escape);
+  EXPECT_FALSE(window_.isFullScreen());
+  EXPECT_FALSE(action("leave").isEnabled());
+}
+
+TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  const double before = QApplication::font().pointSizeF();
+  QTest::keyClick(&window_, Qt::Key_F5);
+  EXPECT_TRUE(window_.isPresenting());
+  EXPECT_TRUE(window_.isFullScreen());
+  EXPECT_NEAR(QApplication::font().pointSizeF(), 1.5 * before, 0.01);
+  EXPECT_NEAR(control<QWidget>("frictionPlot").font().pointSizeF(), 1.5 * before, 0.01);
+  for (const QWidget* hidden : std::initializer_list<QWidget*>{
+           &dock(), window_.menuBar(), window_.statusBar(), &control<QToolBar>("commands")})
+    EXPECT_FALSE(hidden->isVisible());
+  QTest::keyClick(&window_, Qt::Key_F9);  // keys go on without a menu
+  EXPECT_TRUE(dock().isVisible());
+  QTest::keyClick(&window_, Qt::Key_Escape);
+  EXPECT_FALSE(window_.isPresenting());
+  EXPECT_FALSE(window_.isFullScreen());
+  EXPECT_EQ(QApplication::font().pointSizeF(), before);
+  EXPECT_TRUE(window_.menuBar()->isVisible());
+  EXPECT_TRUE(dock().isVisible());
+}
+
+TEST_F(LayoutTest, WhatEndsAPresentationIsAsItWasBefore) {
+  dock().hide();
+  window_.setPresenting(true);
+  window_.setPresenting(false);
+  EXPECT_FALSE(dock().isVisible());
+}
+
+TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
+  const auto next = [] {
+    auto window = std::make_unique<MainWindow>(smallScene());
+    window->rememberLayout();
+    window->show();
+    return window;
+  };
+  auto first = next();
+  first->findChild<QDockWidget*>("parameterDock")->hide();
+  first->findChild<QAction*>("tab:planList")->setChecked(false);
+  first->setColours(Colours::Dark);
+  first->resize(1100, 700);
+  first->setPresenting(true);  // is not kept
+  ASSERT_TRUE(first->close());
+  first.reset();
+
+  auto second = next();
+  EXPECT_FALSE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
+  EXPECT_FALSE(second->findChild<QAction*>("tab:planList")->isChecked());
+  EXPECT_EQ(second->colours(), Colours::Dark);
+  EXPECT_TRUE(second->isDark());
+  EXPECT_FALSE(second->isFullScreen());
+  EXPECT_TRUE(second->menuBar()->isVisible());
+  EXPECT_EQ(second->size(), QSize(1100, 700));
+  second->restoreDefaultLayout();
+  EXPECT_TRUE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
+  second->setColours(Colours::Light);
+}
+
+TEST_F(LayoutTest, ColoursOfTheDesktopUnlessChosen) {
+  EXPECT_EQ(window_.colours(), Colours::System);
+  EXPECT_EQ(window_.isDark(), systemIsDark());
+  action("light").trigger();
+  EXPECT_EQ(window_.isDark(), !systemIsDark());
+  EXPECT_TRUE(action(systemIsDark() ? "colours:1" : "colours:2").isChecked());
+  action("colours:0").trigger();
+  EXPECT_EQ(window_.isDark(), systemIsDark());
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,99 @@
+// The main window with a small scene, and a person in front of it. For tests on the GUI thread.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QTest>
+#include <QTimer>
+
+#include "ui/panels/parameter_panel.h"
+#include "ui/panels/value_entry.h"
+#include "ui/panels/value_slider.h"
+#include "ui/window/main_window.h"
+#include "ui/window/session.h"
+
+namespace asperity {
+
+inline constexpr int kWindowPatience = 20000;  // ms, far more than anything here takes
+
+inline Scene smallScene() {
+  Scene scene;
+  scene.title = "small";
+  scene.surface.elements = 256;
+  scene.sweep.points = 9;
+  scene.ensemble.realizations = 3;
+  return scene;
+}
+
+class MainWindowTest : public testing::Test {
+ protected:
+  MainWindowTest() : window_(smallScene()) {
+    window_.show();
+    window_.activateWindow();
+  }
+
+  Session& session() { return window_.session(); }
+  const Frame* frame() { return session().frame().get(); }
+
+  template <class Condition>
+  bool waitFor(Condition condition) {
+    return QTest::qWaitFor(condition, kWindowPatience);
+  }
+  void drop(const QString& file) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window_, &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window_, &drop);
+  }
+  bool waitForFrame() {
+    return waitFor([&] { return frame() && frame()->sceneNumber == session().sceneNumber(); });
+  }
+
+  template <class Control>
+  Control& control(const QString& name) {
+    return *window_.findChild<Control*>(name);
+  }
+  void type(const QString& key, const QString& text) {
+    auto& entry = control<ValueEntry>("entry:" + key);
+    entry.setFocus();
+    entry.selectAll();
+    QTest::keyClicks(&entry, text);
+    QTest::keyClick(&entry, Qt::Key_Return);
+  }
+  QAction& action(const QString& name) { return control<QAction>(name); }
+  void press(const QString& key) {
+    QTest::keyClick(&control<ValueSlider>("slider:" + key), Qt::Key_Right);
+  }
+
+  /// Answers the next question before what is not saved would be lost.
+  void answer(QMessageBox::StandardButton button) {
+    asked_ = 0;
+    answerWhenAsked(button, 100);
+  }
+  int asked_ = 0;
+
+  QString fact(const QString& name) { return control<QLabel>(name).text(); }
+
+  MainWindow window_;
+
+ private:
+  void answerWhenAsked(QMessageBox::StandardButton button, int patience) {
+    QTimer::singleShot(10, &window_, [this, button, patience] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (!box) return patience > 0 ? answerWhenAsked(button, patience - 1) : void();
+      ++asked_;
+      QTest::mouseClick(box->button(button), Qt::LeftButton);
+    });
+  }
+};
+
+}  // namespace asperity

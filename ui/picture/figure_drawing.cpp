@@ -1,0 +1,30 @@
+#include "ui/picture/figure_drawing.h"
+
+#include "core/run/steady_frames.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kFramesPerSecond = 25;  // of the film whose first frame a contact is
+
+}  // namespace
+
+std::shared_ptr<const Frame> contactOf(const Figure& figure) {
+  if (!figure.sheet.diagrams.empty()) return nullptr;
+  Scene scene = figure.scene;
+  scene.title = figure.sheet.title;
+  const SteadyFrames frames(std::make_shared<const Scene>(std::move(scene)));
+  return std::make_shared<const Frame>(frames.frame(0, 1, kFramesPerSecond));
+}
+
+DrawList composeFigure(const Figure& figure, const Frame* contact, const DiagramOptions& options) {
+  if (!contact) return composeDiagrams(figure.sheet, options);
+  ContactPictureOptions picture;
+  picture.width = options.width;
+  picture.height = options.height;
+  picture.scale = options.scale;
+  picture.theme = options.theme;
+  return composeContact(*contact, picture);
+}
+
+}  // namespace asperity

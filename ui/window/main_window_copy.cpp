@@ -1,0 +1,123 @@
+// What leaves the main window: its picture, and the calls of `asperity` that make it without one.
+#include <QAction>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QTabWidget>
+#include <exception>
+#include <memory>
+#include <utility>
+
+#include "ui/charts/plot_view.h"
+#include "ui/charts/transient_strips.h"
+#include "ui/window/appearance.h"
+#include "ui/window/command_text.h"
+#include "ui/window/contact_canvas.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/picture_files.h"
+#include "ui/window/scene_document.h"
+#include "ui/window/session.h"
+#include "ui/window/status_line.h"
+
+namespace asperity {
+
+namespace {
+
+QSize devicePixels(const QWidget& widget) {
+  return widget.size() * widget.devicePixelRatioF();
+}
+
+}  // namespace
+
+void MainWindow::buildCopyCommands() {
+  copyPicture_ = addCommand("copyPicture", tr("Copy picture"), QKeySequence::Copy, Symbol::None,
+                            [this] { copyPicture(); });
+  savePicture_ = addCommand("savePicture", tr("Save picture…"), Qt::CTRL | Qt::Key_E, Symbol::None,
+                            [this] { askPicture(); });
+  copyRender_ =
+      addCommand("copyCommand", tr("Copy as command line"), Qt::CTRL | Qt::SHIFT | Qt::Key_C,
+                 Symbol::None, [this] { copyText(pictureCommand()); });
+  copyCurve_ =
+      addCommand("copyCurveCommand", tr("Copy the curve's command line"), {}, Symbol::None,
+                 [this] { copyText(curveCommand(document_->origin(), document_->scene())); });
+}
+
+/// The picture that is on the screen; none before the first.
+std::optional<ContactShot> MainWindow::shot() const {
+  ContactShot shot{canvas_->viewer().frame(), {}};
+  if (!shot.frame) return std::nullopt;
+  shot.options = canvas_->viewer().options();
+  const QSize size = devicePixels(*canvas_);
+  shot.options.width = size.width();
+  shot.options.height = size.height();
+  shot.options.scale = static_cast<float>(canvas_->devicePixelRatioF() * canvas_->textScale());
+  shot.options.theme = dark_ ? darkTheme() : lightTheme();
+  return shot;
+}
+
+/// Drawn beside the window: OSMesa must not come near its own context.
+void MainWindow::runExport(std::function<void()> work, std::function<void()> done) {
+  export_ = std::jthread([this, work = std::move(work), done = std::move(done)] {
+    QString complaint;
+    try {
+      work();
+    } catch (const std::exception& error) {
+      complaint = QString::fromUtf8(error.what());
+    }
+    QMetaObject::invokeMethod(this, [this, complaint, done] {
+      complaint.isEmpty() ? done() : messages_->showMessage(complaint);
+    });
+  });
+}
+
+void MainWindow::copyPicture() {
+  const std::optional<ContactShot> present = shot();
+  if (!present) return;
+  const auto image = std::make_shared<QImage>();
+  runExport([shot = *present, image] { *image = imageOf(shot); },
+            [this, image] {
+              QGuiApplication::clipboard()->setImage(*image);
+              status_->say(tr("The picture is on the clipboard"));
+              emit exported({});
+            });
+}
+
+void MainWindow::askPicture() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save picture"), "contact.png",
+                                                    tr("Pictures (*.png *.svg *.pdf)"));
+  if (!file.isEmpty()) savePicture(file);
+}
+
+void MainWindow::savePicture(const QString& file) {
+  const std::optional<ContactShot> present = shot();
+  if (!present) return;
+  runExport([shot = *present, file] { writeContact(file.toStdString(), shot); },
+            [this, file] {
+              status_->say(tr("Saved %1").arg(QFileInfo(file).fileName()));
+              emit exported(file);
+            });
+}
+
+/// The contact with what is in front under it.
+QString MainWindow::pictureCommand() const {
+  PictureWish wish;
+  const QWidget* front = tabs_->currentWidget();
+  wish.size = devicePixels(*canvas_);
+  if (front == plot_ || front == strips_) {
+    wish.layout = front == plot_ ? QStringLiteral("both") : QStringLiteral("transient");
+    wish.size.rheight() += devicePixels(*tabs_).height();
+  }
+  wish.scale = canvas_->devicePixelRatioF();
+  wish.dark = dark_;
+  wish.overlay = QString::fromUtf8(wordFor(canvas_->viewer().overlay()).data());
+  return renderCommand(document_->origin(), document_->scene(), wish);
+}
+
+void MainWindow::copyText(const QString& text) {
+  QGuiApplication::clipboard()->setText(text);
+  status_->say(tr("On the clipboard: %1").arg(text.section(' ', 0, 2) + " …"));
+}
+
+}  // namespace asperity

@@ -1,0 +1,144 @@
+// The main window's document: steps of the scene, undone and done again; the question before what
+// is not saved would be lost; the title.
+#include <QAction>
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "ui/language/translated.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/window/command_words.h"
+#include "ui/window/gesture_counter.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/scene_document.h"
+#include "ui/window/session.h"
+
+namespace asperity {
+
+void MainWindow::buildDocument(const Scene& scene) {
+  gestures_ = new GestureCounter(this);
+  document_ = new SceneDocument(scene, this);
+  connect(document_, &SceneDocument::sceneWanted, this, [this](const Scene& wanted) {
+    panel_->setScene(wanted);
+    session_->setScene(wanted);
+    showAboutScene();
+    showDescription();
+  });
+  connect(document_, &SceneDocument::changed, this, &MainWindow::showHistory);
+}
+
+void MainWindow::buildEditCommands() {
+  undo_ = addCommand("undo", tr("Undo"), QKeySequence::Undo, Symbol::Undo,
+                     [this] { document_->history().undo(); });
+  redo_ = addCommand("redo", tr("Redo"), QKeySequence::Redo, Symbol::Redo,
+                     [this] { document_->history().redo(); });
+  QList<QKeySequence> again = QKeySequence::keyBindings(QKeySequence::Redo);
+  if (const QKeySequence y(Qt::CTRL | Qt::Key_Y); !again.contains(y)) again += y;
+  redo_->setShortcuts(again);
+  revert_ = addCommand("revert", tr("Back to the scene as opened"), {}, Symbol::None, [this] {
+    editScene(document_->origin().scene, tr("Back to the scene as opened"));
+  });
+  resetAll_ = addCommand("resetAll", tr("All parameters to their defaults"), {}, Symbol::None,
+                         [this] { resetAll(); });
+}
+
+void MainWindow::fillEdit(QMenu& menu) {
+  menu.addActions({undo_, redo_});
+  menu.addSeparator();
+  menu.addActions({copyPicture_, copyRender_, copyCurve_});
+  menu.addSeparator();
+  menu.addActions({revert_, resetAll_});
+}
+
+void MainWindow::showHistory() {
+  const QUndoStack& history = document_->history();
+  const auto say = [](QAction& action, const QString& plain, const QString& named, bool can,
+                      const QString& what) {
+    setCommandText(action, can ? named.arg(what) : plain);
+    action.setEnabled(can);
+  };
+  say(*undo_, tr("Undo"), tr("Undo %1"), history.canUndo(), history.undoText());
+  say(*redo_, tr("Redo"), tr("Redo %1"), history.canRedo(), history.redoText());
+  undo_->setIconText(buttonText(tr("Undo")));
+  redo_->setIconText(buttonText(tr("Redo")));
+  revert_->setEnabled(document_->isChanged());
+  showTitle();
+}
+
+void MainWindow::showTitle() {
+  const QString title = translatedText(document_->scene().title);
+  const QString name = title.isEmpty() ? QFileInfo(document_->file()).fileName() : title;
+  setWindowTitle(name.isEmpty() ? tr("Asperity[*]") : tr("%1[*] – Asperity").arg(name));
+  setWindowModified(document_->isChanged());
+}
+
+/// What the panel of parameters has made of the scene.
+void MainWindow::takeStep(const Scene& scene) {
+  document_->change(scene, gestures_->present());
+  session_->setScene(scene);
+  showAboutScene();
+}
+
+void MainWindow::editScene(const Scene& scene, const QString& what) {
+  if (scene == document_->scene()) return;
+  document_->change(scene, gestures_->present(), what);
+  panel_->setScene(scene);
+  session_->setScene(scene);
+  showAboutScene();
+  showDescription();
+}
+
+/// What a scene says of itself holds for its parameters.
+void MainWindow::resetAll() {
+  Scene scene;
+  scene.folder = document_->scene().folder;
+  editScene(scene, tr("All parameters"));
+}
+
+void MainWindow::showScene(const Scene& scene) {
+  showScene(SceneOrigin{{}, {}, scene});
+}
+
+void MainWindow::showScene(const SceneOrigin& origin) {
+  endTour();
+  document_->open(origin);
+  panel_->setScene(origin.scene);
+  session_->setScene(origin.scene);
+  showAboutScene();
+  showDescription();
+}
+
+void MainWindow::replaceScene(const SceneOrigin& origin) {
+  if (mayLeaveScene()) showScene(origin);
+}
+
+/// Whether the present scene may go: it is unchanged, was saved just now, or nobody wants it; what
+/// was tried on the tour is not asked about.
+bool MainWindow::mayLeaveScene() {
+  if (!document_->isChanged() || isTouring_) return true;
+  QMessageBox box(QMessageBox::Question, tr("Asperity"),
+                  tr("The scene was changed. Save the changes?"),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setObjectName("saveQuestion");
+  box.setInformativeText(tr("They are lost otherwise."));
+  box.setDefaultButton(QMessageBox::Save);
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      return save();
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayLeaveScene()) return event->ignore();
+  if (remembers_) saveLayout();
+  QMainWindow::closeEvent(event);
+}
+
+}  // namespace asperity

@@ -1,0 +1,159 @@
+// The main window's files: scenes opened, saved and dropped on it.
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+#include <QTimer>
+#include <QUrl>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "core/scene/atomic_file.h"
+#include "core/scene/input_error.h"
+#include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/window/command_words.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/recent_files.h"
+#include "ui/window/scene_document.h"
+
+namespace asperity {
+
+namespace {
+
+/// The scene as it has to be written into `folder`: a profile is named relative to its scene's
+/// file.
+Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
+  const std::filesystem::path profile = scene.surface.file;
+  if (profile.empty() || profile.is_absolute()) return scene;
+  scene.surface.file =
+      std::filesystem::absolute(scene.folder / profile)
+          .lexically_normal()
+          .lexically_proximate(std::filesystem::absolute(folder).lexically_normal())
+          .string();
+  return scene;
+}
+
+}  // namespace
+
+void MainWindow::buildFileCommands() {
+  open_ = addCommand("open", tr("Open scene…"), QKeySequence::Open, Symbol::Open,
+                     [this] { askOpen(); });
+  save_ =
+      addCommand("save", tr("Save scene"), QKeySequence::Save, Symbol::Save, [this] { save(); });
+  save_->setIconText(buttonText(tr("Save")));
+  saveAs_ = addCommand("saveAs", tr("Save scene as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
+                       Symbol::None, [this] { askSave(); });
+}
+
+void MainWindow::fillFiles(QMenu& menu) {
+  menu.addAction(open_);
+  recent_ = menu.addMenu(tr("Open recent"));
+  recent_->setObjectName("recentMenu");
+  connect(&menu, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+  menu.addSeparator();
+  menu.addActions({save_, saveAs_});
+  menu.addAction(savePicture_);
+  menu.addSeparator();
+  menu.addAction(
+      addCommand("quit", tr("Quit"), QKeySequence::Quit, Symbol::None, [this] { close(); }));
+  fillRecent();
+}
+
+/// Two files of one name are told apart by the tooltips.
+void MainWindow::fillRecent() {
+  recent_->clear();
+  const QStringList files = recentFiles();
+  for (const QString& file : files) {
+    QAction* action =
+        recent_->addAction(QFileInfo(file).fileName().replace('&', "&&"), this, [this, file] {
+          if (mayLeaveScene()) openScene(file);
+        });
+    action->setToolTip(file);
+  }
+  recent_->setToolTipsVisible(true);
+  recent_->setEnabled(!files.isEmpty());
+  if (files.isEmpty()) return;
+  recent_->addSeparator();
+  recent_->addAction(tr("Clear this list"), this, [this] {
+    clearRecentFiles();
+    fillRecent();
+  });
+}
+
+bool MainWindow::openScene(const QString& file) {
+  try {
+    // What was opened from a picture is not saved over it.
+    const bool isScene = file.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+    showScene({{}, isScene ? file : QString(), readProvenance(file.toStdString())});
+  } catch (const InputError& error) {
+    messages_->showMessage(QString::fromUtf8(error.what()));
+    return false;
+  }
+  addRecentFile(file);
+  fillRecent();
+  return true;
+}
+
+bool MainWindow::saveScene(const QString& file) {
+  try {
+    if (const Missing missing = missingOf(panel_->scene()); !missing.text.isEmpty())
+      throw InputError("", std::string(missing.key), missing.text.toStdString());
+    const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
+    checkWritable(path);
+    writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), document_->scene())));
+  } catch (const std::exception& error) {
+    messages_->showMessage(QString::fromUtf8(error.what()));
+    return false;
+  }
+  document_->saved(file);
+  addRecentFile(file);
+  fillRecent();
+  return true;
+}
+
+bool MainWindow::save() {
+  return document_->file().isEmpty() ? askSave() : saveScene(document_->file());
+}
+
+bool MainWindow::askSave() {
+  QString name = document_->file();
+  if (name.isEmpty()) {
+    const QString shipped = document_->origin().shipped;
+    name = (shipped.isEmpty() ? QStringLiteral("scene") : shipped) + ".json";
+  }
+  const QString file =
+      QFileDialog::getSaveFileName(this, tr("Save scene"), name, tr("Scenes (*.json)"));
+  return !file.isEmpty() && saveScene(file);
+}
+
+void MainWindow::askOpen() {
+  if (!mayLeaveScene()) return;
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Open scene"), document_->file(),
+      tr("Scenes (*.json);;Pictures and tables (*.png *.svg *.pdf *.csv *.mp4 "
+         "*.webm *.gif *.webp)"));
+  if (!file.isEmpty()) openScene(file);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() != 1 || !urls.front().isLocalFile()) return;
+  event->acceptProposedAction();
+  const QString file = urls.front().toLocalFile();
+  if (!document_->isChanged() || isTouring_) return void(openScene(file));
+  QTimer::singleShot(0, this, [this, file] {  // who dropped it does not wait for an answer
+    if (mayLeaveScene()) openScene(file);
+  });
+}
+
+}  // namespace asperity

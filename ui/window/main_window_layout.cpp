@@ -1,0 +1,191 @@
+// The main window's layout: docks, tabs, full screen, presentation, colours, and how they are kept
+// from one start to the next.
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QToolBar>
+#include <algorithm>
+#include <utility>
+
+#include "ui/window/appearance.h"
+#include "ui/window/command_words.h"
+#include "ui/window/contact_canvas.h"
+#include "ui/window/main_window.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kLayoutVersion = 1;  // of docks and tool bars
+constexpr double kPresentedScale = 1.5;
+
+const QList<int>& defaultSplit() {
+  static const QList<int> sizes{580, 420};
+  return sizes;
+}
+
+/// Settings outlive versions: a tab is kept by its name, not by its place.
+QString tabName(const QTabWidget& tabs, int index) {
+  return tabs.widget(index)->objectName();
+}
+
+}  // namespace
+
+void MainWindow::buildLayoutCommands() {
+  fullScreen_ = addCommand("fullScreen", tr("Full screen"), Qt::Key_F11, Symbol::None,
+                           [this] { setFullScreen(!isFullScreen()); });
+  present_ = addCommand("present", tr("Presentation"), Qt::Key_F5, Symbol::None,
+                        [this] { setPresenting(!isPresenting()); });
+  for (QAction* action : {fullScreen_, present_}) action->setCheckable(true);
+  leave_ = addCommand("leave", tr("Leave full screen"), Qt::Key_Escape, Symbol::None,
+                      [this] { leaveFullScreen(); });
+  leave_->setEnabled(false);
+  restoreLayout_ = addCommand("restoreLayout", tr("Restore layout"), {}, Symbol::None,
+                              [this] { restoreDefaultLayout(); });
+  QAction* parameters = dock_->toggleViewAction();
+  parameters->setObjectName("parameters");
+  parameters->setShortcut(Qt::Key_F9);
+  addAction(parameters);
+}
+
+void MainWindow::fillLayout(QMenu& menu) {
+  menu.addAction(dock_->toggleViewAction());
+  fillTabs(*menu.addMenu(tr("Tabs")));
+  menu.addSeparator();
+  menu.addActions({fullScreen_, present_, leave_});
+  menu.addSeparator();
+  fillColours(*menu.addMenu(tr("Colours")));
+  menu.addAction(restoreLayout_);
+}
+
+/// Which tabs there are, each with a key that brings it to the front. The motion's tab comes and
+/// goes with the scene.
+void MainWindow::fillTabs(QMenu& menu) {
+  for (int i = 0; i < tabs_->count(); ++i) {
+    QAction* action = menu.addAction(tabs_->tabText(i));
+    action->setObjectName("tab:" + tabName(*tabs_, i));
+    action->setCheckable(true);
+    action->setChecked(true);
+    connect(action, &QAction::toggled, this, [this, i](bool on) {
+      tabs_->setTabVisible(i, on && tabActions_.at(i)->isVisible());
+      const auto isOn = [](const QAction* each) { return each->isVisible() && each->isChecked(); };
+      tabs_->setVisible(std::ranges::any_of(tabActions_, isOn));
+    });
+    tabActions_ += action;
+    action->setVisible(tabs_->widget(i)->objectName() != "transientStrips");
+    auto* go = addCommand(
+        qPrintable("go:" + tabName(*tabs_, i)), tr("Show %1").arg(tabs_->tabText(i)),
+        Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + i), Symbol::None, [this, i] { showTab(i); });
+    go->setProperty("group", tr("Tabs"));
+  }
+}
+
+void MainWindow::showTab(int index) {
+  QAction* action = tabActions_.at(index);
+  if (action->isVisible()) action->setChecked(true);
+  if (tabs_->isTabVisible(index)) tabs_->setCurrentIndex(index);
+}
+
+void MainWindow::fillColours(QMenu& menu) {
+  auto* group = new QActionGroup(this);
+  const QStringList texts{tr("As the desktop"), tr("Light"), tr("Dark")};
+  for (int i = 0; i < texts.size(); ++i) {
+    QAction* action =
+        menu.addAction(texts[i], this, [this, i] { setColours(static_cast<Colours>(i)); });
+    action->setObjectName(QStringLiteral("colours:%1").arg(i));
+    action->setCheckable(true);
+    group->addAction(action);
+    colourActions_ += action;
+  }
+}
+
+void MainWindow::setColours(Colours colours) {
+  colours_ = colours;
+  colourActions_.at(static_cast<int>(colours))->setChecked(true);
+  const bool dark = colours == Colours::System ? systemIsDark() : colours == Colours::Dark;
+  if (dark != dark_ || styleSheet().isEmpty()) setDark(dark);  // which is a third of the start
+}
+
+void MainWindow::setFullScreen(bool full) {
+  full ? showFullScreen() : showNormal();
+  showScreenMode();
+}
+
+void MainWindow::leaveFullScreen() {
+  isPresenting() ? setPresenting(false) : setFullScreen(false);
+}
+
+void MainWindow::showScreenMode() {
+  fullScreen_->setChecked(isFullScreen());
+  present_->setChecked(isPresenting());
+  leave_->setEnabled(isFullScreen() || isPresenting());
+}
+
+void MainWindow::setPresenting(bool presenting) {
+  if (presenting == isPresenting()) return showScreenMode();
+  if (presenting) {
+    closeFigures();
+    presentation_ = {QApplication::font(), isFullScreen(), !dock_->isHidden(), !tools_->isHidden(),
+                     !statusBar()->isHidden()};
+    QFont large = presentation_->font;
+    large.setPointSizeF(large.pointSizeF() * kPresentedScale);
+    QApplication::setFont(large);
+  } else {
+    QApplication::setFont(presentation_->font);
+  }
+  canvas_->setTextScale(presenting ? kPresentedScale : 1);
+  menuBar()->setVisible(!presenting);
+  tools_->setVisible(!presenting && presentation_->hasTools);
+  statusBar()->setVisible(!presenting && presentation_->hasStatus);
+  dock_->setVisible(!presenting && presentation_->hasDock);
+  const bool full = presenting || presentation_->isFullScreen;
+  if (!presenting) presentation_.reset();
+  setDark(dark_);  // what was painted with the other font
+  setFullScreen(full);
+}
+
+void MainWindow::restoreDefaultLayout() {
+  restoreState(defaultLayout_);
+  splitter_->setSizes(defaultSplit());
+  for (QAction* action : std::as_const(tabActions_)) action->setChecked(true);
+}
+
+void MainWindow::rememberLayout() {
+  remembers_ = true;
+  QSettings settings;
+  settings.beginGroup("window");
+  restoreGeometry(settings.value("geometry").toByteArray());
+  restoreState(settings.value("docks").toByteArray(), kLayoutVersion);
+  splitter_->restoreState(settings.value("split").toByteArray());
+  const QStringList hidden = settings.value("hiddenTabs").toStringList();
+  for (int i = 0; i < tabActions_.size(); ++i)
+    if (hidden.contains(tabName(*tabs_, i))) tabActions_[i]->setChecked(false);
+  setColours(static_cast<Colours>(std::clamp(settings.value("colours", 0).toInt(), 0, 2)));
+  showScreenMode();
+}
+
+/// As it is without the figures and without an audience.
+void MainWindow::saveLayout() {
+  setPresenting(false);
+  closeFigures();
+  QStringList hidden;
+  for (int i = 0; i < tabActions_.size(); ++i)
+    if (!tabActions_[i]->isChecked()) hidden += tabName(*tabs_, i);
+  QSettings settings;
+  settings.beginGroup("window");
+  settings.setValue("geometry", saveGeometry());
+  settings.setValue("docks", saveState(kLayoutVersion));
+  settings.setValue("split", splitter_->saveState());
+  settings.setValue("hiddenTabs", hidden);
+  settings.setValue("colours", static_cast<int>(colours_));
+}
+
+}  // namespace asperity

@@ -1,0 +1,86 @@
+// The main window's tabs under the contact: what is known of the scene.
+#include <QAction>
+#include <QTabBar>
+#include <QTabWidget>
+#include <cmath>
+
+#include "core/run/line_diagrams.h"
+#include "ui/charts/plot_view.h"
+#include "ui/charts/transient_strips.h"
+#include "ui/window/accuracy_panel.h"
+#include "ui/window/diagram_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/plan_list.h"
+#include "ui/window/session.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kMotionTab = 1;
+
+}  // namespace
+
+/// What is known of the scene, under the contact; the motion's strips only where it has one.
+QTabWidget* MainWindow::buildTabs() {
+  strips_ = new TransientStrips;
+  plan_ = new PlanList;
+  tabs_ = new QTabWidget;
+  tabs_->setObjectName("tabs");
+  tabs_->setAccessibleName(tr("about the scene"));
+  tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setFocusPolicy(Qt::NoFocus);  // Space is the run's
+  tabs_->tabBar()->setDrawBase(false);
+  tabs_->addTab(plot_, tr("Friction curve"));
+  tabs_->addTab(strips_, tr("Motion in time"));
+  spectrum_ = new DiagramView;
+  spectrum_->setObjectName("spectrumView");
+  spectrum_->setAccessibleName(tr("spectrum of the rigid line"));
+  tabs_->addTab(spectrum_, tr("Spectrum"));
+  statistics_ = new DiagramView;
+  statistics_->setObjectName("statisticsView");
+  statistics_->setAccessibleName(tr("pressures and slopes in contact"));
+  tabs_->addTab(statistics_, tr("Statistics"));
+  accuracy_ = new AccuracyPanel;
+  tabs_->addTab(accuracy_, tr("Accuracy"));
+  tabs_->addTab(plan_, tr("Plan"));
+  tabs_->setTabVisible(kMotionTab, false);
+  return tabs_;
+}
+
+/// The tabs for this scene; the motion comes to the front where it is new, and goes with it.
+void MainWindow::showAboutScene() {
+  const Sliding& sliding = session_->scene().sliding;
+  const bool moves = sliding.kind != SlidingKind::Steady;
+  const bool moved = tabs_->isTabVisible(kMotionTab);
+  // Left before it goes: the next tab would come to the front, which is not the curve's.
+  if (!moves && tabs_->currentWidget() == strips_) tabs_->setCurrentWidget(plot_);
+  QAction& action = *tabActions_.at(kMotionTab);
+  action.setVisible(moves);
+  tabs_->setTabVisible(kMotionTab, moves && action.isChecked());
+  if (moves && !moved) tabs_->setCurrentIndex(kMotionTab);
+  if (moves) strips_->show(sliding, nullptr);
+  plan_->showScene(session_->scene());
+  spectrum_->show([scene = session_->scene()] { return spectrumSheet(scene); });
+  accuracy_->showScene(session_->scene());
+  curveTime_.start();
+}
+
+/// Once, when the present scene's curve is complete.
+void MainWindow::showMeasuredCurve() {
+  const Plot plot = session_->plot();
+  if (!curveTime_.isValid() || plot.progress < 1) return;
+  double squares = 0;
+  int count = 0;
+  for (const PlotSeries& series : plot.series)
+    for (const PlotPoint& point : series.points)
+      if (series.id == kPresentCurve && std::isfinite(point.error)) {
+        squares += std::pow(point.error / point.y, 2);
+        ++count;
+      }
+  accuracy_->showMeasured(1e-3 * static_cast<double>(curveTime_.elapsed()),
+                          count > 0 ? std::sqrt(squares / count) : kNotApplicable);
+  curveTime_.invalidate();
+}
+
+}  // namespace asperity

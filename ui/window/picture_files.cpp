@@ -1,0 +1,42 @@
+#include "ui/window/picture_files.h"
+
+#include "core/scene/atomic_file.h"
+#include "core/scene/input_error.h"
+#include "ui/language/translated.h"
+#include "ui/picture/pdf_file.h"
+#include "ui/picture/picture_origin.h"
+#include "ui/picture/png_file.h"
+#include "ui/picture/svg_file.h"
+#include "ui/picture/text_painter.h"
+#include "ui/render/osmesa_context.h"
+
+namespace asperity {
+
+QImage imageOf(const ContactShot& shot) {
+  OsmesaContext context;
+  return renderImage(context, composeContact(*shot.frame, shot.options));
+}
+
+void writePicture(const std::filesystem::path& file, const DrawList& picture,
+                  const PictureLabel& label) {
+  const std::string extension = file.extension().string();
+  if (extension == ".png") {
+    checkWritable(file);
+    OsmesaContext context;
+    writePng(file, renderImage(context, picture), {label.title, label.origin, 96 * label.scale});
+  } else if (extension == ".svg") {
+    writeSvg(file, picture, {label.title, label.origin});
+  } else if (extension == ".pdf") {
+    writePdf(file, picture, {label.title, label.origin, 0.75 / label.scale});
+  } else {
+    throw InputError(file.string(), "", "'" + extension + "' is not one of .png, .svg, .pdf");
+  }
+}
+
+void writeContact(const std::filesystem::path& file, const ContactShot& shot) {
+  const Scene& scene = *shot.frame->scene;
+  writePicture(file, composeContact(*shot.frame, shot.options),
+               {translated(scene.title), pictureOrigin("render", scene), shot.options.scale});
+}
+
+}  // namespace asperity

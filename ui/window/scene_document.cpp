@@ -1,0 +1,107 @@
+#include "ui/window/scene_document.h"
+
+#include <QUndoCommand>
+#include <algorithm>
+#include <utility>
+
+#include "core/scene/parameters.h"
+#include "ui/panels/parameter_row.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kMostSteps = 500;
+
+QString capitalized(const QString& text) {
+  return text.left(1).toUpper() + text.mid(1);
+}
+
+}  // namespace
+
+/// From one scene to the next; shown by the one who made the change, so its first redo is silent.
+class SceneStep : public QUndoCommand {
+ public:
+  SceneStep(SceneDocument& document, Scene after, std::uint64_t gesture, const QString& what)
+      : QUndoCommand(what.isEmpty() ? stepName(document.scene(), after) : what),
+        document_(document),
+        before_(document.scene()),
+        after_(std::move(after)),
+        keys_(differingKeys(before_, after_)),
+        gesture_(gesture) {}
+
+  int id() const override { return 1; }
+
+  void undo() override { document_.goTo(before_); }
+
+  void redo() override {
+    if (std::exchange(isDone_, true))
+      document_.goTo(after_);
+    else
+      document_.scene_ = after_;
+  }
+
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto& next = *static_cast<const SceneStep*>(other);
+    if (next.gesture_ != gesture_ || next.keys_ != keys_) return false;
+    after_ = next.after_;
+    setObsolete(after_ == before_);
+    return true;
+  }
+
+ private:
+  SceneDocument& document_;
+  Scene before_, after_;
+  std::vector<std::string_view> keys_;
+  std::uint64_t gesture_;
+  bool isDone_ = false;
+};
+
+SceneDocument::SceneDocument(const Scene& scene, QObject* parent) : QObject(parent), scene_(scene) {
+  origin_.scene = scene;
+  history_.setUndoLimit(kMostSteps);
+  connect(&history_, &QUndoStack::indexChanged, this, &SceneDocument::changed);
+}
+
+void SceneDocument::open(const SceneOrigin& origin) {
+  origin_ = origin;
+  scene_ = origin.scene;
+  history_.clear();
+  emit changed();
+}
+
+void SceneDocument::change(const Scene& scene, std::uint64_t gesture, const QString& what) {
+  if (scene == scene_) return;
+  history_.push(new SceneStep(*this, scene, gesture, what));
+}
+
+void SceneDocument::saved(const QString& file) {
+  origin_ = {{}, file, scene_};
+  emit changed();
+}
+
+void SceneDocument::goTo(const Scene& scene) {
+  scene_ = scene;
+  emit sceneWanted(scene_);
+}
+
+std::vector<std::string_view> differingKeys(const Scene& a, const Scene& b) {
+  std::vector<std::string_view> keys;
+  for (const Parameter& parameter : parameters())
+    if (valueOf(parameter, a) != valueOf(parameter, b)) keys.push_back(parameter.key);
+  return keys;
+}
+
+/// A choice brings other parameters with it and names the step.
+QString stepName(const Scene& before, const Scene& after) {
+  const std::vector<std::string_view> keys = differingKeys(before, after);
+  const auto isChoice = [](std::string_view key) {
+    return std::holds_alternative<ChoiceField>(findParameter(key)->field);
+  };
+  const auto choice = std::ranges::find_if(keys, isChoice);
+  if (choice != keys.end()) return capitalized(ParameterRow::labelOf(*findParameter(*choice)));
+  if (keys.size() == 1) return capitalized(ParameterRow::labelOf(*findParameter(keys.front())));
+  return SceneDocument::tr("%1 parameters").arg(keys.size());
+}
+
+}  // namespace asperity
