@@ -6,13 +6,16 @@
 
 #include "core/friction/curve_file.h"
 #include "core/friction/curve_words.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 #include "ui/picture/xml_text.h"
 
 namespace asperity {
 namespace {
 
 constexpr const char* kHead = R"(<!DOCTYPE html>
-<html lang="en">
+<html lang="%1">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -44,12 +47,14 @@ std::string article(const BatchResult& result) {
   std::string html = fmt::format(
       "<article><h2>{0}</h2><a href=\"{1}\"><img src=\"{1}\" alt=\"{0}\" loading=\"lazy\"></a>"
       "<table>",
-      xmlText(item.scene.title), result.files.front());
+      xmlText(translated(item.scene.title)), result.files.front());
   for (const auto& [key, value] : item.varied) html += row(key, value);
-  html += row("coefficient of friction", fmt::format("{:.4g}", result.mu));
-  html += row("in contact", fmt::format("{:.3g} %", 100 * result.contactFraction));
-  html += row("indentation", fmt::format("{:.4g} m", result.indentation));
-  html += "</table><p class=\"quiet\">" + xmlText(parametersInWords(item.scene)) + "</p><p>";
+  html += row(Words::tr("coefficient of friction"), inLanguage(fmt::format("{:.4g}", result.mu)));
+  html += row(Words::tr("in contact"),
+              inLanguage(fmt::format("{:.3g} %", 100 * result.contactFraction)));
+  html += row(Words::tr("indentation"), inLanguage(fmt::format("{:.4g} m", result.indentation)));
+  html += "</table><p class=\"quiet\">" + xmlText(translated(parametersInWords(item.scene))) +
+          "</p><p>";
   for (const std::string& file : result.files)
     html += fmt::format("<a href=\"{0}\">{0}</a> ", file);
   return html + "</p></article>\n";
@@ -67,16 +72,18 @@ std::string quoted(const std::string& text) {
 std::string batchPage(const Batch& batch, const std::vector<BatchResult>& results) {
   const auto bad = std::count_if(results.begin(), results.end(),
                                  [](const BatchResult& r) { return !r.item.error.empty(); });
-  std::string html = kHead + fmt::format("<title>{0}</title>\n</head>\n<body>\n<h1>{0}</h1>\n",
-                                         xmlText(batch.title));
-  html += fmt::format("<p>{} scenes", results.size());
-  if (bad > 0) html += fmt::format(", {} of them failed", bad);
-  html +=
-      ". <a href=\"contact_sheet.png\">All on one sheet</a>, "
-      "<a href=\"results.csv\">all results as a table</a>.</p>\n<main>\n";
+  std::string html =
+      filled(kHead, {std::string(presentLanguage())}) +
+      fmt::format("<title>{0}</title>\n</head>\n<body>\n<h1>{0}</h1>\n", xmlText(batch.title));
+  const std::string count = std::to_string(results.size());
+  html += "<p>" + (bad > 0 ? filled(Words::tr("%1 scenes, %2 of them failed."),
+                                    {count, std::to_string(bad)})
+                           : filled(Words::tr("%1 scenes."), {count}));
+  html += " <a href=\"contact_sheet.png\">" + Words::tr("All on one sheet") + "</a>, " +
+          "<a href=\"results.csv\">" + Words::tr("all results as a table") + "</a>.</p>\n<main>\n";
   for (const BatchResult& result : results) html += article(result);
-  return html + "</main>\n<p class=\"quiet\">Made by Asperity " ASPERITY_VERSION
-                ".</p>\n</body>\n</html>\n";
+  return html + "</main>\n<p class=\"quiet\">" +
+         filled(Words::tr("Made by Asperity %1."), {ASPERITY_VERSION}) + "</p>\n</body>\n</html>\n";
 }
 
 std::string batchTable(const std::vector<BatchResult>& results) {

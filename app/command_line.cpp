@@ -16,6 +16,7 @@
 #include "core/scene/input_error.h"
 #include "core/scene/parameter_table.h"
 #include "core/scene/scene_file.h"
+#include "ui/language/language.h"
 #include "ui/window/scene_library.h"
 
 namespace asperity {
@@ -23,6 +24,8 @@ namespace {
 
 constexpr const char* kDescription =
     "Asperity shows and computes how a viscoelastic elastomer slides over a randomly rough line.";
+
+constexpr const char* kLastLanguage = "that of the last time, or of the desktop";
 
 class CommandLine {
  public:
@@ -32,6 +35,7 @@ class CommandLine {
     app_.require_subcommand(0, 1);
     app_.add_option("SCENE", window_.scene, "Scene file (JSON) to open in the window");
     addShared(app_, window_);
+    addLanguage(app_, window_, kLastLanguage);
     addCheck();
     addCurve();
     addRender();
@@ -52,6 +56,10 @@ class CommandLine {
       if (error.get_exit_code() == 0) return app_.exit(error);
       throw InputError("", "", firstLine(error.what()));
     }
+    for (const CommonOptions* common :
+         {&window_, &curve_.common, &render_.common, &surface_.common, &figure_.common,
+          &open_.common, &batch_.common, &accuracy_.common})
+      if (!common->language.empty()) chooseLanguage(common->language);
     return selected_ ? selected_() : runWindowCommand(window_);
   }
 
@@ -92,6 +100,11 @@ class CommandLine {
     app.add_flag("--timing", common.timing, "Run time on standard error");
   }
 
+  static void addLanguage(CLI::App& app, CommonOptions& common, const char* usual) {
+    app.add_option("--language", common.language,
+                   fmt::format("Of the texts in it, one of {}; else {}", languageCodes(), usual));
+  }
+
   CLI::App* addVerb(const char* name, const char* sentence, CommonOptions& common,
                     std::function<int()> action) {
     CLI::App* verb = app_.add_subcommand(name, sentence);
@@ -116,6 +129,7 @@ class CommandLine {
         "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
         "or .pdf; may repeat; none: CSV on stdout");
     addPictureOptions(*verb, curve_.picture, "1200x800", "print");
+    addLanguage(*verb, curve_.common, "en");
   }
   void addRender() {
     CLI::App* verb = addVerb("render", "Pictures and films of the contact, without a screen",
@@ -125,8 +139,13 @@ class CommandLine {
                      "film; or a folder for frame_0001.png and on")
         ->required();
     addPictureOptions(*verb, render_.picture, "1280x720", "light");
+    addLanguage(*verb, render_.common, "en");
     verb->add_option("--layout", render_.layout,
                      "contact, curve, both, or transient: the contact above strips over time")
+        ->capture_default_str();
+    verb->add_option("--overlay", render_.overlay,
+                     "What colours the contact: none, pressure, relaxation (time since contact) or "
+                     "power (dissipated)")
         ->capture_default_str();
     TimeChoice& time = render_.time;
     verb->add_option("--frames", time.frames, "Frames; else 60 a period, or 60 for a motion")
@@ -150,6 +169,7 @@ class CommandLine {
         verb, surface_.outputs,
         "FILE.csv (a line # asperity: ..., then position, height), FILE.json or FILE.png; may "
         "repeat");
+    addLanguage(*verb, surface_.common, "en");
   }
   void addFigure() {
     CLI::App* verb = app_.add_subcommand(
@@ -165,6 +185,7 @@ class CommandLine {
         ->capture_default_str()
         ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
     addShared(*verb, figure_.common);
+    addLanguage(*verb, figure_.common, "en");
     verb->footer("Figures:\n" + words);
     verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
   }
@@ -175,6 +196,7 @@ class CommandLine {
                      "on the window in the same way")
         ->required();
     addShared(*verb, open_.common);
+    addLanguage(*verb, open_.common, kLastLanguage);
     verb->footer("With --json the scene is printed as a scene file, and no window opens.");
     verb->callback([this] { selected_ = [this] { return runOpen(open_); }; });
   }
@@ -185,6 +207,7 @@ class CommandLine {
     verb->add_option("-o,--output", batch_.output, "Folder for all files")->required();
     addPictureOptions(*verb, batch_.picture, "the batch's", "light");
     addShared(*verb, batch_.common);
+    addLanguage(*verb, batch_.common, "en");
     verb->remove_option(verb->get_option("--set"));  // an entry's own set says it
     verb->footer(kBatchFormat);
     verb->callback([this] { selected_ = [this] { return runBatch(batch_); }; });
@@ -193,6 +216,7 @@ class CommandLine {
     CLI::App* verb = addVerb("accuracy", "What accuracy costs: error against time of every method",
                              accuracy_.common, [this] { return runAccuracy(accuracy_); });
     verb->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")->required();
+    addLanguage(*verb, accuracy_.common, "en");
   }
   void addExplain() {
     CLI::App* verb = addVerb("explain", "The plan: what runs, what does not and why, what it costs",

@@ -20,6 +20,7 @@ inline constexpr int kDone = 0, kRunFailed = 1, kBadInput = 2;
 struct CommonOptions {
   std::string scene;
   std::vector<std::string> assignments;  // --set KEY=VALUE
+  std::string language;                  // of what is seen; empty: English, or the window's own
   int threads = 0;                       // 0: as many as the machine has
   bool quiet = false;
   bool json = false;
@@ -38,6 +39,7 @@ struct RenderCommand {
   TimeChoice time;
   PictureChoice picture;
   std::string layout = "contact";
+  std::string overlay = "pressure";
   bool resume = false;
 };
 

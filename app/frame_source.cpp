@@ -80,13 +80,14 @@ FramePlan planFrames(const Scene& scene, double length, const TimeChoice& choice
   return plan;
 }
 
-FrameSource::FrameSource(const Scene& scene, const TimeChoice& choice, bool single)
+FrameSource::FrameSource(const Scene& scene, const TimeChoice& choice, bool single,
+                         const FrameFields& fields)
     : duration_(scene.sliding.duration) {
   const auto shared = std::make_shared<const Scene>(scene);
   if (scene.sliding.kind == SlidingKind::Steady)
-    steady_.emplace(shared);
+    steady_.emplace(shared, fields);
   else
-    motion_.emplace(shared, 0, std::numeric_limits<double>::infinity());
+    motion_.emplace(shared, 0, std::numeric_limits<double>::infinity()).want(fields);
   plan_ = planFrames(scene, steady_ ? steady_->length() : 0, choice, single);
 }
 

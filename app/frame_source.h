@@ -34,7 +34,9 @@ FramePlan planFrames(const Scene& scene, double length, const TimeChoice& choice
 
 class FrameSource {
  public:
-  FrameSource(const Scene& scene, const TimeChoice& choice, bool single);
+  /// fields: what frames hold besides.
+  FrameSource(const Scene& scene, const TimeChoice& choice, bool single,
+              const FrameFields& fields = {});
 
   const FramePlan& plan() const { return plan_; }
 

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "core/scene/input_error.h"
+#include "ui/language/language.h"
+#include "ui/picture/picture_origin.h"
 
 namespace asperity {
 namespace {
@@ -65,10 +68,19 @@ PixelBackend backendFrom(const std::string& name) {
 }  // namespace
 
 nlohmann::ordered_json PictureStyle::json() const {
-  return {{"size", fmt::format("{}x{}", width, height)},
-          {"scale", scale},
-          {"theme", themeName},
-          {"transparent", transparent}};
+  nlohmann::ordered_json json = {{"size", fmt::format("{}x{}", width, height)},
+                                 {"scale", scale},
+                                 {"theme", themeName},
+                                 {"transparent", transparent}};
+  addLanguage(json);
+  return json;
+}
+
+void chooseLanguage(const std::string& code) {
+  if (std::ranges::find(languages(), code, &Language::code) == languages().end())
+    throw InputError("", "--language",
+                     fmt::format("{} is not one of {}", shortened(code), languageCodes()));
+  useLanguage(code);
 }
 
 void addPictureOptions(CLI::App& verb, PictureChoice& choice, const std::string& defaultSize,
@@ -81,7 +93,6 @@ void addPictureOptions(CLI::App& verb, PictureChoice& choice, const std::string&
       ->capture_default_str();
   verb.add_option("--theme", choice.theme, "light, dark or print; else " + defaultTheme);
   verb.add_flag("--transparent", choice.transparent, "No background");
-  verb.add_option("--language", choice.language, "Of the texts; en so far")->capture_default_str();
   verb.add_option("--backend", choice.backend,
                   "What draws: osmesa, egl, or auto: the first that is there")
       ->capture_default_str();
@@ -98,8 +109,6 @@ PictureStyle styleOf(const PictureChoice& choice, const PictureDefaults& default
   style.theme = themeFrom(style.themeName);
   style.transparent = choice.transparent;
   style.backend = backendFrom(choice.backend);
-  if (choice.language != "en")
-    throw InputError("", "--language", shortened(choice.language) + " is not one of en");
   return style;
 }
 

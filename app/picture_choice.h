@@ -19,7 +19,6 @@ struct PictureChoice {
   std::string size;  // WxH in pixels; empty: the verb's own at this scale
   std::string scale = "1";
   std::string theme;  // empty: the verb's own
-  std::string language = "en";
   std::string backend = "auto";
   bool transparent = false;
 };
@@ -44,6 +43,9 @@ struct PictureDefaults {
 
 void addPictureOptions(CLI::App& verb, PictureChoice& choice, const std::string& defaultSize,
                        const std::string& defaultTheme);
+
+/// The language of all texts from now on. Throws InputError naming --language.
+void chooseLanguage(const std::string& code);
 
 /// Throws InputError naming the option.
 PictureStyle styleOf(const PictureChoice& choice, const PictureDefaults& defaults);

@@ -5,6 +5,8 @@
 #include "core/friction/curve_diagram.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/input_error.h"
+#include "ui/language/words.h"
+#include "ui/picture/contact_overlay.h"
 #include "ui/picture/diagram_picture.h"
 #include "ui/picture/stacked.h"
 
@@ -26,9 +28,17 @@ PictureLayout layoutFrom(const std::string& name) {
                    name.substr(0, 60) + " is not one of contact, curve, both, transient");
 }
 
+ContactOverlay overlayFrom(const std::string& name) {
+  for (const ContactOverlay overlay : {ContactOverlay::None, ContactOverlay::Pressure,
+                                       ContactOverlay::Relaxation, ContactOverlay::Power})
+    if (name == wordFor(overlay)) return overlay;
+  throw InputError("", "--overlay",
+                   name.substr(0, 60) + " is not one of none, pressure, relaxation, power");
+}
+
 PictureComposer::PictureComposer(const PictureStyle& style, PictureLayout layout,
-                                 std::vector<CurvePoint> curve)
-    : style_(style), layout_(layout), curve_(std::move(curve)) {
+                                 std::vector<CurvePoint> curve, ContactOverlay overlay)
+    : style_(style), layout_(layout), overlay_(overlay), curve_(std::move(curve)) {
   if (style_.transparent) style_.theme.background.a = 0;
 }
 
@@ -45,8 +55,9 @@ DrawList PictureComposer::compose(const Frame& frame) {
     return stacked(contact(frame, above), *below_);
   }
   const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
-  return stacked(contact(frame, above), diagram(transientSheet(*frame.scene, samples),
-                                                style_.height - above, kStripScale));
+  return stacked(contact(frame, above),
+                 diagram(transientSheet(*frame.scene, samples, frame.spacing, frame.length),
+                         style_.height - above, kStripScale));
 }
 
 DrawList PictureComposer::contact(const Frame& frame, int height) {
@@ -55,6 +66,7 @@ DrawList PictureComposer::contact(const Frame& frame, int height) {
   options.height = height;
   options.scale = style_.scale;
   options.theme = style_.theme;
+  options.overlay = overlay_;
   view_ = fittedView(frame, view_);
   options.view = *view_;
   return composeContact(frame, options);
@@ -73,7 +85,7 @@ DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float s
 DiagramSheet PictureComposer::curveWithPresent(const Frame& frame) const {
   DiagramSheet sheet = curveSheet(*frame.scene, curve_);
   DiagramSeries present;
-  present.name = "the line shown, at its velocity";
+  present.name = Words::tr("the line shown, at its velocity");
   present.mark = SeriesMark::Diamond;
   present.stroke = SeriesStroke::None;
   present.points = {{frame.scene->sliding.velocity, frame.muSteady}};

@@ -19,10 +19,14 @@ enum class PictureLayout { Contact, Curve, Both, Transient };
 /// Throws InputError naming --layout.
 PictureLayout layoutFrom(const std::string& name);
 
+/// Throws InputError naming --overlay.
+ContactOverlay overlayFrom(const std::string& name);
+
 class PictureComposer {
  public:
   /// `curve`: of the scene, for the layouts that show it.
-  PictureComposer(const PictureStyle& style, PictureLayout layout, std::vector<CurvePoint> curve);
+  PictureComposer(const PictureStyle& style, PictureLayout layout, std::vector<CurvePoint> curve,
+                  ContactOverlay overlay = ContactOverlay::Pressure);
 
   DrawList compose(const Frame& frame);
 
@@ -33,6 +37,7 @@ class PictureComposer {
 
   PictureStyle style_;
   PictureLayout layout_;
+  ContactOverlay overlay_;
   std::vector<CurvePoint> curve_;
   std::optional<ContactView> view_;
   std::optional<DrawList> below_;  // the curve, which stands still

@@ -2,6 +2,7 @@
 // diagrams.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/command_line.h"
@@ -9,10 +10,13 @@
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/work_precision_file.h"
+#include "core/run/motion_accuracy.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
+#include "ui/language/translated.h"
 #include "ui/picture/diagram_picture.h"
+#include "ui/picture/picture_origin.h"
 
 namespace asperity {
 namespace {
@@ -32,16 +36,21 @@ WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
   options.progress = [&bar](double part) {
     bar.show(static_cast<std::int64_t>(1000 * part), 1000);
   };
-  return saidOfScene(common, [&] { return workPrecision(scene, options); });
+  return saidOfScene(common, [&] {
+    WorkPrecision comparison = workPrecision(scene, options);
+    addMarchErrors(comparison);
+    return comparison;
+  });
 }
 
 void writePictures(const std::string& folder, const WorkPrecision& comparison) {
   HeadlessPictures pictures;
-  const std::string origin = provenanceLine(provenance("accuracy", comparison.scene));
+  const std::string origin = pictureOrigin("accuracy", comparison.scene);
   const auto write = [&](const DiagramSheet& sheet, const char* png, const char* svg) {
     const DrawList list = composeDiagrams(sheet, printOptions(sheet));
     for (const char* name : {png, svg})
-      pictures.write(fileIn(folder, name), list, {sheet.title, origin, printOptions(sheet).scale});
+      pictures.write(fileIn(folder, name), list,
+                     {translated(sheet.title), origin, printOptions(sheet).scale});
   };
   write(workPrecisionSheet(comparison), "work_precision.png", "work_precision.svg");
   write(standardErrorSheet(comparison), "standard_error.png", "standard_error.svg");
@@ -61,6 +70,11 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
                           point.isOnFront ? "  best for its time" : "",
                           isPresent ? "  <- this scene" : "");
     }
+    text += fmt::format("  a march in time: half the step changes friction by {:.2g} %{}\n",
+                        100 * region.timeStepError,
+                        std::isfinite(region.settlingError)
+                            ? fmt::format(", settling by {:.2g} %", 100 * region.settlingError)
+                            : std::string());
   }
   for (const char* name : kFiles) text += fmt::format("wrote {}\n", fileIn(folder, name));
   return text;

@@ -20,6 +20,9 @@
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
+#include "ui/picture/picture_origin.h"
 #include "ui/picture/shapes.h"
 #include "ui/picture/stacked.h"
 
@@ -86,8 +89,8 @@ class BatchRun {
     }
     if (!result.item.error.empty()) {
       const auto [x, y] = cell();
-      addLabel(sheet_, item.name + " failed", {x + 16, y + 32}, 16, TextAnchor::Left,
-               style_.theme.text);
+      addLabel(sheet_, filled(Words::tr("%1 failed"), {item.name}), {x + 16, y + 32}, 16,
+               TextAnchor::Left, style_.theme.text);
     }
     return result;
   }
@@ -117,7 +120,7 @@ class BatchRun {
 
     const std::string& name = result.item.name;
     pictures.write(fileIn(name + ".png"), PictureComposer(style_, layout, curve).compose(frame),
-                   {scene.title, provenanceLine(provenance("batch", scene)), style_.scale});
+                   {translated(scene.title), pictureOrigin("batch", scene), style_.scale});
     result.files = {name + ".png"};
     if (!curve.empty()) {
       writeFileAtomically(fileIn(name + ".csv"),
@@ -144,6 +147,7 @@ class BatchRun {
       if (result.item.error.empty())
         scenes.push_back(
             {{"name", result.item.name}, {"scene", Json::parse(writeScene(result.item.scene))}});
+    nameLanguage(origin);
     return origin;
   }
 

@@ -17,6 +17,7 @@
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
+#include "ui/language/translated.h"
 #include "ui/picture/diagram_picture.h"
 
 namespace asperity {
@@ -47,7 +48,7 @@ void writePictures(const std::vector<std::string>& outputs, const Scene& scene, 
   HeadlessPictures pictures(style.backend);
   for (const std::string& output : outputs)
     if (isPicture(output))
-      pictures.write(output, list, {sheet.title, provenanceLine(origin), style.scale});
+      pictures.write(output, list, {translated(sheet.title), provenanceLine(origin), style.scale});
   pictures.finish();
 }
 

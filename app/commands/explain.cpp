@@ -4,15 +4,15 @@
 
 #include "app/command_line.h"
 #include "app/output.h"
-#include "core/accuracy/explanation.h"
+#include "core/run/motion_accuracy.h"
 
 namespace asperity {
 
 int runExplain(const ExplainCommand& command) {
   const Scene scene = sceneOf(command.common);
   saidOfScene(command.common, [&] {
-    Explanation explanation = explain(scene, command.common.threads);
-    if (command.analyze) analyze(explanation, command.common.threads);
+    Explanation explanation = explainRun(scene, command.common.threads);
+    if (command.analyze) analyzeRun(explanation, command.common.threads);
     printSummary(command.common.json, command.common.quiet, explanationText(explanation));
     if (command.common.json) fmt::print("{}", explanationJson(explanation));
   });

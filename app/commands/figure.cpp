@@ -14,7 +14,9 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
+#include "ui/language/translated.h"
 #include "ui/picture/figure_drawing.h"
+#include "ui/picture/picture_origin.h"
 
 namespace asperity {
 namespace {
@@ -74,7 +76,7 @@ void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPic
                       provenanceComment("figure", figure.scene) + figure.csv);
   const DrawList picture =
       composeFigure(figure, contactOf(figure).get(), printOptions(figure.sheet));
-  const PictureFacts facts{figure.sheet.title, provenanceLine(provenance("figure", figure.scene)),
+  const PictureFacts facts{translated(figure.sheet.title), pictureOrigin("figure", figure.scene),
                            printOptions(figure.sheet).scale};
   for (const char* extension : {".png", ".svg"})
     pictures.write(fileOf(command, figure.name, extension), picture, facts);

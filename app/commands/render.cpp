@@ -20,6 +20,8 @@
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
+#include "ui/language/translated.h"
+#include "ui/picture/contact_overlay.h"
 #include "ui/picture/png_file.h"
 
 namespace asperity {
@@ -52,14 +54,15 @@ class Rendering {
         scene_(sceneOf(command.common)),
         kind_(kindOf(command.output)),
         style_(styleOf(command.picture, {1280, 720, "light"})),
-        layout_(layoutFrom(command.layout)) {
+        layout_(layoutFrom(command.layout)),
+        overlay_(overlayFrom(command.overlay)) {
     checkUsage();
     saidOfScene(command_.common, [&] {
       checkLayout();
-      frames_.emplace(scene_, command_.time, kind_ == Kind::Picture);
+      frames_.emplace(scene_, command_.time, kind_ == Kind::Picture, fieldsFor(overlay_));
       if (layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both) computeCurve();
     });
-    composer_.emplace(style_, layout_, curve_);
+    composer_.emplace(style_, layout_, curve_, overlay_);
   }
 
   void run() {
@@ -137,6 +140,7 @@ class Rendering {
     Json origin = provenance("render", scene_);
     Json& picture = origin["picture"] = style_.json();
     picture["layout"] = command_.layout;
+    if (overlay_ != ContactOverlay::Pressure) picture["overlay"] = command_.overlay;
     if (kind_ != Kind::Picture) {
       picture["frames"] = count();
       picture["frames_per_second"] = frames_->plan().framesPerSecond;
@@ -154,14 +158,18 @@ class Rendering {
   void writePicture() {
     HeadlessPictures pictures(style_.backend);
     pictures.write(command_.output, compose(0),
-                   {scene_.title, provenanceLine(origin()), style_.scale});
+                   {translated(scene_.title), provenanceLine(origin()), style_.scale});
     pictures.finish();
     files_ = {command_.output};
   }
 
   void writeFilm() {
-    FilmOptions options{style_.width,       style_.height, command_.time.framesPerSecond,
-                        style_.transparent, scene_.title,  provenanceLine(origin())};
+    FilmOptions options{style_.width,
+                        style_.height,
+                        command_.time.framesPerSecond,
+                        style_.transparent,
+                        translated(scene_.title),
+                        provenanceLine(origin())};
     HeadlessPictures pictures(style_.backend);
     FilmFile film(command_.output, options);
     PipelineStages stages = stagesOf(pictures);
@@ -186,7 +194,7 @@ class Rendering {
       std::string png;
       {
         const StageTimer timer(seconds.encode);
-        png = pngOf(image, {scene_.title, sequence.metadata(index), 96 * style_.scale});
+        png = pngOf(image, {translated(scene_.title), sequence.metadata(index), 96 * style_.scale});
       }
       const StageTimer timer(seconds.write);
       writeFileAtomically(sequence.file(index), png);
@@ -233,6 +241,7 @@ class Rendering {
   Kind kind_;
   PictureStyle style_;
   PictureLayout layout_;
+  ContactOverlay overlay_;
   std::vector<CurvePoint> curve_;
   std::optional<FrameSource> frames_;
   std::optional<PictureComposer> composer_;

@@ -9,6 +9,8 @@
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "core/surface/surface_file.h"
+#include "ui/language/translated.h"
+#include "ui/picture/picture_origin.h"
 #include "ui/picture/surface_picture.h"
 
 namespace asperity {
@@ -23,7 +25,7 @@ std::string summaryOf(const Line& line, const std::vector<std::string>& outputs)
 
 void writePicture(const std::string& output, const Scene& scene, const DrawList& list) {
   HeadlessPictures pictures;
-  pictures.write(output, list, {scene.title, provenanceLine(provenance("surface", scene))});
+  pictures.write(output, list, {translated(scene.title), pictureOrigin("surface", scene)});
   pictures.finish();
 }
 

@@ -43,7 +43,7 @@ int showWindow(const std::optional<Scene>& scene, const CommonOptions& command) 
   qInstallMessageHandler(usual);
   RunnerOptions options;
   options.threads = command.threads;
-  return runWindow(application, scene, options);
+  return runWindow(application, scene, options, {command.language, command.timing});
 }
 
 int runWindowCommand(const CommonOptions& command) {

@@ -46,6 +46,8 @@ std::string budgetText(const ErrorBudget& error) {
   add("resolution", error.resolution);
   add("standard error", error.standardError);
   add("force balance", error.forceBalance);
+  add("time step", error.timeStep);
+  add("settling", error.settling);
   std::string text = fmt::format("{} ({})", percent(error.total()), parts);
   if (std::isfinite(error.modelDifference))
     text += fmt::format("; differs from the resolved line by {}", percent(error.modelDifference));
@@ -61,9 +63,16 @@ Json budgetJson(const ErrorBudget& error) {
           {"resolution", numberOrNull(error.resolution)},
           {"standard_error", numberOrNull(error.standardError)},
           {"force_balance", numberOrNull(error.forceBalance)},
-          {"time_step", nullptr},
-          {"settling", nullptr},
+          {"time_step", numberOrNull(error.timeStep)},
+          {"settling", numberOrNull(error.settling)},
           {"model_difference", numberOrNull(error.modelDifference)}};
+}
+
+std::string workText(const Prediction& prediction) {
+  if (prediction.steps > 0)
+    return fmt::format("{:.0f} steps of {:.0f} elements, without drawing", prediction.steps,
+                       prediction.elements);
+  return fmt::format("{:.0f} simulations", prediction.simulations);
 }
 
 std::string stageLines(const std::vector<PlanStage>& stages, bool running) {
@@ -111,13 +120,11 @@ std::string explanationText(const Explanation& explanation) {
                      stageLines(explanation.stages, true) + "and leaves out\n" +
                      stageLines(explanation.stages, false);
   if (const auto& predicted = explanation.predicted) {
-    text += fmt::format("predicted\n      time    {} on {} thread{} ({:.0f} simulations)\n",
+    text += fmt::format("predicted\n      time    {} on {} thread{} ({})\n",
                         timeText(predicted->seconds), predicted->threads,
-                        predicted->threads == 1 ? "" : "s", predicted->simulations);
+                        predicted->threads == 1 ? "" : "s", workText(*predicted));
     text += fmt::format("      memory  {:.2g} MiB\n", predicted->memory / (1 << 20));
     text += fmt::format("      error   {}\n", budgetText(predicted->error));
-  } else {
-    text += "time and error of a motion that is not steady are not predicted\n";
   }
   if (const auto& measured = explanation.measured) {
     text += fmt::format("measured\n      time    {}\n", timeText(measured->seconds));
@@ -142,6 +149,10 @@ std::string explanationJson(const Explanation& explanation) {
         {"seconds", predicted->seconds},         {"threads", predicted->threads},
         {"memory_bytes", predicted->memory},     {"lines", predicted->lines},
         {"simulations", predicted->simulations}, {"relative_error", budgetJson(predicted->error)}};
+  if (explanation.predicted && explanation.predicted->steps > 0) {
+    root["predicted"]["steps"] = explanation.predicted->steps;
+    root["predicted"]["elements"] = explanation.predicted->elements;
+  }
   if (const auto& measured = explanation.measured)
     root["measured"] = {{"seconds", measured->seconds},
                         {"memory_bytes", measured->memory},

@@ -191,7 +191,7 @@ Prediction predictTarget(const Scene& scene, int threads, const std::stop_token&
 
 double ErrorBudget::total() const {
   double squares = 0;
-  for (const double part : {resolution, standardError, forceBalance})
+  for (const double part : {resolution, standardError, forceBalance, timeStep, settling})
     if (std::isfinite(part)) squares += part * part;
   return std::sqrt(squares);
 }

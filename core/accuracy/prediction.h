@@ -12,11 +12,14 @@
 
 namespace asperity {
 
-/// Relative to mu, root mean square over the velocities of the sweep. NaN: does not apply.
+/// Relative to mu, root mean square over the velocities of the sweep, or over the time of a motion.
+/// NaN: does not apply.
 struct ErrorBudget {
   double resolution = kNotApplicable;       // of the line: scheme and oversampling
   double standardError = kNotApplicable;    // realizations
   double forceBalance = kNotApplicable;     // its tolerance
+  double timeStep = kNotApplicable;         // of a march: against steps of half the length
+  double settling = kNotApplicable;         // of a march: at its beginning, against a longer one
   double modelDifference = kNotApplicable;  // `nodal` against the resolved line: not an error
   /// Root of the sum of squares of those that are errors.
   double total() const;
@@ -27,8 +30,9 @@ struct Prediction {
   int threads = 1;
   double memory = 0;  // bytes, of the lines in work and the results
   ErrorBudget error;
-  double lines = 0;        // of the run; with a target: at the velocity that needs most
-  double simulations = 0;  // a line, a velocity, a balance
+  double lines = 0;                // of the run; with a target: at the velocity that needs most
+  double simulations = 0;          // a line, a velocity, a balance
+  double steps = 0, elements = 0;  // of a motion's march; 0 of a curve
   std::int64_t pilotLines = 0;
 };
 

@@ -57,6 +57,11 @@ struct RegionPrecision {
   /// Relative standard error of mu over 1, 2, 4, ... lines, as measured from groups of so many.
   std::vector<std::int64_t> lineCounts;
   std::vector<double> standardErrors;
+  /// Of a march in time on the scene's elements at the middle velocity: relative difference of
+  /// friction against half the step, and of its beginning against a longer march. NaN: not
+  /// measured.
+  double timeStepError = kNotApplicable;
+  double settlingError = kNotApplicable;
 };
 
 struct WorkPrecision {

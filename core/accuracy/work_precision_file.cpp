@@ -171,6 +171,8 @@ std::string workPrecisionJson(const WorkPrecision& comparison) {
     entry["methods"] = std::move(points);
     entry["realizations"] = region.lineCounts;
     entry["relative_standard_errors"] = region.standardErrors;
+    entry["march"] = {{"time_step", numberOrNull(region.timeStepError)},
+                      {"settling", numberOrNull(region.settlingError)}};
     regions.push_back(std::move(entry));
   }
   root["regions"] = std::move(regions);

@@ -14,6 +14,8 @@ namespace asperity {
 struct DepthTable {
   std::span<const double> forces, velocities;
   std::span<SteadyResult> results;
+  /// Those of another line with the same spectrum, or none: depths over those at rest are alike.
+  std::span<const SteadyResult> others;
   /// Depths (m) of the line at rest, of the last few rows, row k at k % kRests.
   static constexpr std::size_t kRests = 4;
   std::array<double, kRests> rests{};
@@ -27,7 +29,8 @@ struct DepthTable {
   double guess(std::size_t row, std::size_t column) const;
 
  private:
-  double sinking(std::size_t row, std::size_t column) const;
+  double expected(std::size_t row, std::size_t column) const;
+  double excess(std::size_t row, std::size_t column) const;
   double fromForces(std::size_t row, std::size_t column) const;
 };
 

@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -43,8 +44,10 @@ class LaneStream {
         look = kStepsBetweenLooks;
       }
       SegmentStep<kLinear>(lanes_).run();
-      for (std::size_t lane = 0; lane < kLanes; ++lane)
-        if (lanes_.busy[lane] > lanes_.stays[lane]) goOn(lane);
+      // Those in contact first, then those that are free, as the machine expects more of the same.
+      const unsigned pressed = lanes_.finished & lanes_.pressed, free = lanes_.finished & ~pressed;
+      for (unsigned left = pressed; left != 0; left &= left - 1) goOn<true>(lowestBit(left));
+      for (unsigned left = free; left != 0; left &= left - 1) goOn<false>(lowestBit(left));
     }
   }
 
@@ -134,13 +137,18 @@ class LaneStream {
     load(lane);
   }
 
+  static std::size_t lowestBit(unsigned bits) {
+    return static_cast<std::size_t>(std::countr_zero(bits));
+  }
+
   /// The lane has finished its segment.
+  template <bool kPressed>
   HWY_INLINE void goOn(std::size_t lane) {
     Place& place = places_[lane];
     ++place.looks;
     if (place.segment == place.last) return endPart(lane);
     ++place.segment;
-    if (lanes_.touching[lane] > 0)
+    if (kPressed)
       skipPressed(lane, place);
     else
       skipFree(lane, place);
@@ -221,7 +229,7 @@ class LaneStream {
         if (!kLinear || level > 0) return above;
         // A straight segment that rises faster than the free surface, from above it, stays there.
         const One left = negMulAdd(over, One::load(lost + k), over);
-        return above | (memory * One::load(steepest + k) >= left);
+        return above | (memory * One::load(steepest + k) > left);  // 0 without memory
       });
     };
     place.segment = skip(place.segment, place.last, isFree,

@@ -58,11 +58,12 @@ bool SceneSliding::sweepArms(const TravelLine& line, const Load& load,
 
 bool SceneSliding::sweep(const TravelLine& line, const Load& load,
                          std::span<const double> velocities, std::span<SteadyResult> results,
-                         const std::stop_token& stop) const {
+                         const std::stop_token& stop, std::span<const SteadyResult> others) const {
   countSteady(load);
   if (velocities.size() > 1) countStage(Stage::Sweep);
-  const bool done = hasArms_ ? sweepArms(line, load, velocities, results, stop)
-                             : slideSweep(line, conditions(0), load, velocities, results, stop);
+  const bool done = hasArms_
+                        ? sweepArms(line, load, velocities, results, stop)
+                        : slideSweep(line, conditions(0), load, velocities, results, stop, others);
   if (done)
     for (SteadyResult& result : results) addInterface(line, result);
   return done;

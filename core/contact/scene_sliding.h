@@ -36,9 +36,10 @@ class SceneSliding {
   const ElementLaw& law() const { return law_; }
   const RetardationModes& modes() const { return modes_; }
 
-  /// results[i] is for velocities[i] (m/s, ascending); as slideSweep.
+  /// results[i] is for velocities[i] (m/s, ascending); others: of another line; as slideSweep.
   bool sweep(const TravelLine& line, const Load& load, std::span<const double> velocities,
-             std::span<SteadyResult> results, const std::stop_token& stop = {}) const;
+             std::span<SteadyResult> results, const std::stop_token& stop = {},
+             std::span<const SteadyResult> others = {}) const;
 
   /// Under the scene's load. velocity: m/s, >= 0.
   SteadyState at(const TravelLine& line, double velocity) const;

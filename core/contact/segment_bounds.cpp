@@ -59,6 +59,22 @@ void boundAll(const double* rise, const double* slopeIn, const double* slopeOut,
         {lowest + k, highest + k, steepest + k, riseIntegral + k, slopeSquared + k});
 }
 
+double lowest(const double* values, std::size_t count) {
+  constexpr std::size_t kLanes = One::kLanes, kRun = 4 * kLanes;
+  One least[4] = {One::all(values[0]), One::all(values[0]), One::all(values[0]),
+                  One::all(values[0])};
+  std::size_t i = 0;
+  for (; i + kRun <= count; i += kRun)
+    for (std::size_t k = 0; k < 4; ++k)
+      least[k] = min(least[k], One::load(values + i + k * kLanes));
+  const One one = min(min(least[0], least[1]), min(least[2], least[3]));
+  double lanes[kLanes];
+  one.store(lanes);
+  double lowest = *std::min_element(lanes, lanes + kLanes);
+  for (; i < count; ++i) lowest = std::min(lowest, values[i]);
+  return lowest;
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace asperity
 HWY_AFTER_NAMESPACE();
@@ -67,6 +83,12 @@ HWY_AFTER_NAMESPACE();
 namespace asperity {
 
 HWY_EXPORT(boundAll);
+HWY_EXPORT(lowest);
+
+std::size_t placeOfLowest(std::span<const double> values) {
+  const double least = HWY_DYNAMIC_DISPATCH(lowest)(values.data(), values.size());
+  return static_cast<std::size_t>(std::find(values.begin(), values.end(), least) - values.begin());
+}
 
 void boundSegments(const double* rise, const double* slopeIn, const double* slopeOut,
                    std::size_t count, double length, BlockLevel& blocks) {

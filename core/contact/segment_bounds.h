@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "core/contact/block_level.h"
 
@@ -16,5 +17,8 @@ void boundSegments(const double* rise, const double* slopeIn, const double* slop
 
 /// The same of one segment; rise: at its two ends.
 SegmentBounds boundSegment(const double* rise, double slopeIn, double slopeOut, double length);
+
+/// The first of the lowest of some values, of which there is at least one.
+std::size_t placeOfLowest(std::span<const double> values);
 
 }  // namespace asperity

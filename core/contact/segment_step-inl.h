@@ -32,7 +32,8 @@ struct alignas(64) Lanes {
   Values busy, touching;
   Values closes;            // a free arc ends with this segment at the latest
   Values isPressedAtLimit;  // p vanishes there, from above
-  Values stays;             // the segment is not finished
+  // The same as bits, set by a step:
+  unsigned finished, pressed;  // have come to the end of their segment; in contact
 };
 
 constexpr int kMostRootSteps = 100;
@@ -70,9 +71,7 @@ HWY_INLINE WideCubic select(WideMask m, const WideCubic& x, const WideCubic& y) 
 struct WideArc {
   Wide depth, offset, rate;
 
-  HWY_INLINE Wide lostAt(Wide t) const {
-    return -expm1(max(-mulAdd(rate, t, offset), Wide::all(-350)));
-  }
+  HWY_INLINE Wide lostAt(Wide t) const { return lostAfter(mulAdd(rate, t, offset)); }
 };
 
 /// A polynomial and what an arc has come up by: one equation for all edges of contact.
@@ -93,15 +92,20 @@ struct WideGap {
   }
 };
 
-/// Halley's method inside [low, high] for the lanes wanted, bisection where it would leave.
-HWY_INLINE Wide rootBetween(const WideGap& gap, Wide low, Wide high, WideMask negativeAtLow,
-                            Wide guess, WideMask wanted) {
+struct WideRoot {
+  Wide t, lost;  // lost: part of the arc's depth
+};
+
+/// Halley's method inside [low, high] for the lanes wanted, bisection where it would leave. The
+/// root's `lost` is good where the arc's depth is above 0.
+HWY_INLINE WideRoot rootBetween(const WideGap& gap, Wide low, Wide high, WideMask negativeAtLow,
+                                Wide guess, WideMask wanted) {
   // Over less than it takes the arc to change its curvature.
   const Wide one = Wide::all(1);
   const Wide reach = select(gap.arc.depth > Wide::all(0), one / abs(gap.arc.rate), one);
-  Wide t = guess;
+  Wide t = guess, further = one, lost = one;
   for (int step = 0; step < kMostRootSteps; ++step) {
-    const Wide lost = gap.arc.lostAt(t);
+    lost = gap.arc.lostAt(t);
     const Wide value = gap.valueAt(t, lost);
     const WideMask before = !((value < Wide::all(0)) ^ negativeAtLow);
     low = select(before, t, low);
@@ -111,11 +115,14 @@ HWY_INLINE Wide rootBetween(const WideGap& gap, Wide low, Wide high, WideMask ne
     // A step that leaves by no more than it may be wrong by means that the root is at this end.
     const WideMask inside = (next >= low - enough) & (next <= high + enough);
     next = select(inside, min(max(next, low), high), times(0.5, low + high));
-    const Wide moved = abs(next - t);
+    further = next - t;
     t = next;
-    if (!any(wanted & (moved > enough))) break;
+    if (!any(wanted & (abs(further) > enough))) break;
   }
-  return t;
+  // The last step is short: two terms of its series are all there is. But where hardly anything is
+  // remembered all is lost, however short it was.
+  const Wide x = min(max(gap.arc.rate * further, -one), one);
+  return {t, mulAdd(one - lost, negMulAdd(times(0.5, x), x, x), lost)};
 }
 
 template <bool kLinear>
@@ -238,9 +245,11 @@ class SegmentStep {
     Wide guess = select(enters_, gap.step(to_, gapTo, lostTo), secant);
     guess = select((guess >= low) & (guess <= high) & !reached, guess, times(0.5, low + high));
     // Free surface above the line at the piece's start; pressure there positive.
-    edge_ = select(wanted, rootBetween(gap, low, high, !(enters_ ^ onwards_), guess, wanted), to_);
-    lost_ = arc_.lostAt(edge_);
-    hits_ = bumps & (rising.valueAt(edge_, lost_) > Wide::all(0));
+    const WideRoot root = rootBetween(gap, low, high, !(enters_ ^ onwards_), guess, wanted);
+    edge_ = select(wanted, root.t, to_);
+    lost_ = root.lost;
+    if (!any(bumps)) return;
+    hits_ = bumps & (rising.valueAt(edge_, arc_.lostAt(edge_)) > Wide::all(0));
     if (any(bumps & !hits_)) {
       const Wide middle = times(0.5, from_ + edge_);
       hits_ = hits_ | (bumps & (rising.valueAt(middle, arc_.lostAt(middle)) > Wide::all(0)));
@@ -296,8 +305,8 @@ class SegmentStep {
     touching_ = touching_ | enters_;
     const WideMask finished = busy_ & !hits_ & (to_ == end_), free = finished & !touching_;
     if (any(free)) {
-      const Wide over = max((arcPosition_ - placeOf(end_)) * inverse_, Wide::all(-350));
-      const Wide lost = -expm1(min(over, Wide::all(0)));
+      const Wide over = (placeOf(end_) - arcPosition_) * inverse_;
+      const Wide lost = lostAfter(max(over, Wide::all(0)));
       mulAdd(depth_ - arcRise_, lost, arcRise_).store(lanes_.surface);
       // A point takes over that is always in contact.
       const WideMask last = free & isSet(lanes_.closes);
@@ -314,7 +323,8 @@ class SegmentStep {
     next.store(lanes_.from);
     select(hits_, edge_, select(finished, Wide::all(1), end_)).store(lanes_.limit);
     setFlags(hits_, lanes_.isPressedAtLimit);
-    setFlags(!finished, lanes_.stays);
+    lanes_.finished = bitsOf(finished);
+    lanes_.pressed = bitsOf(touching_);
   }
 
   Lanes& lanes_;

@@ -39,6 +39,7 @@ struct SteadyResult {
   int passes = 0;
   double residual = 0;     // |F_N - wanted| / wanted; with arms also of their closure
   double closure = 0;      // elements with arms: change over a period, relative
+  double depthAtRest = 0;  // m, to some digits, under that force; of sweeps over resolved lines
   double muInterface = 0;  // of local friction, beside mu, which is that of the deformation
 
   double muTotal() const { return mu + muInterface; }

@@ -94,6 +94,7 @@ class SweepQueue final : public PassQueue {
   struct Lane {
     std::size_t row, column;
     double load;  // m^2, per 4G
+    double rest;  // m
     StreamBalance balance;
   };
 
@@ -103,9 +104,12 @@ class SweepQueue final : public PassQueue {
     one.column = columnInOrder(begun_ % columns, columns);
     ++begun_;
     one.load = table_.forces[one.row] / stiffness_;
-    if (one.row == restRow_) return;
-    table_.rests[one.row % DepthTable::kRests] = depthAtRest(line_, one.load);
-    restRow_ = one.row;
+    double& rest = table_.rests[one.row % DepthTable::kRests];
+    if (one.row != restRow_) {
+      rest = depthAtRest(line_, one.load);
+      restRow_ = one.row;
+    }
+    one.rest = rest;
   }
 
   bool isComplete(const Lane& one) {
@@ -121,6 +125,7 @@ class SweepQueue final : public PassQueue {
     result = resultOf(line_, stiffness_, table_.velocities[one.column], sums, depth);
     result.passes = passes;
     result.residual = residual;
+    result.depthAtRest = one.rest;
     result.status = statusOf(result);
   }
 
@@ -239,11 +244,12 @@ bool sweepNodal(const TravelLine& line, const SlidingConditions& conditions, con
 
 bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
                    std::span<const double> forces, std::span<const double> velocities,
-                   std::span<SteadyResult> results, const std::stop_token& stop) {
+                   std::span<SteadyResult> results, const std::stop_token& stop,
+                   std::span<const SteadyResult> others) {
   const FlushDenormals flush;
   for (SteadyResult& result : results) result.passes = 0;
   if (line.scheme != Scheme::Nodal) {
-    SweepQueue queue(line, conditions, {forces, velocities, results, {}}, stop);
+    SweepQueue queue(line, conditions, {forces, velocities, results, others}, stop);
     passLanes(line, queue);
     if (queue.hasSearched()) countStage(Stage::ContactSearch);
     return !stop.stop_requested();
@@ -261,9 +267,10 @@ bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
 
 bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
-                const std::stop_token& stop) {
+                const std::stop_token& stop, std::span<const SteadyResult> others) {
   if (load.kind == LoadKind::Force)
-    return slideAtForces(line, conditions, {&load.normalForce, 1}, velocities, results, stop);
+    return slideAtForces(line, conditions, {&load.normalForce, 1}, velocities, results, stop,
+                         others);
   const FlushDenormals flush;
   if (line.scheme == Scheme::Nodal) {
     countStage(Stage::ContactSearch);

@@ -16,10 +16,11 @@ namespace asperity {
 /// results[i] is for velocities[i] (m/s, ascending); both of one length. `conditions.velocity` is
 /// not used. Of resolved lines powerIn is not gathered: NaN. Returns false where `stop` was
 /// requested in between, which is looked at inside passes too; `passes` is 0 in results that are
-/// then missing.
+/// then missing. others: the results of another line with the same spectrum at the same loads and
+/// velocities, or none; they change the cost, not the answer beyond the residual.
 bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
-                const std::stop_token& stop = {});
+                const std::stop_token& stop = {}, std::span<const SteadyResult> others = {});
 
 /// The same at several forces (N, ascending), which costs less than one after the other: depths
 /// found at some forces and velocities lead to those at others. results[k * velocities.size() + i]
@@ -28,6 +29,7 @@ bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, con
 /// moduli and rms heights of one line are forces too.
 bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
                    std::span<const double> forces, std::span<const double> velocities,
-                   std::span<SteadyResult> results, const std::stop_token& stop = {});
+                   std::span<SteadyResult> results, const std::stop_token& stop = {},
+                   std::span<const SteadyResult> others = {});
 
 }  // namespace asperity

@@ -64,8 +64,8 @@ struct Lowest {
 };
 
 Lowest findLowest(const Line& line, const Traveller& traveller, Scheme scheme) {
-  const auto node = std::min_element(line.height.begin(), line.height.end());
-  Lowest lowest{*node, static_cast<std::size_t>(node - line.height.begin())};
+  const std::size_t node = placeOfLowest(line.height);
+  Lowest lowest{line.height[node], node};
   if (scheme != Scheme::Cubic) return lowest;
   const double third = line.spacing / 3;
   for (std::size_t i = 0; i < line.nodes(); ++i) {
@@ -132,12 +132,10 @@ void addCuts(TravelLine& travel) {
   const std::size_t parts = TravelLine::kMostCuts + 1, size = travel.segments() / parts;
   if (size < kFewestSegments) return;
   for (std::size_t k = 1; k < parts; ++k) {
-    const auto from = travel.rise.begin() + static_cast<std::ptrdiff_t>(k * size);
-    const auto lowest = std::min_element(from, from + static_cast<std::ptrdiff_t>(size));
-    const auto segment = static_cast<std::size_t>(lowest - travel.rise.begin());
+    const std::size_t segment = k * size + placeOfLowest({&travel.rise[k * size], size});
+    const double lowest = travel.rise[segment];
     std::size_t back = segment - 2;  // blocks[0][back - 1] is of segment `back`
-    while (back > 0 && segment - back < size && travel.blocks[0].lowest[back - 1] >= *lowest)
-      --back;
+    while (back > 0 && segment - back < size && travel.blocks[0].lowest[back - 1] >= lowest) --back;
     travel.cuts.push_back({segment, travel.position[segment] - travel.position[back + 1]});
   }
 }
@@ -192,8 +190,9 @@ void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
     travel.rise[1] = level(1 - t);
   }
   travel.rise.back() = 0;
-  for (std::size_t i = 0; i <= travel.segments(); ++i)
-    travel.position[i] = (static_cast<double>(i) - t) * h;
+  const auto last = static_cast<int>(travel.segments());  // counted so, several fit in a vector
+  for (int i = 0; i <= last; ++i)
+    travel.position[static_cast<std::size_t>(i)] = (static_cast<double>(i) - t) * h;
   travel.position.front() = 0;
   travel.position.back() = travel.length;
   addBounds(travel);

@@ -8,10 +8,10 @@
 #define ASPERITY_WIDE_INL
 #endif
 
-#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
 #include <cstddef>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace asperity {
@@ -22,6 +22,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr hn::CappedTag<double, 8> kTag;
 
 struct OneMask {
+  static constexpr std::size_t kLanes = hn::MaxLanes(kTag);
+
   hn::Mask<decltype(kTag)> m;
 
   static HWY_INLINE OneMask none() { return {hn::FirstN(kTag, 0)}; }
@@ -75,8 +77,6 @@ HWY_INLINE One max(One x, One y) { return {hn::Max(x.v, y.v)}; }
 HWY_INLINE One abs(One x) { return {hn::Abs(x.v)}; }
 HWY_INLINE One sqrt(One x) { return {hn::Sqrt(x.v)}; }
 HWY_INLINE One copySign(One x, One sign) { return {hn::CopySign(x.v, sign.v)}; }
-HWY_INLINE One exp(One x) { return {hn::Exp(kTag, x.v)}; }
-HWY_INLINE One expm1(One x) { return {hn::Expm1(kTag, x.v)}; }
 HWY_INLINE One select(OneMask m, One x, One y) { return {hn::IfThenElse(m.m, x.v, y.v)}; }
 HWY_INLINE One onlyIn(OneMask m, One x) { return {hn::IfThenElseZero(m.m, x.v)}; }
 HWY_INLINE OneMask operator<(One x, One y) { return {hn::Lt(x.v, y.v)}; }
@@ -89,7 +89,34 @@ HWY_INLINE OneMask operator|(OneMask x, OneMask y) { return {hn::Or(x.m, y.m)}; 
 HWY_INLINE OneMask operator^(OneMask x, OneMask y) { return {hn::Xor(x.m, y.m)}; }
 HWY_INLINE OneMask operator!(OneMask x) { return {hn::Not(x.m)}; }
 HWY_INLINE bool any(OneMask x) { return !hn::AllFalse(kTag, x.m); }
+HWY_INLINE unsigned bitsOf(OneMask x) { std::uint8_t bits[8] = {}; hn::StoreMaskBits(kTag, x.m, bits); return bits[0]; }
+// clang-format on
 
+/// 1 - exp(-x) to two units in the last place; beyond -350 to 350 x counts as that. Half as long as
+/// the library's, whose steps wait for each other, as edges of contact wait for this.
+HWY_INLINE One lostAfter(One x) {
+  constexpr double kWhole = 6755399441055744.0;  // added to it, numbers lose their fractions
+  x = max(min(x, One::all(350)), One::all(-350));
+  // -x = n ln 2 + r
+  const One moved = negMulAdd(x, One::all(1.4426950408889634), One::all(kWhole));
+  const One n = moved - One::all(kWhole);
+  const One r = negMulAdd(n, One::all(2.3190468138462996e-17),
+                          negMulAdd(n, One::all(0.6931471805599453), -x));
+  // exp(r) - 1 by its series, in Estrin's order.
+  const auto pair = [r](double a, double b) { return mulAdd(r, One::all(1 / b), One::all(1 / a)); };
+  const One r2 = r * r, r4 = r2 * r2;
+  const One low = mulAdd(r2, pair(24, 120), pair(2, 6));
+  const One middle = mulAdd(r2, pair(40320, 362880), pair(720, 5040));
+  const One high = mulAdd(r2, pair(479001600, 6227020800), pair(3628800, 39916800));
+  const One grown = mulAdd(r2, mulAdd(r4, mulAdd(r4, high, middle), low), r);
+  // 2^n: n is in the lowest bits of `moved`.
+  const hn::RebindToUnsigned<decltype(kTag)> bits;
+  const auto power = hn::ShiftLeft<52>(hn::BitCast(bits, moved.v));
+  const One two = {hn::BitCast(kTag, hn::Add(power, hn::Set(bits, 0x3FF0000000000000ULL)))};
+  return negMulAdd(two, grown, One::all(1) - two);
+}
+
+// clang-format off
 #define ASPERITY_PAIR template <class T> HWY_INLINE
 ASPERITY_PAIR Pair<T> operator+(Pair<T> x, Pair<T> y) { return {x.a + y.a, x.b + y.b}; }
 ASPERITY_PAIR Pair<T> operator-(Pair<T> x, Pair<T> y) { return {x.a - y.a, x.b - y.b}; }
@@ -104,8 +131,7 @@ ASPERITY_PAIR Pair<T> max(Pair<T> x, Pair<T> y) { return {max(x.a, y.a), max(x.b
 ASPERITY_PAIR Pair<T> abs(Pair<T> x) { return {abs(x.a), abs(x.b)}; }
 ASPERITY_PAIR Pair<T> sqrt(Pair<T> x) { return {sqrt(x.a), sqrt(x.b)}; }
 ASPERITY_PAIR Pair<T> copySign(Pair<T> x, Pair<T> sign) { return {copySign(x.a, sign.a), copySign(x.b, sign.b)}; }
-ASPERITY_PAIR Pair<T> exp(Pair<T> x) { return {exp(x.a), exp(x.b)}; }
-ASPERITY_PAIR Pair<T> expm1(Pair<T> x) { return {expm1(x.a), expm1(x.b)}; }
+ASPERITY_PAIR Pair<T> lostAfter(Pair<T> x) { return {lostAfter(x.a), lostAfter(x.b)}; }
 ASPERITY_PAIR Pair<T> select(typename Pair<T>::Mask m, Pair<T> x, Pair<T> y) { return {select(m.a, x.a, y.a), select(m.b, x.b, y.b)}; }
 ASPERITY_PAIR Pair<T> onlyIn(typename Pair<T>::Mask m, Pair<T> x) { return {onlyIn(m.a, x.a), onlyIn(m.b, x.b)}; }
 ASPERITY_PAIR typename Pair<T>::Mask operator<(Pair<T> x, Pair<T> y) { return {x.a < y.a, x.b < y.b}; }
@@ -118,6 +144,7 @@ ASPERITY_PAIR PairMask<T> operator|(PairMask<T> x, PairMask<T> y) { return {x.a 
 ASPERITY_PAIR PairMask<T> operator^(PairMask<T> x, PairMask<T> y) { return {x.a ^ y.a, x.b ^ y.b}; }
 ASPERITY_PAIR PairMask<T> operator!(PairMask<T> x) { return {!x.a, !x.b}; }
 ASPERITY_PAIR bool any(PairMask<T> x) { return any(x.a) || any(x.b); }
+ASPERITY_PAIR unsigned bitsOf(PairMask<T> x) { return bitsOf(x.a) | bitsOf(x.b) << T::kLanes; }
 #undef ASPERITY_PAIR
 // clang-format on
 

@@ -36,12 +36,14 @@ class Realizations {
   Realizations(const RealizationTask& task, int threads, const std::stop_token& stop)
       : task_(task), sliding_(task.scene), stop_(stop), jobs_(threads) {}
 
+  /// The first call is for one realization, whose depths the others begin from.
   std::vector<Results> compute(std::int64_t first, std::int64_t count) {
     std::vector<Results> batch(static_cast<std::size_t>(count));
     jobs_.run(count, [&](std::int64_t i) {
       if (!stop_.stop_requested())
         batch[static_cast<std::size_t>(i)] = slide(task_.first + first + i);
     });
+    if (first_.empty()) first_ = batch.front();
     return batch;
   }
 
@@ -58,10 +60,13 @@ class Realizations {
     for (const LoadCase& one : task_.cases) count += one.velocities.size();
     Results results(count);
     std::span<SteadyResult> left(results);
+    std::span<const SteadyResult> others(first_);
     for (const LoadCase& one : task_.cases) {
       const std::span<SteadyResult> row = left.first(one.velocities.size());
       left = left.subspan(row.size());
-      if (!sliding_.sweep(memory.travel, one.load, one.velocities, row, stop_)) return {};
+      const auto other = others.first(others.empty() ? 0 : row.size());
+      others = others.subspan(other.size());
+      if (!sliding_.sweep(memory.travel, one.load, one.velocities, row, stop_, other)) return {};
       requireBalance(one, row, realization);
     }
     return results;
@@ -76,6 +81,7 @@ class Realizations {
 
   const RealizationTask& task_;
   SceneSliding sliding_;
+  Results first_;
   const std::stop_token& stop_;
   Jobs jobs_;
   tbb::enumerable_thread_specific<Memory> memory_;

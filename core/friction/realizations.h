@@ -1,7 +1,8 @@
 // Every load and velocity on every realization of a scene's line: the work behind friction curves
 // and the paper's figures. Realizations run on all threads; their results are handed over one
 // realization after another in their own order, so whatever is summed from them has the same bits
-// for any number of threads. Each line is made once.
+// for any number of threads. Each line is made once. The first one comes alone, and its depths are
+// where the balances of all others begin.
 // Failure: std::runtime_error where a force balance is not met, with where it was. Cancelling ends
 // the work within one pass over a line.
 #pragma once

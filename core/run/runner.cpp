@@ -133,6 +133,7 @@ struct Runner::Body {
         done = curveNumber;
         work = curveScene;
         curveWork = std::stop_source();
+        if (curveIsStopped) curveWork.request_stop();
         curveOptions.stop = curveWork.get_token();
       }
       curveOptions.threads = options.threads;
@@ -153,11 +154,14 @@ struct Runner::Body {
 
   /// Hands an average on, under the number of the newest scene that has this curve.
   void offer(std::uint64_t curve, const CurveProgress& progress) {
-    const std::lock_guard guard(lock);
-    if (curve != curveNumber) return;
-    lastUpdate = {present.scene, present.number, progress.realizationsDone,
-                  progress.realizationsTotal, progress.points};
-    updates.push_back(*lastUpdate);
+    {
+      const std::lock_guard guard(lock);
+      if (curve != curveNumber) return;
+      lastUpdate = {present.scene, present.number, progress.realizationsDone,
+                    progress.realizationsTotal, progress.points};
+      updates.push_back(*lastUpdate);
+    }
+    if (options.curveNews) options.curveNews();
   }
 
   /// Called under the lock when a scene is posted.
@@ -174,6 +178,11 @@ struct Runner::Body {
     curveWork.request_stop();
     lastUpdate.reset();
     curveScene = present;
+    beginCurve();
+  }
+
+  void beginCurve() {
+    curveIsStopped = false;
     ++curveNumber;
   }
 
@@ -193,6 +202,7 @@ struct Runner::Body {
   Posted curveScene;
   std::uint64_t curveNumber = 0;
   std::stop_source curveWork;
+  bool curveIsStopped = false;
   std::optional<CurveUpdate> lastUpdate;
   std::vector<CurveUpdate> updates;
   std::vector<RunnerMessage> messages;
@@ -243,6 +253,19 @@ void Runner::singleStep() {
 void Runner::reset() {
   const std::lock_guard guard(body_->lock);
   body_->waiting.reset = true;
+  body_->changed.notify_all();
+}
+
+void Runner::stopCurve() {
+  const std::lock_guard guard(body_->lock);
+  body_->curveIsStopped = true;
+  body_->curveWork.request_stop();
+}
+
+void Runner::startCurve() {
+  const std::lock_guard guard(body_->lock);
+  body_->curveWork.request_stop();
+  body_->beginCurve();
   body_->changed.notify_all();
 }
 

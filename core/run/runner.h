@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ struct RunnerOptions {
   int threads = 0;               // for the curve; 0: as many as the machine has
   double framesPerSecond = 60;   // frames made at most
   double secondsPerPeriod = 12;  // on screen, for the line to pass by once
+  /// Called where a curve update is there, on the curve's thread; returns at once. May be empty.
+  std::function<void()> curveNews{};
 };
 
 class Runner {
@@ -59,6 +62,11 @@ class Runner {
   void singleStep();
   /// Back to the scene's steady state at time 0.
   void reset();
+
+  /// The present scene's curve stays as far as it is; averaging it begins anew. A new curve is
+  /// averaged without being told.
+  void stopCurve();
+  void startCurve();
 
   /// The newest frame, or null before the first. The same pointer until a newer one exists.
   std::shared_ptr<const Frame> newestFrame() const;

@@ -63,13 +63,14 @@ class Transient::Means {
 };
 
 Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
-                     std::int64_t leastSteps)
+                     std::int64_t leastSteps, int division)
     : load_(scene.load),
       interface_(scene.interface),
       hasInterface_(callsFor(scene, Purpose::Picture, Stage::Interface)),
       startsAtRest_(callsFor(scene, Purpose::Picture, Stage::StartFromRest)),
       motion_(scene.sliding),
       longestStep_(scene.sliding.duration / static_cast<double>(leastSteps)),
+      division_(division),
       rigid_(std::move(rigid)),
       march_(beginning(scene, *rigid_)),
       relaxation_(relaxationOf(march_.law())) {
@@ -91,9 +92,27 @@ void Transient::record(MarchRecords wanted) {
 /// always at the same places: other steps beat with them.
 double Transient::stepAt(double time) const {
   const double fastest = motion_.fastest(time, time);
-  if (!(fastest > 0)) return longestStep_;
+  if (!(fastest > 0)) return longestStep_ / division_;
   const double node = rigid_->line->spacing / fastest;
-  return motion_.isSmooth() ? std::min(longestStep_, node) : node / std::ceil(node / longestStep_);
+  const double step =
+      motion_.isSmooth() ? std::min(longestStep_, node) : node / std::ceil(node / longestStep_);
+  return step / division_;
+}
+
+/// s, where the velocity jumps or the motion ends.
+double Transient::markAfter(double time) const {
+  return time < motion_.jump() ? motion_.jump() : motion_.duration();
+}
+
+double Transient::countSteps(double most) const {
+  const double rough = (motion_.duration() - time_) / stepAt(time_);
+  if (rough > most) return std::ceil(rough);
+  double steps = 0;
+  for (double time = time_; time < motion_.duration(); ++steps) {
+    const double mark = markAfter(time), dt = stepAt(time);
+    time = dt >= (mark - time) * (1 - kRounding) ? mark : time + dt;
+  }
+  return steps;
 }
 
 double Transient::stepsTo(double time) const {
@@ -113,7 +132,7 @@ TransientSample Transient::marchTo(double time) {
   Means means;
   const std::uint64_t before = steps_;
   while (time_ < time || steps_ == before) {
-    const double mark = time_ < motion_.jump() ? motion_.jump() : motion_.duration();
+    const double mark = markAfter(time_);
     const double dt = stepAt(time_), left = mark - time_;
     if (left > 0 && dt >= left * (1 - kRounding)) {
       stepOnce(left, means);

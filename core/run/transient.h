@@ -21,12 +21,19 @@ namespace asperity {
 class Transient {
  public:
   /// rigid: the scene's. The march takes `leastSteps` at least for the duration; they are at most
-  /// one node long and meet the jump of a velocity.
+  /// one node long and meet the jump of a velocity. division: how many parts each of those steps is
+  /// cut into.
   Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
-            std::int64_t leastSteps = 500);
+            std::int64_t leastSteps = kLeastSteps, int division = 1);
+
+  static constexpr std::int64_t kLeastSteps = 500;
 
   /// Steps that marchTo would take.
   double stepsTo(double time) const;
+
+  /// Steps from here to the motion's end, counted one by one without marching, or from the first
+  /// one's length where they are more than `most`.
+  double countSteps(double most = 2e6) const;
 
   /// What its march notes of the elements from now on.
   void record(MarchRecords wanted);
@@ -47,6 +54,7 @@ class Transient {
  private:
   class Means;
   double stepAt(double time) const;
+  double markAfter(double time) const;
   void stepOnce(double dt, Means& means);
 
   Load load_;
@@ -54,6 +62,7 @@ class Transient {
   bool hasInterface_, startsAtRest_;
   Motion motion_;
   double longestStep_;  // s
+  int division_;
   std::shared_ptr<const RigidLine> rigid_;
   TimeMarch march_;
   MarchStep last_;

@@ -1,31 +1,50 @@
 #include "core/run/transient_diagram.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/run/strip_range.h"
+
 namespace asperity {
 namespace {
 
 Diagram strip(const Scene& scene, std::span<const TransientSample> samples, DiagramAxis up,
-              double TransientSample::*member) {
+              double TransientSample::*member, double least) {
   Diagram diagram;
   diagram.x = {"time t", "s", AxisScale::Linear, 0, scene.sliding.duration};
   diagram.y = std::move(up);
   DiagramSeries series;
   series.colour = 0;
-  for (const TransientSample& sample : samples)
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const TransientSample& sample : samples) {
     series.points.push_back({sample.time, sample.*member});
+    if (!std::isfinite(sample.*member)) continue;
+    low = std::min(low, sample.*member);
+    high = std::max(high, sample.*member);
+  }
+  if (least > 0 && low <= high) {
+    const AxisEnds ends = axisEnds(low, high, least);
+    diagram.y.from = ends.from;
+    diagram.y.to = ends.to;
+  }
   diagram.series = {std::move(series)};
   return diagram;
 }
 
 }  // namespace
 
-DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples) {
+DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
+                            double spacing, double period) {
+  const StripFloors floors = stripFloors(samples, spacing, period);
   DiagramSheet sheet;
   sheet.columns = 1;
-  sheet.diagrams = {
-      strip(scene, samples, {"velocity v", "m/s", AxisScale::Linear}, &TransientSample::velocity),
-      strip(scene, samples, {"friction \u03BC", "", AxisScale::Linear}, &TransientSample::mu),
-      strip(scene, samples, {"indentation d", "m", AxisScale::Linear},
-            &TransientSample::indentation)};
+  sheet.diagrams = {strip(scene, samples, {"velocity v", "m/s", AxisScale::Linear},
+                          &TransientSample::velocity, 0),
+                    strip(scene, samples, {"friction \u03BC", "", AxisScale::Linear},
+                          &TransientSample::mu, floors.friction),
+                    strip(scene, samples, {"indentation d", "m", AxisScale::Linear},
+                          &TransientSample::indentation, floors.indentation)};
   return sheet;
 }
 

@@ -10,6 +10,9 @@
 namespace asperity {
 
 /// Velocity, friction and indentation over the scene's whole duration, as far as samples go.
-DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples);
+/// spacing, period: of the line, m, so that its ripple is not magnified (strip_range.h); 0:
+/// unknown.
+DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
+                            double spacing = 0, double period = 0);
 
 }  // namespace asperity

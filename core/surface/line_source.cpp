@@ -10,7 +10,6 @@
 #include "core/scene/plan.h"
 #include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
-#include "core/surface/random_phase.h"
 #include "core/surface/shapes.h"
 #include "core/surface/spectrum.h"
 #include "core/surface/summit_correlation.h"
@@ -85,20 +84,23 @@ void LineSource::readProfileOf(const Scene& scene) {
 }
 
 FourierLine LineSource::spectrum(std::int64_t number) const {
-  if (!isRandom()) return profile_;
-  const std::size_t modes = amplitudes_.size();
-  std::vector<double> phases(modes + 2);  // of modes 0, 1, ...
-  const auto seed = static_cast<std::uint64_t>(surface_.seed);
-  for (std::size_t pair = 0; 2 * pair <= modes; ++pair) {
-    const PhasePair two = randomPhases(seed, static_cast<std::uint64_t>(number), pair);
-    phases[2 * pair] = two.even;
-    phases[2 * pair + 1] = two.odd;
+  FourierLine line;
+  spectrumInto(line, number);
+  return line;
+}
+
+void LineSource::spectrumInto(FourierLine& line, std::int64_t number) const {
+  if (!isRandom()) {
+    line = profile_;
+    return;
   }
-  FourierLine line{length_, std::vector<std::complex<double>>(modes)};
-  phaseFactors(amplitudes_, {phases.data() + 1, modes}, line.coefficients);
-  if (!summits_) return line;
+  line.length = length_;
+  line.coefficients.resize(amplitudes_.size());
+  randomModes(static_cast<std::uint64_t>(surface_.seed), static_cast<std::uint64_t>(number),
+              amplitudes_, line.coefficients);
+  if (!summits_) return;
   countStage(Stage::SummitCorrelation);
-  return withSummitCorrelation(line, surface_.summitCorrelation, *summits_);
+  line = withSummitCorrelation(line, surface_.summitCorrelation, *summits_);
 }
 
 Line LineSource::makeShape() const {
@@ -118,15 +120,20 @@ void LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& 
   transform_->evaluate(modes, line.height);
   line.slopeAfter.clear();
   if (slopes == Slopes::Wanted) transform_->evaluateSlope(modes, line.slopeAfter);
-  line.rmsHeight = rmsHeightOf(modes);
-  line.rmsSlope = rmsSlopeOf(modes);
+  // Amplitudes are not random, but where waves are multiplied.
+  const bool isKnown = isRandom() && !summits_ && statistics_.rmsHeight > 0;
+  line.rmsHeight = isKnown ? statistics_.rmsHeight : rmsHeightOf(modes);
+  line.rmsSlope = isKnown ? statistics_.rmsSlope : rmsSlopeOf(modes);
 }
 
 void LineSource::makeInto(Line& line, std::int64_t number, Slopes slopes) const {
-  if (isRandom())
-    setFromSpectrum(spectrum(number), slopes, line);
-  else
+  if (!isRandom()) {
     line = only_;
+    return;
+  }
+  static thread_local FourierLine modes;  // fresh pages cost more than a transform
+  spectrumInto(modes, number);
+  setFromSpectrum(modes, slopes, line);
 }
 
 Line LineSource::make(std::int64_t number) const {

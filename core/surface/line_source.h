@@ -48,6 +48,7 @@ class LineSource {
   void setAmplitudes(const Scene& scene);
   void readProfileOf(const Scene& scene);
   Line makeShape() const;
+  void spectrumInto(FourierLine& line, std::int64_t number) const;
   void setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line) const;
 
   Surface surface_;

@@ -39,6 +39,8 @@ TEST_F(AccuracyCommandTest, WritesTablesAndDiagrams) {
     const Json& methods = region["methods"];
     EXPECT_LT(methods[11]["relative_error"], 0.01 * methods[7]["relative_error"].get<double>());
     EXPECT_LT(region["reference_error"], methods[11]["relative_error"]);
+    EXPECT_GT(region["march"]["time_step"], 0);
+    EXPECT_GE(region["march"]["settling"], 0);
   }
 }
 
@@ -90,7 +92,8 @@ TEST_F(AccuracyCommandTest, ExplainsAMotion) {
       program.run("explain s.json --set sliding.kind=start --set sliding.duration=0.01");
   EXPECT_EQ(said.status, 0) << said.err;
   EXPECT_THAT(said.out, HasSubstr("asperity render runs"));
-  EXPECT_THAT(said.out, HasSubstr("not predicted"));
+  EXPECT_THAT(said.out, HasSubstr("elements, without drawing"));
+  EXPECT_THAT(said.out, HasSubstr("time step"));
 }
 
 TEST_F(AccuracyCommandTest, ACurveToATarget) {

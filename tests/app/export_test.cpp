@@ -208,7 +208,7 @@ TEST_F(ExportTest, ReportsAreRebuiltByMake) {
 TEST_F(ExportTest, RefusesOptionsItDoesNotKnow) {
   expectRefused("render s.json -o a.png --theme pink", 2,
                 "--theme: pink is not one of light, dark");
-  expectRefused("render s.json -o a.png --language de", 2, "--language: de is not one of en");
+  expectRefused("render s.json -o a.png --language fr", 2, "--language: fr is not one of en, de");
   expectRefused("render s.json -o a.png --backend metal", 2, "--backend");
   expectRefused("render s.json -o a.png --scale 0", 2, "--scale");
   expectRefused("render s.json -o a.png --scale 300 dpi", 2, "dpi");

@@ -74,21 +74,31 @@ class Study {
         if (isRound(n)) return n;
   }
 
-  /// Amplitudes and transform plans serve all 200 lines of a set, so they are not timed.
+  /// Amplitudes and transform plans serve all 200 lines of a set, so they are not timed; nor is the
+  /// line before, which is there for its depths.
   void makeLine(const Scene& scene) {
     const LineSource source(scene, scene.accuracy.oversampling);
+    makeLine(source, scene.accuracy.scheme, 1, another_);
     const double start = threadSeconds();
-    const Scheme scheme = scene.accuracy.scheme;
-    source.makeInto(points_, 0, scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
-    prepareTravelInto(line_, points_, scheme);
+    makeLine(source, scene.accuracy.scheme, 0, line_);
     now().lineSeconds += weight_ * (threadSeconds() - start);
     now().lines += weight_;
   }
 
+  void makeLine(const LineSource& source, Scheme scheme, std::int64_t realization,
+                TravelLine& line) {
+    source.makeInto(points_, realization,
+                    scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
+    prepareTravelInto(line, points_, scheme);
+  }
+
   void simulate(const std::vector<double>& forces) {
     results_.resize(forces.size() * velocities_.size());
+    others_.resize(results_.size());
+    const SlidingConditions conditions = conditionsOf(base_, 0);
+    slideAtForces(another_, conditions, forces, velocities_, others_);
     const double start = threadSeconds();
-    slideAtForces(line_, conditionsOf(base_, 0), forces, velocities_, results_);
+    slideAtForces(line_, conditions, forces, velocities_, results_, {}, others_);
     now().simulationSeconds += weight_ * (threadSeconds() - start);
     now().simulations += weight_ * static_cast<double>(results_.size());
     for (const SteadyResult& result : results_) {
@@ -106,10 +116,10 @@ class Study {
 
   Scene base_;
   std::vector<double> velocities_;
-  std::vector<SteadyResult> results_;
+  std::vector<SteadyResult> results_, others_;
   double weight_;
   Line points_;
-  TravelLine line_;
+  TravelLine line_, another_;
   std::size_t current_ = 0;  // series
   StudyEstimate estimate_;
 };

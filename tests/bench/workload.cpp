@@ -55,12 +55,22 @@ double forceForContact(const TravelLine& line, double fraction) {
   return fraction >= 1 ? 1.2 * force : force;
 }
 
-Tally shippedSweep(const TravelLine& line, double force, std::span<const double> velocities) {
+std::vector<SteadyResult> shippedResults(const TravelLine& line, double force,
+                                         std::span<const double> velocities) {
+  std::vector<SteadyResult> results(velocities.size());
+  Load load;
+  load.normalForce = force;
+  slideSweep(line, {kModulus, kRelaxation, 0}, load, velocities, results);
+  return results;
+}
+
+Tally shippedSweep(const TravelLine& line, double force, std::span<const double> velocities,
+                   std::span<const SteadyResult> others) {
   static std::vector<SteadyResult> results;
   results.resize(velocities.size());
   Load load;
   load.normalForce = force;
-  slideSweep(line, {kModulus, kRelaxation, 0}, load, velocities, results);
+  slideSweep(line, {kModulus, kRelaxation, 0}, load, velocities, results, {}, others);
   Tally tally{static_cast<double>(velocities.size())};
   for (const SteadyResult& result : results) count(result, tally);
   return tally;

@@ -34,7 +34,13 @@ double forceForContact(const TravelLine& line, double fraction);
 
 /// The shipped path: the whole sweep at one force. Every balance is checked to be met; throws
 /// std::runtime_error where one is not.
-Tally shippedSweep(const TravelLine& line, double force, std::span<const double> velocities);
+/// others: of another line, as in every ensemble; or none.
+Tally shippedSweep(const TravelLine& line, double force, std::span<const double> velocities,
+                   std::span<const SteadyResult> others = {});
+
+/// What the shipped path finds; for the others of shippedSweep.
+std::vector<SteadyResult> shippedResults(const TravelLine& line, double force,
+                                         std::span<const double> velocities);
 
 /// One velocity after the other by the scalar pass, each from the last indentation (warm) or from
 /// nothing (cold).

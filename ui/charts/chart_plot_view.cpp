@@ -1,5 +1,8 @@
 #include "ui/charts/chart_plot_view.h"
 
+#include <QEvent>
+#include <QFocusEvent>
+#include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QVBoxLayout>
 #include <QtCharts/QCategoryAxis>
@@ -7,18 +10,23 @@
 #include <QtCharts/QLineSeries>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "ui/charts/decade_range.h"
 #include "ui/charts/plot_legend.h"
+#include "ui/charts/plot_marks.h"
+#include "ui/picture/log_ticks.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr double kFineGridDepth = 1.5;  // between background and grid of a chart
-constexpr double kOverlayDepth = 100;   // over everything in it
-constexpr double kLabelWidth = 44;      // a decade label needs this much of its axis
+constexpr double kSpanDepth = 1, kFineGridDepth = 1.5;  // between background and grid of a chart
+constexpr double kOverlayDepth = 100;                   // over everything in it
+constexpr double kLabelWidth = 44;                      // a label needs this much of its axis
 constexpr double kLabelHeight = 24;
+constexpr double kStripGap = 18;      // between the plot and the strip below
+constexpr double kSlim = 0.32;        // height of the strip, of the whole
+constexpr double kTitleHeight = 150;  // of an upright title, pixels
 
 }  // namespace
 
@@ -33,18 +41,34 @@ ChartPlotView::ChartPlotView(QWidget* parent)
       view_(new QChartView(chart_)),
       x_(makeAxis(Qt::AlignBottom)),
       y_(makeAxis(Qt::AlignLeft)),
+      spans_(new SpanItem(chart_)),
       fineGrid_(new FineGridItem(chart_)),
-      overlay_(new OverlayItem(chart_)) {
+      points_(new PointsItem(chart_)),
+      strip_(new StripItem(chart_)),
+      marker_(new MarkerItem(chart_)),
+      tip_(new TipItem(chart_)),
+      wantedX_(std::numeric_limits<double>::quiet_NaN()) {
   chart_->legend()->hide();
-  chart_->setMargins(QMargins(10, 9, 18, 4));
   chart_->layout()->setContentsMargins(0, 0, 0, 0);
   chart_->setBackgroundRoundness(0);
   view_->setRenderHint(QPainter::Antialiasing);
   view_->setFrameShape(QFrame::NoFrame);
   view_->setFocusPolicy(Qt::NoFocus);
+  view_->viewport()->setFocusPolicy(Qt::NoFocus);
+  view_->setAttribute(Qt::WA_TransparentForMouseEvents);  // gestures are this widget's
+  setMouseTracking(true);
+  spans_->setZValue(kSpanDepth);
   fineGrid_->setZValue(kFineGridDepth);
-  overlay_->setZValue(kOverlayDepth);
+  points_->setZValue(kOverlayDepth);
+  strip_->setZValue(kOverlayDepth);
+  marker_->setZValue(kOverlayDepth + 1);
+  tip_->setZValue(kOverlayDepth + 2);
   connect(chart_, &QChart::plotAreaChanged, this, [this] { updateItems(); });
+  connect(legend_, &PlotLegend::unpinWanted, this, &PlotView::unpinWanted);
+  connect(legend_, &PlotLegend::entered, this, [this] {
+    hover_.reset();
+    tip_->clear();
+  });
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -62,8 +86,19 @@ QCategoryAxis* ChartPlotView::makeAxis(Qt::Alignment side) {
 }
 
 void ChartPlotView::setPlot(const Plot& plot) {
+  const bool isNewX = !plot_.marker || !plot.marker || plot.marker->x != plot_.marker->x;
+  if (isNewX && gesture_ != Gesture::Marker) wantedX_ = std::numeric_limits<double>::quiet_NaN();
   plot_ = plot;
   showAll();
+}
+
+void ChartPlotView::setMarker(const std::optional<PlotMarker>& marker) {
+  const bool isNewX = !plot_.marker || !marker || marker->x != plot_.marker->x;
+  if (isNewX && gesture_ != Gesture::Marker) wantedX_ = std::numeric_limits<double>::quiet_NaN();
+  const bool wasThere = plot_.marker.has_value();
+  plot_.marker = marker;
+  updateMarker();
+  if (wasThere != marker.has_value()) legend_->show(plot_, colours_);
 }
 
 void ChartPlotView::setColours(const PlotColours& colours) {
@@ -76,10 +111,24 @@ void ChartPlotView::setColours(const PlotColours& colours) {
   updateItems();
 }
 
+QPointF ChartPlotView::corner() const {
+  return view_->mapTo(this, view_->mapFromScene(chart_->mapToScene(QPointF())));
+}
+
 QPointF ChartPlotView::positionOf(double x, double y) const {
   const PlotGeometry map = geometry();
-  const QPoint corner = view_->mapTo(this, view_->mapFromScene(chart_->mapToScene(QPointF())));
-  return QPointF(map.xOf(x), map.yOf(y)) + corner;
+  return QPointF(map.xOf(x), map.yOf(y)) + corner();
+}
+
+QPointF ChartPlotView::stripPositionOf(double x, double y) const {
+  const PlotGeometry map = geometry();
+  if (!plot_.strip) return {};
+  const double part = (y - plot_.strip->from) / (plot_.strip->to - plot_.strip->from);
+  return QPointF(map.xOf(x), map.strip.bottom() - part * map.strip.height()) + corner();
+}
+
+PlotWindow ChartPlotView::window() const {
+  return zoom_ ? *zoom_ : PlotWindow{plot_.x.range, plot_.y.range};
 }
 
 void ChartPlotView::resizeEvent(QResizeEvent* event) {
@@ -87,30 +136,81 @@ void ChartPlotView::resizeEvent(QResizeEvent* event) {
   showAll();
 }
 
+void ChartPlotView::changeEvent(QEvent* event) {
+  PlotView::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  paintAxis(*x_);
+  paintAxis(*y_);
+  showAll();
+}
+
+void ChartPlotView::focusInEvent(QFocusEvent* event) {
+  PlotView::focusInEvent(event);
+  const Qt::FocusReason reason = event->reason();
+  showsFocus_ = reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason;
+  paintAxis(*x_);
+  paintAxis(*y_);
+}
+
+void ChartPlotView::focusOutEvent(QFocusEvent* event) {
+  PlotView::focusOutEvent(event);
+  showsFocus_ = false;
+  paintAxis(*x_);
+  paintAxis(*y_);
+}
+
 void ChartPlotView::showAll() {
-  showAxis(*x_, plot_.x, (width() - 90.0) / kLabelWidth);
-  showAxis(*y_, plot_.y, (height() - 90.0) / kLabelHeight);
+  legend_->show(plot_, colours_);
+  const double strip = plot_.strip ? std::round(kSlim * height()) : 0;
+  placeArea(strip);
+  x_->setLabelsVisible(!plot_.strip);
+  x_->setTitleVisible(!plot_.strip);
+  const PlotWindow shown = window();
+  showAxis(*x_, shown.x, (width() - 90.0) / kLabelWidth);
+  showAxis(*y_, shown.y, (height() - 90.0 - strip) / kLabelHeight);
+  showTitles();
   showSeries();
   updateItems();
 }
 
-/// Labels at whole decades, at every second (third...) where they would not fit.
-void ChartPlotView::showAxis(QCategoryAxis& axis, const PlotAxis& plotAxis, double room) {
-  const DecadeRange range = plotAxis.range;
+/// Fixed by the size of the texts that may come, so that the plot does not move while it is zoomed.
+void ChartPlotView::placeArea(double strip) {
+  const QFontMetricsF metrics(font());
+  const double line = metrics.height();
+  const double left = 12 + line + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
+  const double above = plot_.spans.empty() ? 9 : kSpanNames + 2;
+  // The strip and the labels of the common axis stand below the chart.
+  const double below = 2 * line + 20 + (plot_.strip ? strip + kStripGap : 0);
+  const QRectF area(left, above, view_->width() - left - 18, view_->height() - above - below);
+  chart_->setPlotArea(area.width() > 20 && area.height() > 20 ? area : QRectF(left, above, 20, 20));
+}
+
+/// Upright the long title needs more room than the plot may have.
+void ChartPlotView::showTitles() {
+  const bool isLow =
+      height() - legend_->height() - (plot_.strip ? kSlim * height() : 0) < kTitleHeight + 60;
+  const auto set = [](QCategoryAxis& axis, const QString& title) {
+    if (axis.titleText() != title) axis.setTitleText(title);
+  };
+  set(*x_, plot_.x.title);
+  set(*y_, isLow && !plot_.y.shortTitle.isEmpty() ? plot_.y.shortTitle : plot_.y.title);
+}
+
+/// Labels at whole decades, at every second (third...) where they would not fit, and between them
+/// where fewer than two are seen.
+void ChartPlotView::showAxis(QCategoryAxis& axis, const DecadeRange& range, double room) {
   if (range.isEmpty()) return;
-  const double decades = range.to - range.from;
-  const int every = std::max(1, static_cast<int>(std::ceil(decades / std::max(1.0, room))));
+  const std::vector<LogTick> ticks =
+      logTicks(range.from, range.to, std::max(2, static_cast<int>(room)));
   QStringList labels;
-  for (int decade = range.from; decade <= range.to; ++decade)
-    if (decade % every == 0) labels += decadeLabel(decade);
-  if (axis.titleText() != plotAxis.title) axis.setTitleText(plotAxis.title);
+  for (const LogTick& tick : ticks) labels += QString::fromStdString(tick.label);
   if (axis.categoriesLabels() == labels && axis.min() == range.from && axis.max() == range.to)
     return;
   for (const QString& label : axis.categoriesLabels()) axis.remove(label);
   axis.setRange(range.from, range.to);
   axis.setStartValue(range.from - 1);
-  for (int decade = range.from; decade <= range.to; ++decade)
-    if (decade % every == 0) axis.append(decadeLabel(decade), decade);
+  for (std::size_t i = 0; i < ticks.size(); ++i)
+    axis.append(labels[static_cast<qsizetype>(i)], ticks[i].decade);
 }
 
 /// Lines are the chart's own; points are the overlay's.
@@ -143,23 +243,37 @@ QLineSeries* ChartPlotView::addLine() {
 }
 
 void ChartPlotView::paintAxis(QCategoryAxis& axis) const {
-  QFont font = this->font();
+  const QFont font = this->font();
   axis.setLabelsFont(font);
   axis.setTitleFont(font);
   axis.setLabelsColor(colours_.text);
   axis.setTitleBrush(colours_.text);
-  axis.setLinePen(QPen(colours_.axis, 1));
+  axis.setLinePen(showsFocus_ ? QPen(colours_.points, 2) : QPen(colours_.axis, 1));
   axis.setGridLinePen(QPen(colours_.grid, 1));
 }
 
 PlotGeometry ChartPlotView::geometry() const {
-  return {chart_->plotArea(), plot_.x.range, plot_.y.range};
+  PlotGeometry map{chart_->plotArea(), window().x, window().y, {}};
+  if (plot_.strip)
+    map.strip = QRectF(map.area.left(), map.area.bottom() + kStripGap, map.area.width(),
+                       std::round(kSlim * height()));
+  return map;
 }
 
 void ChartPlotView::updateItems() {
-  legend_->show(plot_, colours_);
-  fineGrid_->update(geometry(), plot_, colours_);
-  overlay_->update(geometry(), plot_, colours_);
+  const PlotGeometry map = geometry();
+  for (PlotItem* item : {static_cast<PlotItem*>(spans_), static_cast<PlotItem*>(fineGrid_),
+                         static_cast<PlotItem*>(points_), static_cast<PlotItem*>(strip_)})
+    item->update(map, plot_, colours_);
+  updateMarker();
+  if (hover_ && gesture_ == Gesture::None)
+    read(*hover_);  // what lies there may be another now
+  else
+    tip_->clear();
+}
+
+void ChartPlotView::updateMarker() {
+  marker_->update(geometry(), plot_.marker, wantedX_, colours_, font());
 }
 
 }  // namespace asperity

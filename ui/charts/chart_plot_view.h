@@ -1,11 +1,11 @@
-// PlotView by Qt Charts. The axes hold decimal logarithms under decade labels, so that the
+// PlotView by Qt Charts. The axes hold decimal logarithms under labels of our own, so that the
 // library's own logarithmic axis, which drops ticks, is not needed. GUI thread.
 #pragma once
 
 #include <QtCharts/QChart>
 #include <QtCharts/QChartView>
 
-#include "ui/charts/plot_overlay.h"
+#include "ui/charts/plot_items.h"
 #include "ui/charts/plot_view.h"
 
 class QCategoryAxis;
@@ -16,37 +16,83 @@ namespace asperity {
 class PlotLegend;
 
 class ChartPlotView : public PlotView {
+  Q_OBJECT
+
  public:
   explicit ChartPlotView(QWidget* parent = nullptr);
 
   void setPlot(const Plot& plot) override;
   const Plot& plot() const override { return plot_; }
+  void setMarker(const std::optional<PlotMarker>& marker) override;
   void setColours(const PlotColours& colours) override;
   QPointF positionOf(double x, double y) const override;
+  QPointF stripPositionOf(double x, double y) const override;
+  PlotWindow window() const override;
+  bool isZoomed() const override { return zoom_.has_value(); }
+  void zoom(double factor) override;
+  void fit() override;
+  QString reading() const override { return tip_->text(); }
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+  // In chart_plot_gestures.cpp.
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   QCategoryAxis* makeAxis(Qt::Alignment side);
-  void showAxis(QCategoryAxis& axis, const PlotAxis& plotAxis, double room);
+  void showAxis(QCategoryAxis& axis, const DecadeRange& range, double room);
+  void placeArea(double strip);
+  void showTitles();
   void showSeries();
   QLineSeries* addLine();
   void showAll();
   void paintAxis(QCategoryAxis& axis) const;
   void updateItems();
+  void updateMarker();
   PlotGeometry geometry() const;
+  QPointF corner() const;
+
+  // In chart_plot_gestures.cpp.
+  void setZoom(const std::optional<PlotWindow>& window);
+  void read(QPointF place);
+  void dragMarker(QPointF place);
+  void moveMarker(double x);
+  void chooseNextPoint(bool forward);
 
   Plot plot_;
   PlotColours colours_;
+  std::optional<PlotWindow> zoom_;
+  bool showsFocus_ = false;  // that came by a key
   PlotLegend* legend_;
   QChart* chart_;
   QChartView* view_;
   QCategoryAxis* x_;
   QCategoryAxis* y_;
   std::vector<QLineSeries*> lines_;  // owned by the chart, one for each line of plot_.series
+  SpanItem* spans_;
   FineGridItem* fineGrid_;
-  OverlayItem* overlay_;
+  PointsItem* points_;
+  StripItem* strip_;
+  MarkerItem* marker_;
+  TipItem* tip_;
+
+  enum class Gesture { None, Press, Marker, Pan };
+  Gesture gesture_ = Gesture::None;
+  PlotTarget pressed_;  // what lay under the pointer
+  QPointF pressedAt_, panAt_;
+  std::optional<QPointF> hover_;  // where the pointer is, over the plot
+  double grip_ = 0;               // pixels from the pointer to the marker
+  double wantedX_;  // of the marker while it is moved, until it is there; NaN: not moved
 };
 
 }  // namespace asperity

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/language.h"
+
 namespace asperity {
 
 namespace {
@@ -21,8 +23,8 @@ QString superscript(int number) {
 
 DecadeRange decadesAround(double low, double high) {
   DecadeRange range;
-  range.from = static_cast<int>(std::floor(std::log10(low) + kSlack));
-  range.to = static_cast<int>(std::ceil(std::log10(high) - kSlack));
+  range.from = std::floor(std::log10(low) + kSlack);
+  range.to = std::ceil(std::log10(high) - kSlack);
   if (range.isEmpty()) range.to = range.from + 1;
   return range;
 }
@@ -37,20 +39,14 @@ DecadeRange steadyRange(const DecadeRange& shown, const DecadeRange& needed, boo
   return next;
 }
 
-QString decadeLabel(int exponent) {
-  if (exponent == 0) return QStringLiteral("1");
-  if (exponent == 1) return QStringLiteral("10");
-  return QStringLiteral("10") + superscript(exponent);
-}
-
-QString readingLabel(double value) {
+QString readingLabel(double value, int digits) {
   if (!std::isfinite(value)) return QStringLiteral("–");
-  const QString plain = QString::number(value, 'g', 3);
+  const QString plain = inLanguage(QString::number(value, 'g', digits));
   const qsizetype e = plain.indexOf('e');
   if (e < 0) return plain;
-  const QString digits = plain.left(e);
+  const QString front = plain.left(e);
   const QString power = QStringLiteral("10") + superscript(plain.mid(e + 1).toInt());
-  return digits == QStringLiteral("1") ? power : digits + QStringLiteral("·") + power;
+  return front == QStringLiteral("1") ? power : front + QStringLiteral("·") + power;
 }
 
 }  // namespace asperity

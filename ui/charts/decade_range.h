@@ -15,10 +15,7 @@ DecadeRange decadesAround(double low, double high);
 /// `mayShrink` and an end lies two decades or more outside the data.
 DecadeRange steadyRange(const DecadeRange& shown, const DecadeRange& needed, bool mayShrink);
 
-/// "10⁻⁵"; "1" and "10" as they are.
-QString decadeLabel(int exponent);
-
-/// Three digits for reading, not for computing: "0.125", "2.5·10⁻⁵", "10⁻⁶"; "–" where not finite.
-QString readingLabel(double value);
+/// A few digits for reading, not for computing: "0.125", "2.5·10⁻⁵", "10⁻⁶"; "–" where not finite.
+QString readingLabel(double value, int digits = 3);
 
 }  // namespace asperity

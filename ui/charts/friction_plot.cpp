@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/friction/law.h"
+#include "core/scene/element_law.h"
 #include "ui/charts/decade_range.h"
 
 namespace asperity {
@@ -22,12 +25,6 @@ bool hasKnownPoint(const CurveUpdate& update) {
   return std::any_of(update.points.begin(), update.points.end(), isKnown);
 }
 
-Scene withoutPresent(Scene scene) {
-  scene.title.clear();
-  scene.sliding.velocity = Sliding{}.velocity;
-  return scene;
-}
-
 /// Smallest and largest of the positive finite numbers given to it.
 struct Extent {
   double low = 0, high = 0;
@@ -43,11 +40,33 @@ struct Extent {
   }
 };
 
-}  // namespace
-
-bool haveSameCurve(const Scene& a, const Scene& b) {
-  return withoutPresent(a) == withoutPresent(b);
+void addCurve(const CurveUpdate& curve, CurveAxes axes, Extent& velocities, Extent& coefficients) {
+  const auto [velocity, friction] = factorsOf(curve.points, axes);
+  for (const CurvePoint& point : curve.points) {
+    velocities.add(point.velocity * velocity);
+    if (!isKnown(point)) continue;
+    coefficients.add(point.mu * friction);
+    if (point.mu > 0) coefficients.add((point.mu + point.muStandardError) * friction);
+  }
 }
+
+/// To dimensionless axes, of the line in a frame.
+AxesFactors factorsOf(const Frame& frame) {
+  AxesFactors factors;
+  if (!(frame.rmsHeight > 0) || !(frame.rmsSlope > 0)) return factors;
+  factors.friction = 1 / frame.rmsSlope;
+  const ElementLaw law = lawOf(frame.scene->elastomer);
+  if (law.kind() != ElementKind::Kelvin) return factors;
+  LawInput in;
+  in.relaxationTime = law.relaxationTime;
+  in.rmsHeight = frame.rmsHeight;
+  in.rmsSlope = frame.rmsSlope;
+  in.velocity = 1;
+  factors.velocity = dimensionlessVelocity(in);
+  return factors;
+}
+
+}  // namespace
 
 void FrictionPlot::expect(const Scene& scene) {
   expected_ = scene;
@@ -62,7 +81,7 @@ bool FrictionPlot::take(const CurveUpdate& update) {
   if (!update.scene || !hasKnownPoint(update)) return false;
   if (expected_ && !haveSameCurve(*update.scene, *expected_)) return false;
   const bool newCurve = !curve_ || !haveSameCurve(*curve_->scene, *update.scene);
-  curve_ = update;
+  curve_ = std::make_shared<const CurveUpdate>(update);
   fitRanges(newCurve);
   return true;
 }
@@ -74,17 +93,83 @@ void FrictionPlot::mark(const Frame& frame) {
   marker.x = velocity;
   marker.y = frame.muSteady;
   marker_ = marker;
+  markerFactors_ = factorsOf(frame);
   fitRanges(false);
+}
+
+void FrictionPlot::setAxes(CurveAxes axes) {
+  if (axes == axes_) return;
+  axes_ = axes;
+  velocities_ = coefficients_ = {};
+  fitRanges(true);
+}
+
+int FrictionPlot::pin() {
+  if (!curve_) return 0;
+  for (const PinnedCurve& pinned : pinned_)
+    if (haveSameCurve(*pinned.curve->scene, *curve_->scene) &&
+        pinned.curve->realizationsDone == curve_->realizationsDone)
+      return 0;
+  const auto isTaken = [this](int place) {
+    return std::ranges::any_of(pinned_, [&](const PinnedCurve& p) { return p.place == place; });
+  };
+  int place = 0;
+  while (isTaken(place)) ++place;
+  pinned_.push_back({++lastId_, place, curve_});
+  return lastId_;
+}
+
+void FrictionPlot::unpin(int id) {
+  std::erase_if(pinned_, [id](const PinnedCurve& pinned) { return pinned.id == id; });
+  fitRanges(true);
+}
+
+void FrictionPlot::unpinAll() {
+  pinned_.clear();
+  fitRanges(true);
+}
+
+QString FrictionPlot::nameOf(const PinnedCurve& pinned) const {
+  return FrictionSeries::nameOfPinned(*pinned.curve, expected_ ? *expected_ : *curve_->scene);
+}
+
+void FrictionPlot::showDifference(std::optional<CurveDifference> difference) {
+  difference_ = std::move(difference);
+}
+
+bool FrictionPlot::hasStaleDifference() const {
+  const Scene& present = expected_ ? *expected_ : *curve_->scene;
+  return isStale() || !haveSameCurve(*difference_->scene, present);
 }
 
 Plot FrictionPlot::plot() const {
   Plot plot;
-  plot.x = {tr("sliding velocity v (m/s)"), velocities_.isEmpty() ? kEmptyVelocities : velocities_};
-  plot.y = {tr("coefficient of friction μ"),
-            coefficients_.isEmpty() ? kEmptyCoefficients : coefficients_};
-  if (curve_) plot.series = {law(), measured()};
-  plot.marker = marker_;
-  if (plot.marker) plot.marker->name = isOneLine() ? tr("now") : tr("this line, now");
+  if (axes_ == CurveAxes::Physical) {
+    plot.x = {tr("sliding velocity v (m/s)"), {}, velocities_};
+    plot.y = {tr("coefficient of friction μ"), tr("friction μ"), coefficients_};
+  } else {
+    plot.x = {tr("dimensionless velocity v̄ = τ v ∇z / (√2 h)"), {}, velocities_};
+    plot.y = {tr("normalized friction μ / ∇z"), QStringLiteral("μ / ∇z"), coefficients_};
+  }
+  if (plot.x.range.isEmpty()) plot.x.range = kEmptyVelocities;
+  if (plot.y.range.isEmpty()) plot.y.range = kEmptyCoefficients;
+  if (curve_) {
+    plot.series = {FrictionSeries::law(*curve_, axes_)};
+    for (const PinnedCurve& pinned : pinned_)
+      plot.series.push_back(
+          FrictionSeries::pinned(*pinned.curve, axes_, pinned.id, pinned.place, nameOf(pinned)));
+    plot.series.push_back(FrictionSeries::measured(*curve_, axes_));
+    plot.spans = FrictionSeries::regions(*curve_, axes_);
+    if (difference_) {
+      plot.strip = FrictionSeries::strip(*difference_, *curve_, axes_);
+      plot.strip->faded = hasStaleDifference();
+    }
+  }
+  if (isStale()) {
+    plot.series.front().faded = plot.series.back().faded = true;
+    for (PlotSpan& span : plot.spans) span.faded = true;
+  }
+  plot.marker = marker();
   plot.note = note();
   plot.blank = blank();
   if (curve_ && !isStale() && curve_->realizationsTotal > 0)
@@ -93,28 +178,70 @@ Plot FrictionPlot::plot() const {
   return plot;
 }
 
-/// Whether there is nothing to average: a line that is not random, or only one that is.
-bool FrictionPlot::isOneLine() const {
-  return curve_ && curve_->realizationsTotal <= 1;
+std::optional<PlotMarker> FrictionPlot::marker() const {
+  if (!marker_) return std::nullopt;
+  PlotMarker marker = *marker_;
+  if (axes_ == CurveAxes::Dimensionless) {
+    marker.x *= markerFactors_.velocity;
+    marker.y *= markerFactors_.friction;
+    marker.label = tr("v̄ = %1").arg(readingLabel(marker.x));
+  }
+  marker.name = curve_ && FrictionSeries::isOneLine(*curve_) ? tr("now") : tr("this line, now");
+  return marker;
 }
 
-PlotSeries FrictionPlot::measured() const {
-  PlotSeries series{isOneLine() ? tr("this line") : tr("mean of the lines ± standard error"),
-                    PlotStyle::Points,
-                    isStale(),
-                    {}};
-  for (const CurvePoint& point : curve_->points)
-    if (isKnown(point)) series.points.push_back({point.velocity, point.mu, point.muStandardError});
-  series.points = plottable(series.points);
-  return series;
+const CurveUpdate* FrictionPlot::find(int id) const {
+  if (id == kPresentCurve) return curve_.get();
+  for (const PinnedCurve& pinned : pinned_)
+    if (pinned.id == id) return pinned.curve.get();
+  return nullptr;
 }
 
-PlotSeries FrictionPlot::law() const {
-  PlotSeries series{tr("Eq. (11)"), PlotStyle::Line, isStale(), {}};
-  for (const CurvePoint& point : curve_->points)
-    series.points.push_back({point.velocity, point.muLaw});
-  series.points = plottable(series.points);
-  return series;
+QString FrictionPlot::describe(int id, int row) const {
+  const auto place = static_cast<std::size_t>(row);
+  if (id == kStripCurve)
+    return difference_ && place < difference_->points.size()
+               ? FrictionSeries::reading(difference_->points[place], difference_->setting)
+               : QString();
+  const CurveUpdate* curve = find(id);
+  if (!curve || place >= curve->points.size()) return {};
+  const QString text = FrictionSeries::reading(curve->points[place], axes_);
+  if (id == kPresentCurve) return text;
+  const auto pinned = std::ranges::find(pinned_, id, &PinnedCurve::id);
+  return nameOf(*pinned) + '\n' + text;
+}
+
+std::optional<double> FrictionPlot::velocityOf(int id, int row) const {
+  const CurveUpdate* curve = find(id);
+  if (!curve || static_cast<std::size_t>(row) >= curve->points.size()) return std::nullopt;
+  return curve->points[static_cast<std::size_t>(row)].velocity;
+}
+
+std::optional<double> FrictionPlot::velocityAt(double x) const {
+  const double factor = axes_ == CurveAxes::Physical ? 1 : markerFactors_.velocity;
+  const double velocity = x / factor;
+  return std::isfinite(velocity) ? std::optional(velocity) : std::nullopt;
+}
+
+std::optional<CurveSet> FrictionPlot::shown(const std::optional<PlotWindow>& zoom) const {
+  if (!curve_) return std::nullopt;
+  CurveSet set;
+  set.present = {{}, *curve_->scene, curve_->points, 0};
+  for (const PinnedCurve& pinned : pinned_) {
+    const QString name = FrictionSeries::nameOfPinned(*pinned.curve, *curve_->scene);
+    set.pinned.push_back(
+        {name.toStdString(), *pinned.curve->scene, pinned.curve->points, pinned.place});
+  }
+  set.axes = axes_;
+  if (difference_ && haveSameCurve(*difference_->scene, *curve_->scene))
+    set.difference = difference_;
+  if (zoom) {
+    set.xFrom = std::pow(10, zoom->x.from);
+    set.xTo = std::pow(10, zoom->x.to);
+    set.yFrom = std::pow(10, zoom->y.from);
+    set.yTo = std::pow(10, zoom->y.to);
+  }
+  return set;
 }
 
 QString FrictionPlot::note() const {
@@ -125,33 +252,34 @@ QString FrictionPlot::note() const {
 }
 
 QString FrictionPlot::blank() const {
-  if (!curve_ || isStale() || !measured().points.empty()) return {};
+  if (!curve_ || isStale() || !FrictionSeries::measured(*curve_, axes_).points.empty()) return {};
   const auto isFrictionless = [](const CurvePoint& point) {
     return !isKnown(point) || point.mu == 0;
   };
   if (std::all_of(curve_->points.begin(), curve_->points.end(), isFrictionless))
     return tr("no friction: nothing positive to show on a logarithmic axis");
+  if (axes_ == CurveAxes::Dimensionless &&
+      !FrictionSeries::measured(*curve_, CurveAxes::Physical).points.empty())
+    return tr("no dimensionless axes: they need a line with roughness and one relaxation time");
   return tr("no positive coefficient of friction to show on a logarithmic axis");
 }
 
 void FrictionPlot::fitRanges(bool newCurve) {
   Extent velocities, coefficients;
-  if (expected_) {
+  if (expected_ && axes_ == CurveAxes::Physical) {
     velocities.add(expected_->sweep.velocityFrom);
     velocities.add(expected_->sweep.velocityTo);
   }
   if (curve_) {
-    for (const CurvePoint& point : curve_->points) {
-      velocities.add(point.velocity);
-      coefficients.add(point.muLaw);
-      if (!isKnown(point)) continue;
-      coefficients.add(point.mu);
-      if (point.mu > 0) coefficients.add(point.mu + point.muStandardError);
-    }
+    addCurve(*curve_, axes_, velocities, coefficients);
+    const auto [velocity, friction] = asperity::factorsOf(curve_->points, axes_);
+    for (const CurvePoint& point : curve_->points) coefficients.add(point.muLaw * friction);
   }
-  if (marker_) {
-    velocities.add(marker_->x);
-    coefficients.add(marker_->y);
+  for (const PinnedCurve& pinned : pinned_)
+    addCurve(*pinned.curve, axes_, velocities, coefficients);
+  if (const std::optional<PlotMarker> shown = marker()) {
+    velocities.add(shown->x);
+    coefficients.add(shown->y);
   }
   velocities_ = steadyRange(velocities_, velocities.decades(), newCurve);
   coefficients_ =
@@ -160,7 +288,7 @@ void FrictionPlot::fitRanges(bool newCurve) {
 
 /// Before there is a curve, some decades of friction stand around the marker.
 DecadeRange FrictionPlot::neededCoefficients(const DecadeRange& data) const {
-  if (curve_) return data;
+  if (curve_ || axes_ == CurveAxes::Dimensionless) return data;
   return steadyRange(kEmptyCoefficients, data, false);
 }
 

@@ -1,20 +1,29 @@
 // The diagram of friction coefficient against velocity: collects what the runner delivers and says
 // what to show. Knows when the curve at hand belongs to an older scene (then it is drawn faded and
-// never mixed with the new one). Owned by the window; one thread. Cannot fail.
+// never mixed with the new one), keeps pinned curves as they were, and compares two settings.
+// Owned by the session; one thread. Cannot fail.
 #pragma once
 
 #include <QCoreApplication>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <vector>
 
+#include "core/friction/curve_set.h"
 #include "core/run/frame.h"
 #include "core/run/runner.h"
+#include "ui/charts/friction_series.h"
 #include "ui/charts/plot.h"
 
 namespace asperity {
 
-/// Whether two scenes have the same averaged curve: all but title and present velocity agree.
-bool haveSameCurve(const Scene& a, const Scene& b);
+/// A curve that stays while the scene changes.
+struct PinnedCurve {
+  int id = 0;     // above 0, never used again
+  int place = 0;  // the lowest that was free: decides colour and mark
+  std::shared_ptr<const CurveUpdate> curve;
+};
 
 class FrictionPlot {
   Q_DECLARE_TR_FUNCTIONS(asperity::FrictionPlot)
@@ -31,21 +40,50 @@ class FrictionPlot {
   /// The velocity of this frame and the steady friction of its line.
   void mark(const Frame& frame);
 
+  void setAxes(CurveAxes axes);
+  CurveAxes axes() const { return axes_; }
+
+  /// Keeps the curve at hand. Returns its number, or 0 where there is none or it is kept already.
+  int pin();
+  void unpin(int id);
+  void unpinAll();
+  const std::vector<PinnedCurve>& pinned() const { return pinned_; }
+  /// "G = 20 MPa": in what it differs from the present scene.
+  QString nameOf(const PinnedCurve& pinned) const;
+
+  /// The difference of two settings, shown below while it is of this curve; none: no strip.
+  void showDifference(std::optional<CurveDifference> difference);
+
   bool isStale() const;
+  bool hasCurve() const { return curve_ != nullptr; }
   Plot plot() const;
+  std::optional<PlotMarker> marker() const;
+
+  /// The reading of a point of the plot, and its velocity (m/s); empty where there is none.
+  QString describe(int id, int row) const;
+  std::optional<double> velocityOf(int id, int row) const;
+  /// m/s, of a place on the axis; empty where it has none.
+  std::optional<double> velocityAt(double x) const;
+
+  /// What is shown in this window, to be written; nothing before the first curve.
+  std::optional<CurveSet> shown(const std::optional<PlotWindow>& zoom) const;
 
  private:
-  bool isOneLine() const;
-  PlotSeries measured() const;
-  PlotSeries law() const;
+  const CurveUpdate* find(int id) const;
+  bool hasStaleDifference() const;
   QString note() const;
   QString blank() const;
   void fitRanges(bool newCurve);
   DecadeRange neededCoefficients(const DecadeRange& data) const;
 
   std::optional<Scene> expected_;
-  std::optional<CurveUpdate> curve_;
-  std::optional<PlotMarker> marker_;
+  std::shared_ptr<const CurveUpdate> curve_;
+  std::vector<PinnedCurve> pinned_;
+  int lastId_ = 0;
+  std::optional<CurveDifference> difference_;
+  CurveAxes axes_ = CurveAxes::Physical;
+  std::optional<PlotMarker> marker_;  // on physical axes
+  AxesFactors markerFactors_{1, 1};   // of the frame's line, to dimensionless ones
   DecadeRange velocities_, coefficients_;
 };
 

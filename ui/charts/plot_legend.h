@@ -1,7 +1,10 @@
-// The line above a plot: what each mark means, and how far the plot is. GUI thread.
+// The lines above a plot: what each mark means, and how far the plot is. A pinned curve's entry
+// lets it go when it is clicked. As many rows as are needed, up to a few. GUI thread.
 #pragma once
 
 #include <QWidget>
+#include <optional>
+#include <vector>
 
 #include "ui/charts/plot.h"
 #include "ui/charts/plot_view.h"
@@ -9,21 +12,48 @@
 namespace asperity {
 
 class PlotLegend : public QWidget {
+  Q_OBJECT
+
  public:
   explicit PlotLegend(QWidget* parent = nullptr);
 
   void show(const Plot& plot, const PlotColours& colours);
-  QSize sizeHint() const override;
+
+  /// Where the entry of a pinned curve is; empty where it is not shown.
+  QRectF placeOf(int id) const;
+
+ signals:
+  void unpinWanted(int id);
+  void entered();  // the pointer came from the plot, which does not see it leave
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void enterEvent(QEnterEvent* event) override;
+  void leaveEvent(QEvent* event) override;
 
  private:
-  double paintNote(QPainter& painter) const;
+  struct Entry {
+    QString text;     // shortened where it has no room
+    int series = -1;  // of the plot; -1: the marker or what has no room
+    bool isMarker = false;
+    QRectF box;
+  };
+
+  void arrange();
+  double noteWidth() const;
+  std::optional<int> pinAt(QPointF place) const;
+  void paintNote(QPainter& painter) const;
+  void paintEntry(QPainter& painter, const Entry& entry) const;
   void paintSample(QPainter& painter, const PlotSeries& series, QPointF centre) const;
 
   Plot plot_;
   PlotColours colours_;
+  std::vector<Entry> entries_;
+  int under_ = 0;  // pinned curve under the pointer; 0: none
 };
 
 }  // namespace asperity

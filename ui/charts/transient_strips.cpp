@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/run/strip_range.h"
 #include "ui/charts/decade_range.h"
 #include "ui/charts/relaxation_guide.h"
 #include "ui/picture/ticks.h"
@@ -20,12 +21,10 @@ constexpr double kTickRoom = 19;           // height that a tick's label needs
 constexpr double kTickWidth = 90;
 
 /// Where a strip begins and ends, with some air; never empty.
-std::pair<double, double> rangeOf(const std::vector<QPointF>& line) {
+AxisEnds rangeOf(const std::vector<QPointF>& line, double least) {
   if (line.empty()) return {0, 1};
   const auto [low, high] = std::ranges::minmax_element(line, {}, &QPointF::y);
-  const double size = std::max(high->y() - low->y(), 0.02 * std::abs(high->y()));
-  const double air = size > 0 ? 0.12 * size : 1;
-  return {low->y() - air, high->y() + air};
+  return axisEnds(low->y(), high->y(), std::max(least, 0.02));
 }
 
 /// "5 ms"; a power of ten is multiplied.
@@ -51,8 +50,11 @@ TransientStrips::TransientStrips(QWidget* parent) : QWidget(parent) {
 }
 
 void TransientStrips::show(const Sliding& sliding,
-                           std::shared_ptr<const std::vector<TransientSample>> samples) {
+                           std::shared_ptr<const std::vector<TransientSample>> samples,
+                           double spacing, double period) {
   sliding_ = sliding;
+  spacing_ = spacing;
+  period_ = period;
   samples_ = std::move(samples);
   setAccessibleDescription(note());
   update();
@@ -93,13 +95,17 @@ void TransientStrips::paintEvent(QPaintEvent*) {
       guide.emplace_back(point.time, point.mu);
   const double each = (area.height() - 2 * kGap) / 3;
   QRectF strip(area.left(), area.top(), area.width(), each);
-  const auto next = [&](const QString& name, const char* unit, const Line& line, const Line& over) {
-    paintStrip(painter, strip, name, unit, line, over);
+  const StripFloors floors = samples_ ? stripFloors(*samples_, spacing_, period_) : StripFloors{};
+  const auto next = [&](const QString& name, const char* unit, const Line& line, const Line& over,
+                        double least) {
+    paintStrip(painter, strip, name, unit, line, over, least);
     strip.translate(0, each + kGap);
   };
-  next(tr("friction μ"), "", lineOf([](const auto& s) { return s.mu; }), guide);
-  next(tr("indentation d"), "m", lineOf([](const auto& s) { return s.indentation; }), {});
-  next(tr("contact length ℓ"), "m", lineOf([](const auto& s) { return s.contactLength; }), {});
+  next(tr("friction μ"), "", lineOf([](const auto& s) { return s.mu; }), guide, floors.friction);
+  next(tr("indentation d"), "m", lineOf([](const auto& s) { return s.indentation; }), {},
+       floors.indentation);
+  next(tr("contact length ℓ"), "m", lineOf([](const auto& s) { return s.contactLength; }), {},
+       floors.contactLength);
   paintTimes(painter, area);
 }
 
@@ -116,8 +122,9 @@ void TransientStrips::paintLegend(QPainter& painter, const QRectF& room) const {
 }
 
 void TransientStrips::paintStrip(QPainter& painter, const QRectF& room, const QString& name,
-                                 const char* unit, const Line& line, const Line& guide) const {
-  const auto [low, high] = rangeOf(line);
+                                 const char* unit, const Line& line, const Line& guide,
+                                 double least) const {
+  const auto [low, high] = rangeOf(line, least);
   const auto place = [&, low = low, high = high](const QPointF& point) {
     return QPointF(room.left() + room.width() * point.x() / sliding_.duration,
                    room.bottom() - room.height() * (point.y() - low) / (high - low));

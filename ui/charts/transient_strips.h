@@ -20,8 +20,10 @@ class TransientStrips : public QWidget {
  public:
   explicit TransientStrips(QWidget* parent = nullptr);
 
-  /// samples: as a frame has them; null: nothing to show.
-  void show(const Sliding& sliding, std::shared_ptr<const std::vector<TransientSample>> samples);
+  /// samples: as a frame has them; null: nothing to show. spacing, period: of the line, m, so that
+  /// its ripple is not magnified (core/run/strip_range.h).
+  void show(const Sliding& sliding, std::shared_ptr<const std::vector<TransientSample>> samples,
+            double spacing = 0, double period = 0);
   void setColours(const PlotColours& colours);
 
   /// "predicted rate 1/τ + v/ℓ = 2.1e3 1/s ...", of the newest sample.
@@ -36,10 +38,11 @@ class TransientStrips : public QWidget {
   Line lineOf(const std::function<double(const TransientSample&)>& value) const;
   void paintLegend(QPainter& painter, const QRectF& room) const;
   void paintStrip(QPainter& painter, const QRectF& room, const QString& name, const char* unit,
-                  const Line& line, const Line& guide) const;
+                  const Line& line, const Line& guide, double least) const;
   void paintTimes(QPainter& painter, const QRectF& room) const;
 
   Sliding sliding_;
+  double spacing_ = 0, period_ = 0;  // m
   std::shared_ptr<const std::vector<TransientSample>> samples_;
   PlotColours colours_;
 };

@@ -1,8 +1,7 @@
 #include "ui/panels/left_open.h"
 
-#include <QCoreApplication>
-
 #include "ui/panels/number_text.h"
+#include "ui/panels/parameter_panel.h"
 
 namespace asperity {
 
@@ -13,10 +12,6 @@ constexpr std::string_view kElements = "surface.elements";
 constexpr std::string_view kFile = "surface.file";
 constexpr std::string_view kRealizations = "ensemble.realizations";
 constexpr int kDigits = 6;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("asperity::ParameterPanel", text);
-}
 
 /// Whether 0 means: as the profile's file says.
 bool mayBeLeftOpen(const Parameter& parameter, const Scene& scene) {
@@ -32,8 +27,8 @@ void leaveOpen(const Parameter& parameter, Scene& scene) {
 }
 
 StandIn fromFile(double known) {
-  if (known > 0) return {numberText(roundedToDigits(known, kDigits)), known, false};
-  return {tr("as in file"), {}, false};
+  if (known > 0) return {shownNumber(roundedToDigits(known, kDigits)), known, false};
+  return {ParameterPanel::tr("as in file"), {}, false};
 }
 
 LineSize& sizeOf(SurfaceKind kind, LineSize& profile, LineSize& others) {
@@ -79,7 +74,7 @@ bool isFile(const Parameter& parameter) {
 
 Missing missingOf(const Scene& scene) {
   if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
-    return {kFile, tr("choose a profile file")};
+    return {kFile, ParameterPanel::tr("choose a profile file")};
   return {};
 }
 

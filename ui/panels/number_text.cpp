@@ -5,6 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+
 namespace asperity {
 
 double roundedToDigits(double value, int digits) {
@@ -28,8 +31,12 @@ QString numberText(double value) {
   return QString::fromStdString(text.substr(0, e + 1)) + QString::number(exponent);
 }
 
+QString shownNumber(double value) {
+  return inLanguage(numberText(value));
+}
+
 QString valueText(const ParameterValue& value) {
-  if (const auto* real = std::get_if<double>(&value)) return numberText(*real);
+  if (const auto* real = std::get_if<double>(&value)) return shownNumber(*real);
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return QString::number(*integer);
   return QString::fromStdString(std::get<std::string>(value));
 }
@@ -47,7 +54,7 @@ QString symbolHtml(std::string_view symbol) {
 }
 
 QString wordText(std::string_view word) {
-  return fromUtf8(word).replace('_', '-');
+  return translatedText(fromUtf8(word).replace('_', '-').toStdString());
 }
 
 }  // namespace asperity

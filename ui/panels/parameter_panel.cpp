@@ -10,6 +10,7 @@
 
 #include "core/scene/input_error.h"
 #include "core/scene/parameters.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/panel_style.h"
 #include "ui/panels/parameter_row.h"
@@ -33,6 +34,7 @@ QString sectionTitle(const QString& section) {
       {"elastomer", ParameterPanel::tr("Elastomer")},
       {"load", ParameterPanel::tr("Load")},
       {"sliding", ParameterPanel::tr("Sliding")},
+      {"interface", ParameterPanel::tr("Interface")},
       {"sweep", ParameterPanel::tr("Friction curve")},
       {"accuracy", ParameterPanel::tr("Accuracy")},
   };
@@ -79,6 +81,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
   auto* content = new QWidget;
   content->setObjectName("parameterRows");
   content->setFocusPolicy(Qt::ClickFocus);
+  content->setAccessibleName(tr("parameters"));
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(14, 5, 5, 5);
   column->setSpacing(3);
@@ -88,6 +91,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
   auto* scroll = new QScrollArea;
   scroll->setWidget(content);
   scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);  // its rows take it
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* layout = new QVBoxLayout(this);
@@ -181,7 +185,7 @@ void ParameterPanel::edit(ParameterRow& row, Change&& change) {
   try {
     change(next);
   } catch (const InputError& error) {
-    row.showError(QString::fromStdString(error.message()));
+    row.showError(translatedText(error.message()));
     return;
   }
   complaints_.remove(fromUtf8(row.parameter().key));

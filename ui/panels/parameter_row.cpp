@@ -1,5 +1,6 @@
 #include "ui/panels/parameter_row.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QHBoxLayout>
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/unit_text.h"
@@ -46,13 +49,16 @@ int labelWidth(const QFont& font) {
 QString rangeText(const Parameter& parameter) {
   const auto between = [&](const auto& field) {
     return ParameterRow::tr("%1 to %2 %3")
-        .arg(numberText(static_cast<double>(field.minimum)),
-             numberText(static_cast<double>(field.maximum)), fromUtf8(parameter.unit))
+        .arg(shownNumber(static_cast<double>(field.minimum)),
+             shownNumber(static_cast<double>(field.maximum)), fromUtf8(parameter.unit))
         .trimmed();
   };
   if (const auto* real = std::get_if<RealField>(&parameter.field)) return between(*real);
   if (const auto* whole = std::get_if<IntegerField>(&parameter.field)) return between(*whole);
-  return QString::fromStdString(allowedText(parameter));
+  QStringList words;
+  if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
+    for (const std::string_view word : choice->choices) words += wordText(word);
+  return words.join(QStringLiteral(", "));
 }
 
 /// Arms are typed as the list that a scene file holds.
@@ -62,8 +68,10 @@ bool isText(const Parameter& parameter) {
 }
 
 UnitText shownText(const Parameter& parameter, const ParameterValue& value) {
-  if (const auto* real = std::get_if<double>(&value))
-    return inReadableUnit(*real, fromUtf8(parameter.unit));
+  if (const auto* real = std::get_if<double>(&value)) {
+    const UnitText text = inReadableUnit(*real, fromUtf8(parameter.unit));
+    return {inLanguage(text.number), text.unit};
+  }
   return {valueText(value), fromUtf8(parameter.unit)};
 }
 
@@ -103,7 +111,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, Q
 }
 
 QString ParameterRow::labelOf(const Parameter& parameter) {
-  return tr(parameter.label.data());
+  return translatedText(parameter.label);
 }
 
 void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool replace) {
@@ -208,8 +216,9 @@ void ParameterRow::addNumber(QHBoxLayout& line) {
 
   entry_ = new ValueEntry;
   describe(*entry_, "entry");
-  connect(entry_, &ValueEntry::textCommitted, this,
-          [this](const QString& text) { emit textGiven(inShownUnit(text, entry_->unit())); });
+  connect(entry_, &ValueEntry::textCommitted, this, [this](const QString& text) {
+    emit textGiven(inShownUnit(withPoint(text.trimmed()), entry_->unit()));
+  });
   line.addWidget(entry_);
 
   auto* unit = new QLabel;
@@ -223,6 +232,7 @@ void ParameterRow::addNumber(QHBoxLayout& line) {
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
   choice_ = new ChoiceBox;
   describe(*choice_, "choice");
+  choice_->view()->setAccessibleName(choice_->accessibleName());
   for (const std::string_view word : field.choices)
     choice_->addItem(wordText(word), fromUtf8(word));
   choice_->setEnabled(field.choices.size() > 1);
@@ -267,13 +277,20 @@ void ParameterRow::addReset(QHBoxLayout& line) {
 
 void ParameterRow::describe(QWidget& control, const char* kind) {
   control.setObjectName(QString(kind) + ":" + fromUtf8(parameter_.key));
-  control.setAccessibleName(fromUtf8(parameter_.key));
-  control.setAccessibleDescription(tr(parameter_.sentence.data()));
+  control.setAccessibleName(accessibleLabel());
+  control.setAccessibleDescription(translatedText(parameter_.sentence));
   control.setToolTip(description());
 }
 
+/// "normal force (N)".
+QString ParameterRow::accessibleLabel() const {
+  const QString unit = fromUtf8(parameter_.unit);
+  return unit.isEmpty() ? labelOf(parameter_)
+                        : QStringLiteral("%1 (%2)").arg(labelOf(parameter_), unit);
+}
+
 QString ParameterRow::description() const {
-  QString text = "<p>" + tr(parameter_.sentence.data()).toHtmlEscaped() + "</p>";
+  QString text = "<p>" + translatedText(parameter_.sentence).toHtmlEscaped() + "</p>";
   if (!isText(parameter_))
     text += QStringLiteral("<p><small>%1: %2</small></p>")
                 .arg(fromUtf8(parameter_.key), rangeText(parameter_).toHtmlEscaped());

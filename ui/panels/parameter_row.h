@@ -64,6 +64,7 @@ class ParameterRow : public QWidget {
   void showReset(const ParameterValue& value, const ParameterValue& resting);
   void describe(QWidget& control, const char* kind);
   QString description() const;
+  QString accessibleLabel() const;
 
   const Parameter& parameter_;
   ValueSlider* slider_ = nullptr;

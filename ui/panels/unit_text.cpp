@@ -60,6 +60,13 @@ constexpr int kMostPlaces = 5;  // written out, before or behind the point
 
 }  // namespace
 
+QString withPoint(const QString& text) {
+  static const QRegularExpression form(QStringLiteral(R"(^\s*[+-]?\d*,\d*(?:[eE\s\p{L}].*)?$)"));
+  const qsizetype comma = text.indexOf(',');
+  const bool isNumber = form.match(text).hasMatch() && text.indexOf(',', comma + 1) < 0;
+  return isNumber ? QString(text).replace(comma, 1, '.') : text;
+}
+
 QString inPlainUnit(const QString& text, const QString& unit) {
   static const QRegularExpression form(
       QStringLiteral(R"(^\s*([+-]?(?:\d+\.?\d*|\.\d+))(?:[eE]([+-]?\d+))?\s*([^\d\s.].*?)\s*$)"));

@@ -1,10 +1,13 @@
-// Numbers with engineering units, typed and shown: "10 MPa", "3.4 mN", "20 mm", "0.5 ms". Pure;
+// Numbers with engineering units, typed and shown: "10 MPa", "3.4 mN", "20 mm", "0,5 ms". Pure;
 // any thread.
 #pragma once
 
 #include <QString>
 
 namespace asperity {
+
+/// A number with a comma instead of a point, "2,5 mm", with a point; any other text as it is.
+QString withPoint(const QString& text);
 
 /// The number in plain `unit` ("Pa", "m/s"), as text: "1e7" for "10 MPa" in "Pa". Prefixes from p
 /// to G. A text with no unit, or another one, comes back as it is: the parameter's own reader has

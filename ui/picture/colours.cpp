@@ -18,6 +18,19 @@ constexpr std::array<Rgba, 11> kInferno = {
     bytes(243, 120, 25), bytes(249, 142, 9),   bytes(252, 165, 10), bytes(251, 190, 35),
     bytes(246, 215, 70), bytes(242, 239, 118), bytes(252, 255, 164)};
 
+// Control colours of "viridis" (matplotlib, CC0) at 1, 0.9, ..., 0.3. The rest is darker than the
+// elastomer.
+constexpr std::array<Rgba, 8> kViridis = {
+    bytes(253, 231, 37), bytes(189, 223, 38), bytes(122, 209, 81), bytes(68, 191, 112),
+    bytes(34, 168, 132), bytes(33, 145, 140), bytes(42, 120, 142), bytes(53, 95, 141)};
+
+template <std::size_t N>
+Rgba alongMap(const std::array<Rgba, N>& map, float t) {
+  const float place = std::clamp(std::isfinite(t) ? t : 0.0F, 0.0F, 1.0F) * (N - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), N - 2);
+  return mix(map[below], map[below + 1], place - static_cast<float>(below));
+}
+
 }  // namespace
 
 Rgba mix(const Rgba& a, const Rgba& b, float t) {
@@ -36,9 +49,11 @@ Rgba textOn(const Rgba& fill) {
 }
 
 Rgba pressureColour(float t) {
-  const float place = std::clamp(std::isfinite(t) ? t : 0.0F, 0.0F, 1.0F) * (kInferno.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), kInferno.size() - 2);
-  return mix(kInferno[below], kInferno[below + 1], place - static_cast<float>(below));
+  return alongMap(kInferno, t);
+}
+
+Rgba ageColour(float t) {
+  return alongMap(kViridis, t);
 }
 
 }  // namespace asperity

@@ -15,4 +15,8 @@ Rgba textOn(const Rgba& fill);
 /// so readable with any colour vision. t in [0, 1] from the least to the greatest pressure.
 Rgba pressureColour(float t);
 
+/// From a surface just released (t = 0, yellow) to one long free (t = 1, blue like the elastomer):
+/// most of the published "viridis" map, backwards.
+Rgba ageColour(float t);
+
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "ui/language/words.h"
 #include "ui/picture/colours.h"
 #include "ui/picture/contact_parts.h"
 #include "ui/picture/text_metrics.h"
@@ -37,7 +38,7 @@ void addAlong(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
              layout.theme.faintText);
   }
   if (!layout.axisTitles) return;
-  addLabel(list, "position (" + layout.xTicks.unit + ")",
+  addLabel(list, Words::tr("position") + " (" + layout.xTicks.unit + ")",
            {layout.plot.x + layout.plot.width / 2, std::round(baseline + s.small * 1.45F)}, s.small,
            TextAnchor::Centre, layout.theme.text);
 }
@@ -55,52 +56,53 @@ void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   }
   if (!layout.axisTitles) return;
   const std::string unit = " (" + layout.heightTicks.unit + ")";
-  std::string title = "height above the undeformed surface" + unit;
-  if (textWidth(title, s.small) > layout.plot.height) title = "height" + unit;
+  std::string title = Words::tr("height above the undeformed surface") + unit;
+  if (textWidth(title, s.small) > layout.plot.height) title = Words::tr("height") + unit;
   addLabel(list, title, {std::round(s.small * 1.5F), layout.plot.y + layout.plot.height / 2},
            s.small, TextAnchor::Centre, layout.theme.text, 1.57079633F);
 }
 
-/// 0 and the maximum always, both within the bar or nearly so; others where there is room.
+/// Both ends always, within the bar or nearly so; others where there is room.
 void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const Box& bar = layout.legend;
-  const AxisTicks& ticks = layout.pressureTicks;
-  const Rgba& colour = layout.theme.faintText;
+  const std::vector<LegendTick> ticks = layout.scale.ticks(6);
   const float baseline = std::round(bar.bottom() + s.small * 1.15F);
   const float wide = std::max(1.0F, std::round(s.unit));
-  const auto rule = [&](float x) {
-    addRule(layer, std::min(x, bar.right() - wide), bar.bottom(), wide, 3 * s.unit,
-            layout.theme.axis);
+  const auto write = [&](const LegendTick& tick, TextAnchor anchor) {
+    addLabel(list, tick.label, {bar.x + tick.share * bar.width, baseline}, s.small, anchor,
+             layout.theme.faintText);
   };
-  const std::string most = shortNumber(layout.view.pressure / ticks.unitSize) + " " + ticks.unit;
-  rule(bar.x);
-  rule(bar.right());
-  addLabel(list, "0", {bar.x, baseline}, s.small, TextAnchor::Centre, colour);
-  addLabel(list, most, {bar.right(), baseline}, s.small, TextAnchor::Right, colour);
-  const float from = bar.x + 1.5F * s.small;
-  const float to = bar.right() - textWidth(most, s.small) - s.small;
-  for (const Tick& tick : ticks.ticks) {
-    const float x = bar.x + static_cast<float>(tick.value / layout.view.pressure) * bar.width;
-    const float half = textWidth(tick.label, s.small) / 2;
-    if (x - half < from || x + half > to) continue;
-    rule(x);
-    addLabel(list, tick.label, {x, baseline}, s.small, TextAnchor::Centre, colour);
+  for (const LegendTick& tick : ticks)
+    addRule(layer, std::min(bar.x + tick.share * bar.width, bar.right() - wide), bar.bottom(), wide,
+            3 * s.unit, layout.theme.axis);
+  const auto half = [&](const LegendTick& tick) { return textWidth(tick.label, s.small) / 2; };
+  const LegendTick &first = ticks.front(), &last = ticks.back();
+  const bool isZero = first.label == "0";
+  write(first, isZero ? TextAnchor::Centre : TextAnchor::Left);
+  write(last, TextAnchor::Right);
+  float from = bar.x + (isZero ? 1 : 2) * half(first) + s.small;
+  const float to = bar.right() - 2 * half(last) - s.small;
+  for (std::size_t i = 1; i + 1 < ticks.size(); ++i) {
+    const float x = bar.x + ticks[i].share * bar.width;
+    if (x - half(ticks[i]) < from || x + half(ticks[i]) > to) continue;
+    write(ticks[i], TextAnchor::Centre);
+    from = x + half(ticks[i]) + s.small;
   }
 }
 
 void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const Box& bar = layout.legend;
-  constexpr int kSteps = 10;  // as the map's control colours
+  constexpr int kSteps = 20;  // twice the control colours of the maps, or finer
   const float step = bar.width / kSteps;
   for (int i = 0; i < kSteps; ++i) {
     const Box part{bar.x + static_cast<float>(i) * step, bar.y, step, bar.height};
-    addRectangleAcross(layer, part, pressureColour(static_cast<float>(i) / kSteps),
-                       pressureColour(static_cast<float>(i + 1) / kSteps));
+    addRectangleAcross(layer, part, layout.scale.colourAt(static_cast<float>(i) / kSteps),
+                       layout.scale.colourAt(static_cast<float>(i + 1) / kSteps));
   }
   addLegendLabels(list, layer, layout);
-  addLabel(list, std::string(kLegendTitle),
+  addLabel(list, layout.scale.title(),
            {bar.x - 10 * s.unit, std::round(bar.y + bar.height / 2 + s.small * 0.36F)}, s.small,
            TextAnchor::Right, layout.theme.text);
 }

@@ -49,8 +49,16 @@ void addRim(DrawLayer& layer, const std::vector<Place>& curve, float depth) {
   }
 }
 
+/// The row below which a curve does not come, within the plot; what lies under other bodies further
+/// down would be drawn for nothing.
+float lowestRow(const std::vector<Place>& curve, const ContactLayout& layout) {
+  float low = layout.plot.y;
+  for (const Place& place : curve) low = std::max(low, place.y);
+  return std::min(std::ceil(low) + 1, layout.plot.bottom());
+}
+
 /// The usual sign for a rigid body; the strokes travel with the line.
-void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) {
+void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layout, float bottom) {
   const Box& p = layout.plot;
   const double gap = std::round(13 * layout.sizes.unit);
   const double velocity = frame.scene ? frame.scene->sliding.velocity : 1;
@@ -61,19 +69,22 @@ void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layo
   const Rgba edge = withAlpha(layout.theme.rigidEdge, 0);
   const float half = 1.4F * std::max(1.0F, layout.sizes.unit);
   for (double x = p.x + offset - gap; x < p.right() + p.height; x += gap) {
-    const auto top = static_cast<float>(x), bottom = top - p.height;
+    const auto top = static_cast<float>(x), end = top - (bottom - p.y);
     for (const float side : {-half, half})
-      addQuad(layer, {top, p.y, middle}, {top + side, p.y, edge}, {bottom + side, p.bottom(), edge},
-              {bottom, p.bottom(), middle});
+      addQuad(layer, {top, p.y, middle}, {top + side, p.y, edge}, {end + side, bottom, edge},
+              {end, bottom, middle});
   }
 }
 
-DrawLayer rigidLayer(const Frame& frame, const ContactLayout& layout) {
+DrawLayer rigidLayer(const Frame& frame, const Curve& line, const ContactLayout& layout) {
   DrawLayer layer;
   const Theme& t = layout.theme;
-  addRectangle(layer, layout.plot, mix(t.rigid, {1, 1, 1, 1}, 0.12F),
-               mix(t.rigid, {0, 0, 0, 1}, 0.16F));
-  addHatching(layer, frame, layout);
+  const Box& p = layout.plot;
+  const float bottom = lowestRow(pixelsOf(line, layout), layout);
+  const Rgba high = mix(t.rigid, {1, 1, 1, 1}, 0.12F), low = mix(t.rigid, {0, 0, 0, 1}, 0.16F);
+  addRectangle(layer, {p.x, p.y, p.width, bottom - p.y}, high,
+               mix(high, low, (bottom - p.y) / p.height));
+  addHatching(layer, frame, layout, bottom);
   return layer;
 }
 
@@ -81,13 +92,14 @@ DrawLayer elastomerLayer(const Curve& line, const Curve& surface, const ContactL
   DrawLayer layer;
   const Theme& t = layout.theme;
   const float bottom = layout.plot.bottom();
-  fillBelow(layer, pixelsOf(line, layout), bottom, [&](float) { return t.panel; });
+  const std::vector<Place> places = pixelsOf(surface, layout);
+  fillBelow(layer, pixelsOf(line, layout), lowestRow(places, layout),
+            [&](float) { return t.panel; });
   const Rgba light = mix(t.elastomer, {1, 1, 1, 1}, 0.14F);
   const Rgba dark = mix(t.elastomer, {0, 0, 0, 1}, 0.34F);
   const auto shade = [&](float y) {
     return mix(light, dark, std::clamp((y - layout.plot.y) / layout.plot.height, 0.0F, 1.0F));
   };
-  const std::vector<Place> places = pixelsOf(surface, layout);
   fillBelow(layer, places, bottom, shade);
   addRim(layer, places, 26 * layout.sizes.unit);
   return layer;
@@ -121,14 +133,14 @@ void addUndeformedLevel(DrawLayer& layer, const ContactLayout& layout) {
 }
 
 /// A wide faint line under a narrow bright one; a single point is a dot.
-void addContact(DrawLayer& layer, const Curve& stretch, const ContactLayout& layout) {
+void addStretch(DrawLayer& layer, const Curve& stretch, const ContactLayout& layout) {
   const float u = layout.sizes.unit;
   DrawLine core, halo;
   core.width = 3.6F * u;
   halo.width = 9 * u;
   for (const CurveVertex& v : stretch) {
     const float x = layout.px(v.x), y = layout.py(v.height);
-    const Rgba colour = pressureColour(static_cast<float>(v.pressure / layout.view.pressure));
+    const Rgba colour = layout.scale.colour(v.value);
     core.vertices.push_back({x, y, colour});
     halo.vertices.push_back({x, y, withAlpha(colour, 0.22F)});
   }
@@ -136,13 +148,36 @@ void addContact(DrawLayer& layer, const Curve& stretch, const ContactLayout& lay
   layer.lines.push_back(std::move(core));
 }
 
+/// The free surface in the colours of its age, with a band of them below; nothing in contact and
+/// where contact was never seen.
+void addAge(DrawLayer& below, DrawLayer& curves, const Curve& surface,
+            const ContactLayout& layout) {
+  const float u = layout.sizes.unit, depth = 0.1F * layout.plot.height;
+  DrawLine line;
+  line.width = 3.6F * u;
+  for (const CurveVertex& v : surface) {
+    const bool isFree = v.value > 0 && std::isfinite(v.value);
+    line.vertices.push_back({layout.px(v.x), layout.py(v.height),
+                             withAlpha(layout.scale.colour(v.value), isFree ? 1.0F : 0.0F)});
+  }
+  for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i) {
+    const auto at = [&](const DrawVertex& v, float down, float alpha) {
+      return DrawVertex{v.x, v.y + down, withAlpha(v.colour, v.colour.a * alpha)};
+    };
+    const DrawVertex &a = line.vertices[i], &b = line.vertices[i + 1];
+    if (a.colour.a == 0 && b.colour.a == 0) continue;
+    addQuad(below, at(a, 0, 0.55F), at(b, 0, 0.55F), at(b, depth, 0), at(a, depth, 0));
+  }
+  curves.lines.push_back(std::move(line));
+}
+
 /// A contact that is too narrow for a line, in every period shown: bright on a dark rim.
 void addMark(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) {
   const std::size_t point = *layout.marked;
   const float u = layout.sizes.unit, y = layout.py(frame.surfaceHeight[point]);
-  const double pressure = frame.pressure[point];
-  const Rgba bright =
-      pressureColour(pressure > 0 ? static_cast<float>(pressure / layout.view.pressure) : 1);
+  const std::vector<double>& values = valuesOf(frame, layout.scale.overlay);
+  const double value = values.empty() ? 0 : values[point];
+  const Rgba bright = value > 0 ? layout.scale.colour(value) : layout.scale.colourAt(1);
   const double period = frame.spacing * static_cast<double>(frame.lineHeight.size());
   const double at = frame.spacing * static_cast<double>(point);
   for (double k = std::ceil((layout.view.left - at) / period);
@@ -161,22 +196,28 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
   const Clip clip{layout.plot.x, layout.plot.y, layout.plot.width, layout.plot.height};
   const PointRange range = pointsWithin(frame, layout.view.left, layout.view.width);
   const Columns columns{layout.view.left, layout.pixelsPerMetreAlong()};
+  const std::vector<double>& values = valuesOf(frame, layout.scale.overlay);
+  const bool coloursAge = layout.scale.overlay == ContactOverlay::Relaxation;
   const Curve line = decimated(frame, frame.lineHeight, range, columns);
-  const Curve surface = decimated(frame, frame.surfaceHeight, range, columns);
+  const Curve surface = decimated(frame, frame.surfaceHeight, range, columns, values);
   // Stretches closer than the width of a hairline are one to the eye.
   const double hairlines = columns.pixelsPerMetre / std::max(1.0F, layout.sizes.unit);
-  const std::vector<Curve> contacts = contactStretches(frame, range, {columns.left, hairlines});
+  std::vector<Curve> stretches;
+  if (layout.scale.isShown() && !coloursAge)
+    stretches =
+        stretchesAbove(frame, range, {columns.left, hairlines}, values, layout.scale.leastShown());
 
-  DrawLayer rigid = rigidLayer(frame, layout);
+  DrawLayer rigid = rigidLayer(frame, line, layout);
   DrawLayer elastomer = elastomerLayer(line, surface, layout);
-  addGlow(elastomer, surface, contacts, layout);
+  addGlow(elastomer, surface, stretches, layout);
   DrawLayer curves;
   const float u = layout.sizes.unit;
   addGrid(curves, layout);
   addUndeformedLevel(curves, layout);
   addCurve(curves, surface, layout, 1.7F * u, layout.theme.elastomerEdge);
   addCurve(curves, line, layout, 1.7F * u, layout.theme.rigidEdge);
-  for (const Curve& stretch : contacts) addContact(curves, stretch, layout);
+  if (coloursAge && layout.scale.isShown()) addAge(elastomer, curves, surface, layout);
+  for (const Curve& stretch : stretches) addStretch(curves, stretch, layout);
   if (layout.marked) addMark(curves, frame, layout);
   for (DrawLayer* layer : {&rigid, &elastomer, &curves}) {
     layer->clip = clip;

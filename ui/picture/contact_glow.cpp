@@ -60,15 +60,15 @@ void sampleSurface(Strip& rows, const std::vector<CurveVertex>& surface,
   }
 }
 
-/// Share of the greatest pressure; places between the vertices of a stretch are interpolated.
-void markStretch(Strip& pressures, const std::vector<CurveVertex>& stretch,
+/// Share of the colour scale; places between the vertices of a stretch are interpolated.
+void markStretch(Strip& shares, const std::vector<CurveVertex>& stretch,
                  const ContactLayout& layout) {
   const auto share = [&](const CurveVertex& v) {
-    return std::clamp(static_cast<float>(v.pressure / layout.view.pressure), 0.02F, 1.0F);
+    return std::clamp(layout.scale.share(v.value), 0.02F, 1.0F);
   };
   const auto mark = [&](float x, float value) {
-    if (pressures.covers(x)) {
-      float& there = pressures[pressures.nearest(x)];
+    if (shares.covers(x)) {
+      float& there = shares[shares.nearest(x)];
       there = std::max(there, value);
     }
   };
@@ -77,20 +77,20 @@ void markStretch(Strip& pressures, const std::vector<CurveVertex>& stretch,
     const float xa = layout.px(stretch[k].x), xb = layout.px(stretch[k + 1].x);
     const float pa = share(stretch[k]), pb = share(stretch[k + 1]);
     mark(xb, pb);
-    if (!pressures.covers(xb) && !pressures.covers(xa) && (xa > 0) == (xb > 0)) continue;
-    for (std::size_t i = pressures.nearest(xa) + 1; i < pressures.nearest(xb); ++i) {
-      const float t = (pressures.place(i) - xa) / (xb - xa);
-      pressures[i] = std::max(pressures[i], pa + t * (pb - pa));
+    if (!shares.covers(xb) && !shares.covers(xa) && (xa > 0) == (xb > 0)) continue;
+    for (std::size_t i = shares.nearest(xa) + 1; i < shares.nearest(xb); ++i) {
+      const float t = (shares.place(i) - xa) / (xb - xa);
+      shares[i] = std::max(shares[i], pa + t * (pb - pa));
     }
   }
 }
 
-/// Where light is (weight) and how bright (weighted pressure), softened row by row.
+/// Where light is (weight) and how bright (weighted share), softened row by row.
 struct Light {
-  Strip weight, pressure;
+  Strip weight, share;
   Rgba colour(std::size_t i, int row) const {
     const float w = weight[i];
-    const float t = w > 0 ? pressure[i] / w : 0;
+    const float t = w > 0 ? share[i] / w : 0;
     const float fade = 1 - static_cast<float>(row) / kRows;
     // Like embers, redder with depth: yellow over the elastomer's blue would turn green.
     const float warmth = t * (0.25F + 0.6F * fade * fade);
@@ -111,15 +111,15 @@ void addGlow(DrawLayer& layer, const std::vector<CurveVertex>& surface,
   Strip rows(layout, step);
   sampleSurface(rows, surface, layout);
   Light light{Strip(layout, step), Strip(layout, step)};
-  for (const auto& stretch : contacts) markStretch(light.pressure, stretch, layout);
+  for (const auto& stretch : contacts) markStretch(light.share, stretch, layout);
   for (std::size_t i = 0; i < light.weight.size(); ++i)
-    light.weight[i] = light.pressure[i] > 0 ? 1.0F : 0.0F;
+    light.weight[i] = light.share[i] > 0 ? 1.0F : 0.0F;
 
   const float rowHeight = glowDepth(layout) / kRows;
   Light next = light;
   for (int row = 0; row < kRows; ++row, light = next) {
     next.weight.soften();
-    next.pressure.soften();
+    next.share.soften();
     const float down = static_cast<float>(row) * rowHeight;
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
       if (light.weight[i] + light.weight[i + 1] + next.weight[i] + next.weight[i + 1] < 0.004F)

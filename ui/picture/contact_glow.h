@@ -1,4 +1,4 @@
-// The light that contact pressure throws down into the elastomer. Private to ui/picture; pure.
+// The light that what is coloured throws down into the elastomer. Private to ui/picture; pure.
 #pragma once
 
 #include <vector>

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 #include "ui/picture/contact_parts.h"
 #include "ui/picture/text_metrics.h"
 
@@ -27,20 +29,22 @@ std::vector<Reading> readingsOf(const Frame& frame) {
   // A motion that is not steady has only its march.
   const bool isSteady = !frame.transient;
   const double mu = isSteady ? frame.muSteady : frame.muMarch;
-  readings.push_back({{{"friction coefficient \u03BC"}}, shortNumber(mu, 3, Zeros::Keep), 0});
   readings.push_back(
-      {{{"normal force F"}, {"N", false, true}}, quantity(frame.normalForce, "N"), 1});
-  readings.push_back({{{"indentation d"}}, quantity(frame.indentation, "m"), 3});
-  readings.push_back({{{"in contact"}}, percent(frame.contactFraction), 2});
+      {{{Words::tr("friction coefficient \u03BC")}}, shortNumber(mu, 3, Zeros::Keep), 0});
+  readings.push_back(
+      {{{Words::tr("normal force F")}, {"N", false, true}}, quantity(frame.normalForce, "N"), 1});
+  readings.push_back({{{Words::tr("indentation d")}}, quantity(frame.indentation, "m"), 3});
+  readings.push_back({{{Words::tr("in contact")}}, percent(frame.contactFraction), 2});
   if (frame.scene)
-    readings.push_back({{{"velocity v"}},
+    readings.push_back({{{Words::tr("velocity v")}},
                         quantity(isSteady ? frame.scene->sliding.velocity : frame.velocity, "m/s"),
                         4});
   if (frame.timeScale > 0)
-    readings.push_back({{{"1 s on screen"}}, "= " + quantity(frame.timeScale, "s"), 6});
+    readings.push_back({{{Words::tr("1 s on screen")}}, "= " + quantity(frame.timeScale, "s"), 6});
   if (isSteady && std::isfinite(frame.muMarch))
-    readings.push_back(
-        {{{"\u03BC in this march in time"}}, shortNumber(frame.muMarch, 3, Zeros::Keep), 5});
+    readings.push_back({{{Words::tr("\u03BC in this march in time")}},
+                        shortNumber(frame.muMarch, 3, Zeros::Keep),
+                        5});
   return readings;
 }
 
@@ -70,31 +74,35 @@ void dropLeastImportant(std::vector<Reading>& readings) {
 std::string lineOf(const Surface& surface) {
   switch (surface.kind) {
     case SurfaceKind::SelfAffine:
-      return surface.rmsHeight > 0 ? "A rough rigid line" : "A flat rigid line";
+      return surface.rmsHeight > 0 ? Words::tr("A rough rigid line")
+                                   : Words::tr("A flat rigid line");
     case SurfaceKind::Sine:
-      return "A rigid sine";
+      return Words::tr("A rigid sine");
     case SurfaceKind::Wedge:
-      return "A rigid wedge";
+      return Words::tr("A rigid wedge");
     case SurfaceKind::Parabola:
-      return "A rigid parabola";
+      return Words::tr("A rigid parabola");
     case SurfaceKind::Profile:
-      return "A measured rigid line";
+      return Words::tr("A measured rigid line");
   }
-  return "A rigid line";
+  return Words::tr("A rigid line");
 }
 
 std::string titleOf(const Frame& frame) {
-  if (!frame.scene) return "A rigid line on an elastomer";
-  if (!frame.scene->title.empty()) return frame.scene->title;
+  if (!frame.scene) return Words::tr("A rigid line on an elastomer");
+  if (!frame.scene->title.empty()) return translated(frame.scene->title);
   const bool rests = frame.scene->sliding.velocity == 0;
-  return lineOf(frame.scene->surface) + (rests ? " rests on" : " slides over") + " an elastomer";
+  return filled(
+      rests ? Words::tr("%1 rests on an elastomer") : Words::tr("%1 slides over an elastomer"),
+      {lineOf(frame.scene->surface)});
 }
 
 /// "t = 3.2 ms, slid 1.5 mm", or nothing before the first step.
 std::string progressOf(const Frame& frame) {
   if (!(frame.time > 0)) return {};
-  return "t = " + quantity(frame.time, "s", 3, Zeros::Keep) + ", slid " +
-         quantity(std::abs(frame.distance), "m", 3, Zeros::Keep);
+  return filled(Words::tr("t = %1, slid %2"),
+                {quantity(frame.time, "s", 3, Zeros::Keep),
+                 quantity(std::abs(frame.distance), "m", 3, Zeros::Keep)});
 }
 
 float addTitle(DrawList& list, const Frame& frame, const Sizes& s, const Theme& theme, float side) {

@@ -4,8 +4,10 @@
 #include <optional>
 
 #include "core/scene/element_law.h"
+#include "ui/language/words.h"
 #include "ui/picture/clear_place.h"
 #include "ui/picture/colours.h"
+#include "ui/picture/contact_forces.h"
 #include "ui/picture/contact_parts.h"
 #include "ui/picture/contact_tags.h"
 #include "ui/picture/decimate.h"
@@ -15,39 +17,43 @@
 namespace asperity {
 namespace {
 
-/// m/s, now.
-double velocityOf(const Frame& frame) {
-  return frame.transient ? frame.velocity : frame.scene->sliding.velocity;
-}
-
 std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
   if (!frame.scene) return std::nullopt;
   const double v = velocityOf(frame);
-  if (v == 0) return Tag{{{"rigid line at rest"}}, ArrowWay::None, {}};
-  return Tag{{{brief ? "slides" : "rigid line slides"}},
+  if (v == 0) return Tag{{{Words::tr("rigid line at rest")}}, ArrowWay::None, {}};
+  return Tag{{{brief ? Words::tr("slides") : Words::tr("rigid line slides")}},
              v > 0 ? ArrowWay::Right : ArrowWay::Left,
              {{"v = " + quantity(v, "m/s")}}};
 }
 
-Tag frictionTag(const Frame& frame) {
-  const bool backwards = frame.scene && velocityOf(frame) < 0;
-  return {{{"friction F"}, {"x", false, true}, {" = " + quantity(frame.tangentialForce, "N")}},
+/// The arrows in the tags only say which way; where there is room they are drawn in scale instead.
+Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
+  const bool backwards = velocityOf(frame) < 0;
+  Tag tag{{{Words::tr("friction F")},
+           {"x", false, true},
+           {" = " + quantity(frame.tangentialForce, "N")}},
           backwards ? ArrowWay::Right : ArrowWay::Left,
+          {}};
+  if (!(arrows.down > 0)) return tag;
+  tag.arrow = ArrowWay::None;
+  if (arrows.enlarged > 1)
+    tag.before.push_back({filled(Words::tr(", arrow %1\u00D7"), {shortNumber(arrows.enlarged)})});
+  return tag;
+}
+
+Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
+  return {{{"F"}, {"N", false, true}, {" = " + quantity(frame.normalForce, "N")}},
+          arrows.down > 0 ? ArrowWay::None : ArrowWay::Down,
           {}};
 }
 
-Tag pressingTag(const Frame& frame) {
-  return {
-      {{"F"}, {"N", false, true}, {" = " + quantity(frame.normalForce, "N")}}, ArrowWay::Down, {}};
-}
-
 /// The more important first.
-std::vector<Tag> forceTags(const Frame& frame) {
+std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows) {
   std::vector<Tag> tags;
-  if (frame.normalForce > 0) tags.push_back(pressingTag(frame));
+  if (frame.normalForce > 0) tags.push_back(pressingTag(frame, arrows));
   // No steady friction (none at all, or a state that has none): no arrow for what rounding leaves.
-  const double mu = frame.transient ? frame.muMarch : frame.muSteady;
-  if (mu > 0 && frame.tangentialForce > 0) tags.push_back(frictionTag(frame));
+  if (frictionOf(frame) > 0 && frame.tangentialForce > 0)
+    tags.push_back(frictionTag(frame, arrows));
   return tags;
 }
 
@@ -56,17 +62,19 @@ std::string elastomerWords(const Frame& frame) {
   if (!frame.scene) return {};
   const ElementLaw law = lawOf(frame.scene->elastomer);
   const ElementKind kind = law.kind();
-  std::string words = kind == ElementKind::Elastic ? "elastic, G = " : "viscoelastic, G = ";
-  words += quantity(law.equilibriumModulus, "Pa");
-  if (kind == ElementKind::Kelvin) words += ", \u03C4 = " + quantity(law.relaxationTime, "s");
-  if (kind == ElementKind::Arms)
-    words += ", " + std::to_string(law.arms.size()) + (law.arms.size() == 1 ? " arm" : " arms");
-  return words;
+  const std::string modulus = quantity(law.equilibriumModulus, "Pa");
+  if (kind == ElementKind::Elastic) return filled(Words::tr("elastic, G = %1"), {modulus});
+  if (kind == ElementKind::Kelvin)
+    return filled(Words::tr("viscoelastic, G = %1, \u03C4 = %2"),
+                  {modulus, quantity(law.relaxationTime, "s")});
+  return filled(law.arms.size() == 1 ? Words::tr("viscoelastic, G = %1, %2 arm")
+                                     : Words::tr("viscoelastic, G = %1, %2 arms"),
+                {modulus, std::to_string(law.arms.size())});
 }
 
 /// The whole label first, then the name alone.
 std::vector<Tag> elastomerTags(const Frame& frame) {
-  const Tag name{{{"elastomer", true}}, ArrowWay::None, {}};
+  const Tag name{{{Words::tr("elastomer"), true}}, ArrowWay::None, {}};
   const std::string words = elastomerWords(frame);
   if (words.empty()) return {name};
   return {{name.before, ArrowWay::None, {{words}}}, name};
@@ -77,7 +85,7 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   const float gap = std::round(10 * layout.sizes.unit);
   const Rgba& plate = layout.theme.rigid;
   float left = layout.plot.x + gap, right = layout.plot.right() - gap;
-  const Tag name{{{"rigid body", true}}, ArrowWay::None, {}};
+  const Tag name{{{Words::tr("rigid body"), true}}, ArrowWay::None, {}};
   std::optional<Tag> motion = slidingTag(frame, false);
   const auto both = [&] { return painter.width(name) + painter.width(*motion) + gap; };
   if (motion && both() > right - left) motion = slidingTag(frame, true);
@@ -88,7 +96,8 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
     return;
   }
   left += painter.width(name) + gap;
-  for (const Tag& force : forceTags(frame)) {
+  const ForceArrows arrows = forceArrows(frame, layout);
+  for (const Tag& force : forceTags(frame, arrows)) {
     const float needed = painter.width(force) + gap;
     if (right - left < needed + (motion ? painter.width(*motion) + gap : 0)) break;
     painter.paint(force, {right - painter.width(force), y}, plate);
@@ -100,12 +109,27 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   painter.paint(*motion, {std::round(std::clamp(middle, left, right - width)), y}, plate);
 }
 
+/// "23 % of it in the free surface": what comes back takes power, too.
+std::string freePowerText(const Frame& frame) {
+  double free = 0, whole = 0;
+  for (std::size_t i = 0; i < frame.power.size(); ++i) {
+    whole += frame.power[i];
+    if (!(frame.pressure[i] > 0)) free += frame.power[i];
+  }
+  if (!(whole > 0)) return Words::tr("nothing is dissipated");
+  return filled(Words::tr("%1 in all, %2 % in the free surface"),
+                {quantity(whole * frame.spacing, "W"), shortNumber(100 * free / whole, 2)});
+}
+
 Notes notesFor(const Frame& frame, const ContactLayout& layout) {
   Notes notes{exaggerationText(layout)};
   const bool pressed = greatestPressure(frame) > 0;
   if (layout.marked)
-    notes.push_back(pressed ? "dot: the deepest contact" : "dot: contact between two points");
-  if (pressed) notes.push_back("glow: pressure, not depth");
+    notes.push_back(pressed ? Words::tr("dot: the deepest contact")
+                            : Words::tr("dot: contact between two points"));
+  if (layout.scale.overlay == ContactOverlay::Power) notes.push_back(freePowerText(frame));
+  if (pressed && layout.scale.overlay == ContactOverlay::Pressure)
+    notes.push_back(Words::tr("glow: pressure, not depth"));
   return notes;
 }
 
@@ -140,7 +164,8 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
     return;
   }
   const std::string words = elastomerWords(frame);
-  const std::string note = words.empty() ? "below: the elastomer" : "elastomer: " + words;
+  const std::string note = words.empty() ? Words::tr("below: the elastomer")
+                                         : filled(Words::tr("elastomer: %1"), {words});
   if (layout.footer > 0 && footerWith(notes, note, layout)) return;
   for (const Tag& tag : tags) {
     if (!fits(tag)) continue;
@@ -159,6 +184,13 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout)
   const float rows = 2 * painter.height() + 3 * margin;
   if (!isDrawable(frame) || rows > 0.75F * layout.plot.height) return notes;
   addRigidRow(painter, frame, layout, layout.plot.y + margin);
+  const ForceArrows arrows = forceArrows(frame, layout);
+  const float reach = arrows.pointsRight ? arrows.sideways : 0;
+  if (arrows.down > 0)
+    addForceArrows(
+        layer, arrows,
+        {layout.plot.right() - 3 * margin - reach, layout.plot.y + 2 * margin + painter.height()},
+        layout);
   nameElastomer(painter, frame, layout, notes);
   list.layers.push_back(std::move(layer));
   return notes;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/words.h"
 #include "ui/picture/narrow_contact.h"
 #include "ui/picture/plot_axes.h"
 #include "ui/picture/text_metrics.h"
@@ -55,7 +56,7 @@ float ContactLayout::py(double metres) const {
 
 std::string exaggerationText(const ContactLayout& layout) {
   const double ratio = layout.pixelsPerMetreUp() / layout.pixelsPerMetreAlong();
-  return "vertical exaggeration " + shortNumber(ratio, 2) + "\u00D7";
+  return filled(Words::tr("vertical exaggeration %1\u00D7"), {shortNumber(ratio, 2)});
 }
 
 ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& options,
@@ -66,6 +67,9 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.sizes = sizesFor(options);
   layout.theme = options.theme;
   layout.view = resolvedView(frame, options.view);
+  layout.scale = {options.overlay, endIn(layout.view, options.overlay)};
+  if (valuesOf(frame, options.overlay).size() != frame.lineHeight.size())
+    layout.scale = {};  // the frame lacks them
   const Sizes& s = layout.sizes;
   const float u = s.unit;
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
@@ -83,10 +87,10 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   float below = tickRow + pad * 0.6F;
   if (layout.axisTitles) below += titleRow;
   const float exaggeration = textWidth(exaggerationText(layout) + "0000", s.small);
-  const float legendTitle = textWidth(kLegendTitle, s.small);
+  const float titleWidth = textWidth(layout.scale.title(), s.small);
   const float barWidth = std::round(std::clamp(width * 0.2F, 110 * u, 300 * u));
-  const bool oneRow = exaggeration + legendTitle + barWidth + 5 * pad < width;
-  const bool titleFits = legendTitle + barWidth + 4 * pad < width;
+  const bool oneRow = exaggeration + titleWidth + barWidth + 5 * pad < width;
+  const bool titleFits = titleWidth + barWidth + 4 * pad < width;
   if (footer) below += oneRow ? footerRow : footerRow + titleRow;
   layout.plot.y = plotTop;
   layout.plot.height = std::max(1.0F, std::round(height - below) - plotTop);
@@ -103,15 +107,14 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
 
   const float bar = std::round(10 * u);
   const float legendTop = std::round(height - s.small * 1.6F - bar - 3 * u);
-  const bool hasLegend = titleFits && layout.view.pressure > 0;
+  const bool hasLegend = titleFits && layout.scale.isShown();
   layout.legend = {std::round(width - 2 * pad - barWidth), legendTop, hasLegend ? barWidth : 0,
                    bar};
   layout.footer = oneRow ? std::round(legendTop + bar * 0.5F + s.small * 0.36F)
                          : std::round(legendTop - s.small * 0.8F);
   const float footerEnd =
-      oneRow && hasLegend ? layout.legend.x - legendTitle - 4 * pad : width - 2 * pad;
+      oneRow && hasLegend ? layout.legend.x - titleWidth - 4 * pad : width - 2 * pad;
   layout.footerWidth = std::max(0.0F, footerEnd - layout.plot.x);
-  layout.pressureTicks = roomyTicks(0, layout.view.pressure, barWidth * 0.8F, s.small, "N/m");
   return layout;
 }
 

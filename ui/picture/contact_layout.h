@@ -2,6 +2,7 @@
 // ui/picture. Plain values; any thread.
 #pragma once
 
+#include "ui/picture/contact_overlay.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/picture/shapes.h"
 #include "ui/picture/ticks.h"
@@ -21,9 +22,10 @@ struct ContactLayout {
   Theme theme;
   ContactView view;  // resolved
   Box plot;
-  AxisTicks xTicks, heightTicks, pressureTicks;
+  AxisTicks xTicks, heightTicks;
+  ColourScale scale;
   bool axisTitles = true;
-  Box legend;        // the colour bar; no width: no room for one, or no pressure to show
+  Box legend;        // the colour bar; no width: no room for one, or nothing coloured
   float footer = 0;  // baseline of the footer's text; 0: none
   float footerWidth = 0;
   std::optional<std::size_t> marked;  // point of a contact so narrow that a dot has to show it
@@ -38,7 +40,6 @@ struct ContactLayout {
 ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& options,
                             float headerBottom);
 
-inline constexpr std::string_view kLegendTitle = "contact pressure (line load)";
 std::string exaggerationText(const ContactLayout& layout);
 
 }  // namespace asperity

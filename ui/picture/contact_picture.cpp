@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/picture/contact_insets.h"
 #include "ui/picture/contact_parts.h"
 
 namespace asperity {
@@ -35,6 +36,12 @@ DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) 
   const ContactLayout layout = layoutContact(frame, options, headerInto(list, frame, options));
   addBodies(list, frame, layout);
   addAxes(list, layout, addLabels(list, frame, layout));
+  Box taken;
+  if (options.magnifier) {
+    addMagnifier(list, frame, *options.magnifier, layout);
+    taken = magnifierBox(frame, *options.magnifier, layout);
+  }
+  if (options.probe) addProbe(list, frame, *options.probe, layout, taken);
   return list;
 }
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/picture/contact_overlay.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/picture/decimate.h"
-#include "ui/picture/narrow_contact.h"
 #include "ui/picture/ticks.h"
 
 namespace asperity {
@@ -59,9 +59,9 @@ ContactView fittedView(const Frame& frame, const std::optional<ContactView>& las
     view.bottom = std::floor((extent.low - kBelow * extent.size()) / grid) * grid;
     view.top = std::ceil((extent.high + kAbove * extent.size()) / grid) * grid;
   }
-  const double greatest = greatestPressure(frame);
-  if (greatest > 0 && !(greatest <= view.pressure && greatest > 0.4 * view.pressure))
-    view.pressure = roundUp(1.1 * greatest);  // a tenth in hand, or it would change often
+  view.pressure = scaleEnd(frame, ContactOverlay::Pressure, view.pressure);
+  view.age = scaleEnd(frame, ContactOverlay::Relaxation, view.age);
+  view.power = scaleEnd(frame, ContactOverlay::Power, view.power);
   return view;
 }
 
@@ -80,6 +80,8 @@ ContactView resolvedView(const Frame& frame, const ContactView& view) {
     resolved.top = fitted.top;
   }
   if (!(resolved.pressure > 0)) resolved.pressure = fitted.pressure;
+  if (!(resolved.age > 0)) resolved.age = fitted.age;
+  if (!(resolved.power > 0)) resolved.power = fitted.power;
   return resolved;
 }
 

@@ -10,14 +10,19 @@ constexpr double kFarthest = 1e15;  // points from the origin; beyond, positions
 
 class PeriodicPoints {
  public:
-  PeriodicPoints(const Frame& frame, const std::vector<double>& heights)
-      : frame_(frame), heights_(heights), count_(static_cast<std::int64_t>(heights.size())) {}
+  PeriodicPoints(const Frame& frame, const std::vector<double>& heights,
+                 const std::vector<double>& values)
+      : frame_(frame),
+        heights_(heights),
+        values_(values),
+        count_(static_cast<std::int64_t>(heights.size())) {}
 
   CurveVertex at(std::int64_t index) const {
     const std::size_t i = wrapped(index);
-    return {static_cast<double>(index) * frame_.spacing, heights_[i], frame_.pressure[i]};
+    return {static_cast<double>(index) * frame_.spacing, heights_[i],
+            values_.empty() ? 0 : values_[i]};
   }
-  bool inContact(std::int64_t index) const { return frame_.pressure[wrapped(index)] > 0; }
+  bool isAbove(std::int64_t index, double least) const { return values_[wrapped(index)] > least; }
 
  private:
   std::size_t wrapped(std::int64_t index) const {
@@ -27,6 +32,7 @@ class PeriodicPoints {
 
   const Frame& frame_;
   const std::vector<double>& heights_;
+  const std::vector<double>& values_;
   std::int64_t count_;
 };
 
@@ -41,12 +47,12 @@ class ColumnExtremes {
     if (empty_) low_ = high_ = vertex;
     if (vertex.height < low_.height) low_ = vertex;
     if (vertex.height > high_.height) high_ = vertex;
-    pressure_ = empty_ ? vertex.pressure : std::max(pressure_, vertex.pressure);
+    value_ = empty_ ? vertex.value : std::max(value_, vertex.value);
     empty_ = false;
   }
   void flushInto(std::vector<CurveVertex>& curve) {
     if (empty_) return;
-    low_.pressure = high_.pressure = pressure_;
+    low_.value = high_.value = value_;
     const bool lowFirst = low_.x <= high_.x;
     curve.push_back(lowFirst ? low_ : high_);
     if (low_.x != high_.x) curve.push_back(lowFirst ? high_ : low_);
@@ -55,11 +61,11 @@ class ColumnExtremes {
 
  private:
   CurveVertex low_, high_;
-  double pressure_ = 0;
+  double value_ = 0;
   bool empty_ = true;
 };
 
-/// Merges stretches closer than a column as points in contact come along.
+/// Merges stretches closer than a column as their points come along.
 class StretchCollector {
  public:
   StretchCollector(const Columns& columns, bool everyPoint)
@@ -118,8 +124,9 @@ PointRange pointsWithin(const Frame& frame, double left, double width) {
 }
 
 std::vector<CurveVertex> decimated(const Frame& frame, const std::vector<double>& heights,
-                                   PointRange range, const Columns& columns) {
-  const PeriodicPoints points(frame, heights);
+                                   PointRange range, const Columns& columns,
+                                   const std::vector<double>& values) {
+  const PeriodicPoints points(frame, heights, values);
   const bool everyPoint = fitsEveryPoint(frame, columns);
   std::vector<CurveVertex> curve;
   ColumnExtremes extremes;
@@ -137,10 +144,18 @@ std::vector<CurveVertex> decimated(const Frame& frame, const std::vector<double>
 
 std::vector<std::vector<CurveVertex>> contactStretches(const Frame& frame, PointRange range,
                                                        const Columns& columns) {
-  const PeriodicPoints points(frame, frame.surfaceHeight);
+  return stretchesAbove(frame, range, columns, frame.pressure, 0);
+}
+
+std::vector<std::vector<CurveVertex>> stretchesAbove(const Frame& frame, PointRange range,
+                                                     const Columns& columns,
+                                                     const std::vector<double>& values,
+                                                     double least) {
+  if (values.size() != frame.surfaceHeight.size()) return {};
+  const PeriodicPoints points(frame, frame.surfaceHeight, values);
   StretchCollector collector(columns, fitsEveryPoint(frame, columns));
   for (std::int64_t i = range.first; i <= range.last; ++i)
-    if (points.inContact(i)) collector.add(i, points.at(i));
+    if (points.isAbove(i, least)) collector.add(i, points.at(i));
   return collector.take();
 }
 

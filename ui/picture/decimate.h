@@ -15,9 +15,9 @@ struct Columns {
 };
 
 struct CurveVertex {
-  double x = 0;         // m
-  double height = 0;    // m
-  double pressure = 0;  // N/m, the greatest of the points it stands for
+  double x = 0;       // m
+  double height = 0;  // m
+  double value = 0;   // of what is coloured, the greatest of the points it stands for
 };
 
 /// Points first..last of the periodic frame; either index may be any whole number.
@@ -34,12 +34,20 @@ PointRange pointsWithin(const Frame& frame, double left, double width);
 
 /// `heights` is lineHeight or surfaceHeight of the frame. Every point where there are at most two a
 /// column; otherwise the lowest and the highest of each column, in their order along x. x ascends.
+/// `values`: one a point, or empty where there are none (then 0).
 std::vector<CurveVertex> decimated(const Frame& frame, const std::vector<double>& heights,
-                                   PointRange range, const Columns& columns);
+                                   PointRange range, const Columns& columns,
+                                   const std::vector<double>& values = {});
 
-/// The stretches of the elastomer's surface in contact (pressure > 0), each decimated. Stretches
-/// less than a column apart become one; none is ever lost: one point alone is a stretch of one
-/// vertex.
+/// The stretches of the elastomer's surface where values are above `least`, each decimated.
+/// Stretches less than a column apart become one; none is ever lost: one point alone is a stretch
+/// of one vertex.
+std::vector<std::vector<CurveVertex>> stretchesAbove(const Frame& frame, PointRange range,
+                                                     const Columns& columns,
+                                                     const std::vector<double>& values,
+                                                     double least);
+
+/// Those in contact (pressure > 0).
 std::vector<std::vector<CurveVertex>> contactStretches(const Frame& frame, PointRange range,
                                                        const Columns& columns);
 

@@ -1,4 +1,4 @@
-// Colours of a diagram's series. Private to ui/picture. Pure; any thread.
+// Colours of a diagram's series, which the window's chart has, too. Pure; any thread.
 #pragma once
 
 #include "ui/picture/contact_picture.h"

@@ -101,7 +101,7 @@ DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) 
   const float height = static_cast<float>(options.height) / static_cast<float>(grid.rows);
   const float room = std::min(width / (900 * scale), height / (620 * scale));
   float unit = scale * (room > 1 ? std::pow(room, 0.7F) : std::clamp(room, 0.85F, 1.0F));
-  unit = std::min({unit, width / 350, height / 380});
+  unit = std::max(std::min({unit, width / 350, height / 380}), options.leastText * scale);
   return {unit,
           fontSize(19 * unit),
           fontSize(13 * unit),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/words.h"
 #include "ui/picture/colours.h"
 #include "ui/picture/diagram_colours.h"
 #include "ui/picture/marks.h"
@@ -92,7 +93,9 @@ void dropEntries(Legend& legend, float height) {
   const std::size_t kept = places > 0 ? places - 1 : 0;
   const std::size_t missing = legend.entries.size() - kept;
   legend.entries.resize(kept);
-  if (places > 0) legend.entries.push_back({"and " + std::to_string(missing) + " more", {}, false});
+  if (places > 0)
+    legend.entries.push_back(
+        {filled(Words::tr("and %1 more"), {std::to_string(missing)}), {}, false});
 }
 
 void addSample(DrawLayer& lines, DrawLayer& marks, const LegendEntry& entry, Place left,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/translated.h"
 #include "ui/picture/diagram_annotations.h"
 #include "ui/picture/diagram_legend.h"
 #include "ui/picture/text_metrics.h"
@@ -159,7 +160,8 @@ DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
   return options;
 }
 
-DrawList composeDiagrams(const DiagramSheet& sheet, const DiagramOptions& asked) {
+DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {
+  const DiagramSheet sheet = translated(english);
   DiagramOptions options = asked;
   options.width = std::max(options.width, 1);
   options.height = std::max(options.height, 1);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 #include "ui/picture/colours.h"
 #include "ui/picture/contact_layout.h"
 #include "ui/picture/plot_axes.h"
@@ -36,11 +38,12 @@ std::vector<SpectrumPoint> spectrumOf(const FourierLine& modes, double length) {
 
 std::vector<std::string> factsOf(const Scene& scene, const Line& line) {
   std::vector<std::string> facts{
-      "one period L = " + quantity(line.length, "m", kDigits),
-      "rms height h = " + quantity(line.rmsHeight, "m", kDigits, Zeros::Keep),
-      "rms slope = " + shortNumber(line.rmsSlope, kDigits, Zeros::Keep)};
+      filled(Words::tr("one period L = %1"), {quantity(line.length, "m", kDigits)}),
+      filled(Words::tr("rms height h = %1"), {quantity(line.rmsHeight, "m", kDigits, Zeros::Keep)}),
+      filled(Words::tr("rms slope = %1"), {shortNumber(line.rmsSlope, kDigits, Zeros::Keep)})};
   if (scene.surface.kind == SurfaceKind::SelfAffine)
-    facts.push_back("Hurst exponent H = " + shortNumber(scene.surface.hurst, kDigits));
+    facts.push_back(
+        filled(Words::tr("Hurst exponent H = %1"), {shortNumber(scene.surface.hurst, kDigits)}));
   return facts;
 }
 
@@ -94,7 +97,8 @@ class SurfacePicture {
   /// Returns the pixels taken from the top.
   float addHeader() {
     const float width = static_cast<float>(list_.width) - 2 * side_;
-    const std::string title = scene_.title.empty() ? "Rigid line" : scene_.title;
+    const std::string title =
+        scene_.title.empty() ? Words::tr("Rigid line") : translated(scene_.title);
     float baseline = std::round(10 * sizes_.unit + sizes_.title);
     addText(list_, {{elided(title, sizes_.title, true, width), true}}, {side_, baseline},
             sizes_.title, theme_.text);
@@ -138,8 +142,9 @@ class SurfacePicture {
     const double label = std::min(0.4F, 2.4F * sizes_.small / axes.box.height);
     const double above = std::max(0.08, label / (1 - label)) * (high - low);
     const float size = sizes_.small;
-    axes.along = linearAxisAlong(0, line_.length, axes.box.width, size, "position", "m");
-    axes.up = linearAxisUp(low - below, high + above, axes.box.height, size, "height", "m");
+    axes.along = linearAxisAlong(0, line_.length, axes.box.width, size, Words::tr("position"), "m");
+    axes.up =
+        linearAxisUp(low - below, high + above, axes.box.height, size, Words::tr("height"), "m");
     return axes;
   }
 
@@ -156,9 +161,9 @@ class SurfacePicture {
     const int up = std::clamp(static_cast<int>(axes.box.height / (2.2F * size)), 2, 8);
     axes.along =
         logarithmicAxis(spectrum_.front().waveNumber - 0.1, spectrum_.back().waveNumber + 0.1,
-                        along, "wave number q (1/m)", "q (1/m)");
+                        along, Words::tr("wave number q (1/m)"), "q (1/m)");
     axes.up = logarithmicAxis(std::max(low, high - kDecadesShown) - 0.5, high + 0.5, up,
-                              "power spectral density C (m³)", "C (m³)");
+                              Words::tr("power spectral density C (m³)"), "C (m³)");
     return axes;
   }
 
@@ -179,7 +184,7 @@ class SurfacePicture {
     }
     addLine(layer, places, 1.5F * sizes_.unit, theme_.rigidEdge);
     list_.layers.push_back(std::move(layer));
-    const TextRuns name{{"rigid body", true}};
+    const TextRuns name{{Words::tr("rigid body"), true}};
     if (box.height > 5 * sizes_.small && textWidth(name, sizes_.small) + side_ < box.width)
       addText(list_, name,
               {std::round(box.x + 0.6F * side_), std::round(box.y + 1.6F * sizes_.small)},
@@ -196,7 +201,7 @@ class SurfacePicture {
     layer.clip = {box.x, box.y, box.width, box.height};
     addLine(layer, thinned(places), 2 * sizes_.unit, theme_.highlight);
     list_.layers.push_back(std::move(layer));
-    const std::string law = "C ∝ q⁻²ᴴ⁻¹, cut off at π over the element spacing";
+    const std::string law = Words::tr("C ∝ q⁻²ᴴ⁻¹, cut off at π over the element spacing");
     if (scene_.surface.kind == SurfaceKind::SelfAffine &&
         textWidth(law, sizes_.small) < 0.7F * box.width)
       addLabel(list_, law, {box.right() - 0.6F * side_, std::round(box.y + 1.8F * sizes_.small)},

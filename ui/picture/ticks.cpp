@@ -6,6 +6,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "ui/language/language.h"
 #include "ui/picture/log_ticks.h"
 
 namespace asperity {
@@ -58,7 +59,7 @@ AxisUnit axisUnit(double magnitude, std::string_view unit) {
   return {powerOfTen(power) + (unit.empty() ? "" : " ") + std::string(unit), std::pow(10.0, power)};
 }
 
-/// Locale-independent; "-0" is "0"; the minus is a true minus sign.
+/// With a point; "-0" is "0"; the minus is a true minus sign.
 std::string fixed(double value, int decimals) {
   std::array<char, 400> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
@@ -120,7 +121,7 @@ AxisTicks linearTicks(double from, double to, int most, std::string_view unit) {
   if (std::abs(first) > 1e12 || std::abs(to / step) > 1e12) return axis;
   const int decimals = -static_cast<int>(std::floor(std::log10(step / counted.size) + 1e-9));
   for (double k = first; k <= to / step + 1e-9; ++k)
-    axis.ticks.push_back({k * step, fixed(k * (step / counted.size), decimals)});
+    axis.ticks.push_back({k * step, inLanguage(fixed(k * (step / counted.size), decimals))});
   return axis;
 }
 
@@ -143,7 +144,7 @@ std::string shortNumber(double value, int digits, Zeros zeros) {
   if (value == 0) return "0";
   const int power = leadingPower(value, digits);
   const auto tidy = [&](const std::string& t) {
-    return zeros == Zeros::Drop ? withoutTrailingZeros(t) : t;
+    return inLanguage(zeros == Zeros::Drop ? withoutTrailingZeros(t) : t);
   };
   if (power >= digits && power < 6) {  // whole numbers are rounded as well
     const double unit = std::pow(10.0, power - digits + 1);

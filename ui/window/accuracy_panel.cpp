@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "core/accuracy/work_precision_file.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/picture/ticks.h"
+#include "ui/window/comparison_box.h"
 #include "ui/window/figure_picture.h"
 
 namespace asperity {
@@ -18,11 +20,12 @@ namespace asperity {
 namespace {
 
 constexpr double kQuick = 0.2, kDecades = 2;  // targets from 20 % to 0.2 %
-constexpr int kControlsWidth = 290;
+constexpr int kControlsWidth = 320;
 
 QString percent(double part) {
-  return std::isfinite(part) ? QString::fromStdString(shortNumber(100 * part, 2)) + " %"
-                             : QStringLiteral("–");
+  return std::isfinite(part)
+             ? QString::fromStdString(shortNumber(100 * part, 2)) + QStringLiteral("\u00A0%")
+             : QStringLiteral("–");
 }
 
 QString seconds(double time) {
@@ -88,6 +91,9 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), slider_(new QSl
   predicted_ = addLine(*column, "accuracyPredicted");
   measured_ = addLine(*column, "accuracyMeasured");
   column->addStretch(1);
+  comparisonBox_ = new ComparisonBox;
+  connect(comparisonBox_, &ComparisonBox::settingChanged, this, &AccuracyPanel::comparisonChanged);
+  column->addWidget(comparisonBox_);
   free_ = new QPushButton(tr("No target"));
   free_->setObjectName("accuracyFree");
   free_->setToolTip(tr("Scheme, oversampling and realizations as the parameters say"));
@@ -118,6 +124,7 @@ void AccuracyPanel::showScene(const Scene& scene) {
   target_->setText(target > 0 ? tr("target: %1 of μ at every velocity").arg(percent(target))
                               : tr("no target: as scheme and realizations say"));
   free_->setEnabled(target > 0);
+  comparisonBox_->allow(!choosesAccuracy(scene));
   measured_->clear();
   predict();
 }
@@ -125,6 +132,10 @@ void AccuracyPanel::showScene(const Scene& scene) {
 void AccuracyPanel::showMeasured(double time, double standardError) {
   measured_->setText(
       tr("measured: %1, standard error %2").arg(seconds(time), percent(standardError)));
+}
+
+std::optional<CurveSetting> AccuracyPanel::comparison() const {
+  return comparisonBox_->setting();
 }
 
 void AccuracyPanel::setTheme(const Theme& theme) {
@@ -162,8 +173,15 @@ void AccuracyPanel::predict() {
 
 void AccuracyPanel::takePrediction(const PredictionAnswer& answer) {
   if (answer.number != asked_) return;
-  if (!answer.prediction) return predicted_->setText(answer.reason);
+  if (!answer.prediction) return predicted_->setText(translatedText(answer.reason.toStdString()));
   const Prediction& prediction = *answer.prediction;
+  if (prediction.steps > 0)
+    return predicted_->setText(
+        tr("predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)")
+            .arg(seconds(prediction.seconds))
+            .arg(prediction.steps, 0, 'f', 0)
+            .arg(percent(prediction.error.total()), percent(prediction.error.timeStep),
+                 percent(prediction.error.resolution), percent(prediction.error.settling)));
   predicted_->setText(tr("predicted: %1, error %2 (resolution %3, realizations %4)")
                           .arg(seconds(prediction.seconds), percent(prediction.error.total()),
                                percent(prediction.error.resolution),

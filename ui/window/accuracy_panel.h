@@ -1,13 +1,16 @@
 // What accuracy costs: a slider from quick to exact, which sets the target of the friction curve's
 // error, with predicted time and error as it moves and the measured ones beside them; and the
-// work-precision diagram of the present scene on demand. Predicts only while it is visible, on a
+// work-precision diagram of the present scene on demand; and with what setting the curve is
+// compared. Predicts only while it is visible, on a
 // thread of its own. GUI thread; belongs to its parent. Failure: said in a line of the panel.
 #pragma once
 
 #include <QWidget>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
+#include "core/friction/curve_difference.h"
 #include "core/scene/scene.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/window/figure_worker.h"
@@ -19,6 +22,7 @@ class QSlider;
 
 namespace asperity {
 
+class ComparisonBox;
 class FigurePicture;
 
 /// The target at a place of the slider, 0 (quick, 20 %) to kAccuracySteps (exact, 0.2 %).
@@ -38,9 +42,13 @@ class AccuracyPanel : public QWidget {
   void showMeasured(double seconds, double standardError);
   void setTheme(const Theme& theme);
 
+  /// With what the curve is to be compared; none: with nothing.
+  std::optional<CurveSetting> comparison() const;
+
  signals:
   /// The scene shown with another target.
   void sceneEdited(const asperity::Scene& scene);
+  void comparisonChanged();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -58,6 +66,7 @@ class AccuracyPanel : public QWidget {
   QLabel* target_;
   QLabel* predicted_;
   QLabel* measured_;
+  ComparisonBox* comparisonBox_;
   QPushButton* free_;     // no target
   QPushButton* compare_;  // starts and cancels
   FigurePicture* picture_;

@@ -2,6 +2,8 @@
 
 #include <QGuiApplication>
 
+#include "core/friction/curve_set.h"
+#include "ui/picture/diagram_colours.h"
 #include "ui/picture/text_painter.h"
 
 namespace asperity {
@@ -78,6 +80,10 @@ PlotColours plotColoursOf(const Theme& theme) {
   colours.axis = mixed(colours.background, colours.text, 0.5);
   colours.points = accent(theme);
   colours.line = dark ? QColor(0xb0, 0xb6, 0xbf) : QColor(0x6b, 0x72, 0x7c);
+  colours.span = mixed(colours.background, colours.text, dark ? 0.07 : 0.05);
+  colours.difference = colours.text;
+  for (std::size_t i = 0; i < colours.pinned.size(); ++i)
+    colours.pinned[i] = colourOf(seriesColour(colourOfPin(static_cast<int>(i)), theme));
   colours.marker = dark ? QColor(0xff, 0x9f, 0x43) : QColor(0xd9, 0x5f, 0x02);
   return colours;
 }
@@ -111,9 +117,18 @@ QString windowStyleSheet(const Theme& theme) {
     #messageBar { background: %7; border: none; }
     #messageBar QLabel { color: %8; }
     #messageBar QToolButton { border: none; color: %8; }
+    #shortcutKeys { border: 1px solid %3; border-radius: 4px; padding: 1px 6px; color: %2; }
     #descriptionBar { background: %1; border: none; border-bottom: 1px solid %3; }
     #descriptionBar QLabel { color: %2; }
     #descriptionBar QToolButton { border: none; color: %6; }
+    #hintBar, #tourBar { background: %9; border: none; border-bottom: 1px solid %3; }
+    #hintBar QLabel, #tourBar QLabel { color: %2; }
+    #hintBar QToolButton { border: none; color: %6; }
+    #hintBar QPushButton, #tourBar QPushButton { border: 1px solid %3; border-radius: 5px;
+      background: %1; color: %2; padding: 3px 12px; }
+    #hintBar QPushButton:hover, #tourBar QPushButton:hover,
+    #hintBar QPushButton:focus, #tourBar QPushButton:focus { border-color: %5; }
+    #tourBar QPushButton:disabled { color: %6; }
     QTabWidget::pane { border: none; }
     QTabWidget QTabBar::tab { background: transparent; color: %6; padding: 6px 14px; border: none;
       border-bottom: 2px solid transparent; }
@@ -133,7 +148,8 @@ QString windowStyleSheet(const Theme& theme) {
       .arg(panel.name(), text.name(), edge(theme).name(), mixed(panel, text, 0.1).name(),
            accent(theme).name(), colourOf(theme.faintText).name(),
            dark ? QStringLiteral("#5b2a2a") : QStringLiteral("#fde3e1"),
-           dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"));
+           dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"),
+           mixed(panel, accent(theme), 0.12).name());
 }
 
 }  // namespace asperity

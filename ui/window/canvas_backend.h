@@ -4,10 +4,8 @@
 
 #include <QString>
 #include <functional>
-#include <memory>
 
-#include "core/run/frame.h"
-#include "ui/picture/contact_picture.h"
+#include "ui/window/picture_request.h"
 
 class QWidget;
 
@@ -23,7 +21,8 @@ class CanvasBackend {
   virtual ~CanvasBackend() = default;
   virtual QWidget* widget() = 0;
   virtual QString name() const = 0;
-  virtual void show(std::shared_ptr<const Frame> frame, const Theme& theme) = 0;
+  /// Size and scale of the request are the widget's own.
+  virtual void show(const PictureRequest& request) = 0;
 };
 
 /// Whether a window here can have an OpenGL 3.3 core context, and what stands behind it.

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "ui/charts/decade_range.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 
@@ -17,10 +19,6 @@ enum Column { kHolds, kClaim, kMeasured, kExpected, kWhere, kColumns };
 constexpr int kAside = 5;  // pixels of air beside a cell's text
 constexpr int kAbove = 4;  // and above and below it
 
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
-
 /// With a minus sign instead of a hyphen.
 QString numberLabel(double value) {
   return readingLabel(value).replace('-', u'−');
@@ -28,7 +26,7 @@ QString numberLabel(double value) {
 
 QString verdictText(const Claim& claim) {
   if (claim.holds == Verdict::OnlyForScheme)
-    return ClaimsTable::tr("only for scheme %1").arg(text(claim.scheme));
+    return ClaimsTable::tr("only for scheme %1").arg(translatedText(claim.scheme));
   return claim.holds == Verdict::Yes ? ClaimsTable::tr("✓ yes") : ClaimsTable::tr("✗ no");
 }
 
@@ -46,10 +44,10 @@ QColor verdictColour(Verdict verdict, bool dark) {
 
 /// What the row itself does not say.
 QString detailsOf(const Claim& claim) {
-  QStringList lines{ClaimsTable::tr("Measured: %1.").arg(text(claim.quantity))};
+  QStringList lines{ClaimsTable::tr("Measured: %1.").arg(translatedText(claim.quantity))};
   if (!claim.criterion.empty())
-    lines << ClaimsTable::tr("Holds when: %1.").arg(text(claim.criterion));
-  if (!claim.note.empty()) lines << text(claim.note);
+    lines << ClaimsTable::tr("Holds when: %1.").arg(translatedText(claim.criterion));
+  if (!claim.note.empty()) lines << translatedText(claim.note);
   return lines.join('\n');
 }
 
@@ -88,8 +86,8 @@ QString estimateText(const Estimate& estimate) {
   const int place = static_cast<int>(std::floor(std::log10(error)));
   const int digits = error / std::pow(10, place) < 1.95 ? 1 - place : -place;
   const int decimals = std::clamp(digits, 0, 6);
-  return QString::number(estimate.value, 'f', decimals).replace('-', u'−') + QStringLiteral(" ± ") +
-         QString::number(error, 'f', decimals);
+  return inLanguage(QString::number(estimate.value, 'f', decimals).replace('-', u'−') +
+                    QStringLiteral(" ± ") + QString::number(error, 'f', decimals));
 }
 
 ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
@@ -141,9 +139,10 @@ void ClaimsTable::fill() {
   setRowCount(static_cast<int>(claims_.size()));
   for (int row = 0; row < rowCount(); ++row) {
     const Claim& claim = claims_[static_cast<std::size_t>(row)];
-    const QStringList cells{verdictText(claim), text(claim.claim), estimateText(claim.measured),
+    const QStringList cells{verdictText(claim), translatedText(claim.claim),
+                            estimateText(claim.measured),
                             std::isfinite(claim.expected) ? numberLabel(claim.expected) : "",
-                            text(claim.where)};
+                            translatedText(claim.where)};
     for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -163,8 +162,8 @@ void ClaimsTable::unfold(int chosen) {
   for (int row = 0; row < rowCount(); ++row) {
     const Claim& claim = claims_[static_cast<std::size_t>(row)];
     item(row, kClaim)
-        ->setText(row == chosen ? text(claim.claim) + "\n\n" + detailsOf(claim)
-                                : text(claim.claim));
+        ->setText(row == chosen ? translatedText(claim.claim) + "\n\n" + detailsOf(claim)
+                                : translatedText(claim.claim));
   }
   resizeRowsToContents();
   if (chosen >= 0) scrollTo(model()->index(chosen, kClaim));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/scene/assignments.h"
+#include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/scene_library.h"
 
@@ -68,6 +69,8 @@ QString renderCommand(const SceneOrigin& origin, const Scene& scene, const Pictu
     words += {"--size", QStringLiteral("%1x%2").arg(wish.size.width()).arg(wish.size.height())};
   if (wish.scale != 1) words += {"--scale", numberText(wish.scale)};
   if (wish.dark) words += {"--theme", "dark"};
+  if (wish.overlay != "pressure") words += {"--overlay", wish.overlay};
+  if (presentLanguage() != "en") words += {"--language", fromUtf8(presentLanguage())};
   return command(words);
 }
 

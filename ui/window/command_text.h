@@ -16,6 +16,7 @@ struct PictureWish {
   QSize size;        // device pixels
   double scale = 1;  // device pixels to one of the window system's
   bool dark = false;
+  QString overlay = QStringLiteral("pressure");
 };
 
 /// "asperity render figure_1.json --set load.normal_force=0.1 -o picture.png ...". A scene that

@@ -24,17 +24,26 @@ ContactCanvas::ContactCanvas(QWidget* parent) : QWidget(parent), layout_(new QVB
   layout_->setContentsMargins(0, 0, 0, 0);
   setMinimumSize(320, 160);
   setAccessibleName(tr("contact view"));
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setContextMenuPolicy(Qt::ActionsContextMenu);
+  grabGesture(Qt::PinchGesture);
   clock_.start();
   prefersOpenGl() ? useOpenGl() : useSoftware();
 }
 
 void ContactCanvas::setFrame(std::shared_ptr<const Frame> frame) {
-  frame_ = std::move(frame);
+  viewer_.setFrame(std::move(frame));
   refresh();
 }
 
 void ContactCanvas::setTheme(const Theme& theme) {
   theme_ = theme;
+  refresh();
+}
+
+void ContactCanvas::setTextScale(double scale) {
+  textScale_ = scale;
   refresh();
 }
 
@@ -67,6 +76,7 @@ void ContactCanvas::place(CanvasBackend* backend) {
     backend_->widget()->deleteLater();
   }
   backend_ = backend;
+  backend_->widget()->setAttribute(Qt::WA_TransparentForMouseEvents);  // they are this widget's
   layout_->addWidget(backend_->widget());
   refresh();
 }
@@ -88,7 +98,19 @@ void ContactCanvas::countPicture() {
 }
 
 void ContactCanvas::refresh() {
-  if (backend_ && frame_) backend_->show(frame_, theme_);
+  if (backend_ && viewer_.frame()) backend_->show(request());
+}
+
+/// What is on the screen: the backend fills this widget.
+PictureRequest ContactCanvas::request() const {
+  PictureRequest request;
+  request.frame = viewer_.frame();
+  request.options = viewer_.options();
+  request.options.theme = theme_;
+  request.textScale = textScale_;
+  request.scale = devicePixelRatioF();
+  request.size = size() * request.scale;
+  return request;
 }
 
 }  // namespace asperity

@@ -6,8 +6,10 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/picture/figure_drawing.h"
+#include "ui/picture/picture_origin.h"
 #include "ui/window/picture_files.h"
 
 namespace asperity {
@@ -20,7 +22,7 @@ namespace {
 
 /// As asperity figure says it, so that the file opens as its scene.
 std::string originOf(const Figure& figure) {
-  return provenanceLine(provenance("figure", figure.scene));
+  return pictureOrigin("figure", figure.scene);
 }
 
 }  // namespace
@@ -32,7 +34,7 @@ QString figureFile(FigureName name, const QString& extension) {
 void writeFigurePicture(const std::filesystem::path& file, const MadeFigure& made) {
   const Figure& figure = made.figure;
   writePicture(file, composeFigure(figure, made.contact.get(), printOptions(figure.sheet)),
-               {figure.sheet.title, originOf(figure)});
+               {translated(figure.sheet.title), originOf(figure)});
 }
 
 void writeFigureData(const std::filesystem::path& file, const MadeFigure& made) {

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QStyledItemDelegate>
 
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 
 namespace asperity {
@@ -109,7 +110,7 @@ FigureList::FigureList(QWidget* parent) : QListWidget(parent) {
   for (const FigureEntry& entry : figureEntries()) {
     auto* item = new QListWidgetItem(this);
     item->setData(kLabel, figureLabel(entry.name));
-    item->setData(kHeadline, fromUtf8(entry.headline));
+    item->setData(kHeadline, translatedText(entry.headline));
     showStatus(entry.name, {});
   }
   setCurrentRow(0);
@@ -131,9 +132,9 @@ void FigureList::showStatus(FigureName name, const FigureStatus& status) {
   const QString state = stateText(name, status);
   item.setData(kState, state);
   item.setData(kPart, status.work == FigureWork::Computing ? QVariant(status.part) : QVariant());
-  item.setData(
-      Qt::AccessibleTextRole,
-      QStringLiteral("%1, %2, %3").arg(figureLabel(name), fromUtf8(entryOf(name).headline), state));
+  item.setData(Qt::AccessibleTextRole,
+               QStringLiteral("%1, %2, %3")
+                   .arg(figureLabel(name), translatedText(entryOf(name).headline), state));
 }
 
 void FigureList::resizeEvent(QResizeEvent* event) {

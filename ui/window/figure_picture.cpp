@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "ui/language/translated.h"
 #include "ui/picture/figure_drawing.h"
 #include "ui/window/appearance.h"
 
@@ -16,8 +17,8 @@ FigurePicture::FigurePicture(QWidget* parent) : QWidget(parent) {
 void FigurePicture::showFigure(std::shared_ptr<const MadeFigure> made) {
   if (made == made_) return;
   made_ = std::move(made);
-  setAccessibleName(QString::fromStdString(made_->figure.sheet.title));
-  setAccessibleDescription(QString::fromStdString(made_->figure.sheet.note));
+  setAccessibleName(translatedText(made_->figure.sheet.title));
+  setAccessibleDescription(translatedText(made_->figure.sheet.note));
   first_ = asked_ + 1;
   requestPicture();
 }

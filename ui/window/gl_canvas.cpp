@@ -12,7 +12,6 @@
 #include "ui/picture/text_painter.h"
 #include "ui/render/renderer.h"
 #include "ui/window/canvas_backend.h"
-#include "ui/window/picture_source.h"
 
 namespace asperity {
 
@@ -42,9 +41,8 @@ class GlCanvas : public QOpenGLWidget, public CanvasBackend {
   QWidget* widget() override { return this; }
   QString name() const override { return QStringLiteral("OpenGL"); }
 
-  void show(std::shared_ptr<const Frame> frame, const Theme& theme) override {
-    request_.frame = std::move(frame);
-    request_.theme = theme;
+  void show(const PictureRequest& request) override {
+    request_ = request;
     update();
   }
 
@@ -64,7 +62,7 @@ class GlCanvas : public QOpenGLWidget, public CanvasBackend {
     if (!renderer_ || !request_.frame) return painter.fillRect(rect(), palette().window());
     request_.scale = devicePixelRatioF();
     request_.size = size() * request_.scale;
-    const DrawList list = source_.compose(request_);
+    const DrawList list = composePicture(request_);
     painter.beginNativePainting();
     renderer_->draw(list, defaultFramebufferObject());
     painter.endNativePainting();
@@ -83,7 +81,6 @@ class GlCanvas : public QOpenGLWidget, public CanvasBackend {
 
   CanvasEvents events_;
   std::unique_ptr<Renderer> renderer_;
-  PictureSource source_;
   PictureRequest request_;
 };
 

@@ -12,22 +12,25 @@
 
 #include "ui/charts/plot_view.h"
 #include "ui/charts/transient_strips.h"
+#include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/accuracy_panel.h"
 #include "ui/window/appearance.h"
 #include "ui/window/contact_canvas.h"
+#include "ui/window/curve_reading.h"
+#include "ui/window/diagram_view.h"
 #include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/plan_list.h"
 #include "ui/window/session.h"
 #include "ui/window/status_line.h"
+#include "ui/window/tour_bar.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr int kPollInterval = 16;     // ms, 60 times a second
-constexpr int kStatusInterval = 500;  // ms
+constexpr int kPollInterval = 16;  // ms, 60 times a second
 
 /// A dock's title in the window's own look.
 QWidget* dockTitle(QDockWidget& dock) {
@@ -72,6 +75,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   auto* timer = new QTimer(this);
   timer->setTimerType(Qt::PreciseTimer);
   connect(timer, &QTimer::timeout, session_, &Session::poll);
+  session_->begin();
   timer->start(kPollInterval);
 }
 
@@ -79,9 +83,8 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::buildViews() {
   canvas_ = new ContactCanvas;
-  canvas_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_ = makePlotView();
-  plot_->setFocusPolicy(Qt::ClickFocus);
+  plot_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(170);
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
@@ -94,31 +97,27 @@ void MainWindow::buildViews() {
   splitter_->setStretchFactor(1, 42);
   splitter_->setSizes({580, 420});
 
-  gallery_ = new GalleryPage;
   pages_ = new QStackedWidget;
   pages_->addWidget(splitter_);
-  pages_->addWidget(gallery_);
 
   messages_ = new MessageBar;
   description_ = new MessageBar;
   description_->setObjectName("descriptionBar");
+  hint_ = new MessageBar;
+  hint_->setObjectName("hintBar");
+  tourBar_ = new TourBar;
   auto* centre = new QWidget;
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(messages_);
+  column->addWidget(hint_);
+  column->addWidget(tourBar_);
   column->addWidget(description_);
   column->addWidget(pages_, 1);
   setCentralWidget(centre);
 
-  status_ = new StatusLine;
-  statusBar()->addWidget(status_, 1);
-  statusBar()->setSizeGripEnabled(false);
-  statusBar()->setContentsMargins(0, 0, 0, 0);
-  auto* timer = new QTimer(this);
-  connect(timer, &QTimer::timeout, this,
-          [this] { status_->showDrawing(canvas_->framesPerSecond(), canvas_->backendName()); });
-  timer->start(kStatusInterval);
+  buildStatus();
 }
 
 void MainWindow::buildPanel() {
@@ -136,14 +135,15 @@ void MainWindow::connectSession() {
   connect(session_, &Session::frameArrived, this, [this] {
     const std::shared_ptr<const Frame> frame = session_->frame();
     if (!isShowingFigures()) canvas_->setFrame(frame);
-    status_->showFrame(*frame);
+    status_->showFrame(*frame, readCurve(*frame, session_->curve()));
     if (frame->transient && frame->sceneNumber == session_->sceneNumber())
-      strips_->show(frame->scene->sliding, frame->transient);
+      strips_->show(frame->scene->sliding, frame->transient, frame->spacing, frame->length);
     if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
   });
   connect(accuracy_, &AccuracyPanel::sceneEdited, this,
           [this](const Scene& scene) { editScene(scene); });
-  connect(session_, &Session::complained, this, [this](const QString& key, const QString& text) {
+  connect(session_, &Session::complained, this, [this](const QString& key, const QString& english) {
+    const QString text = translatedText(english.toStdString());
     messages_->showMessage(key.isEmpty() ? text : key + ": " + text);
     panel_->showError(key, text);
   });
@@ -155,8 +155,8 @@ void MainWindow::connectSession() {
 }
 
 void MainWindow::showDescription() {
-  const QString text = QString::fromStdString(session_->scene().description);
-  text.isEmpty() ? description_->hide() : description_->showMessage(text);
+  const QString text = translatedText(session_->scene().description);
+  text.isEmpty() || isTouring_ ? description_->hide() : description_->showMessage(text);
 }
 
 void MainWindow::setDark(bool dark) {
@@ -166,9 +166,10 @@ void MainWindow::setDark(bool dark) {
   setStyleSheet(windowStyleSheet(theme));
   canvas_->setTheme(theme);
   plot_->setColours(plotColoursOf(theme));
+  for (DiagramView* view : {spectrum_, statistics_}) view->setTheme(theme);
   strips_->setColours(plotColoursOf(theme));
   accuracy_->setTheme(theme);
-  gallery_->setTheme(theme);
+  if (gallery_) gallery_->setTheme(theme);
   paintIcons();
 }
 

@@ -26,6 +26,8 @@ namespace asperity {
 
 class AccuracyPanel;
 class ContactCanvas;
+class CurveCommands;
+class DiagramView;
 class GalleryPage;
 class GestureCounter;
 class MessageBar;
@@ -37,6 +39,7 @@ class Session;
 class StatusLine;
 struct ContactShot;
 struct SceneOrigin;
+class TourBar;
 class TransientStrips;
 
 enum class Colours { System, Light, Dark };
@@ -51,10 +54,12 @@ class MainWindow : public QMainWindow {
   Session& session() { return *session_; }
   ParameterPanel& panel() { return *panel_; }
   PlotView& plotView() { return *plot_; }
+  CurveCommands& curveCommands() { return *curveCommands_; }
   ContactCanvas& canvas() { return *canvas_; }
   MessageBar& messages() { return *messages_; }
   MessageBar& description() { return *description_; }
-  GalleryPage& gallery() { return *gallery_; }
+  /// Made when it is first asked for.
+  GalleryPage& gallery();
 
   /// Another scene for controls and runner: a fresh document without a history. Asks nothing.
   void showScene(const Scene& scene);
@@ -93,6 +98,11 @@ class MainWindow : public QMainWindow {
   void rememberLayout();
   void restoreDefaultLayout();
 
+  /// Six scenes with a sentence each; and a small hint at it, until it was taken or put away.
+  void startTour();
+  void offerTour();
+  bool isTouring() const { return isTouring_; }
+
   /// For an audience: the whole screen, large texts, contact and curve alone; Escape leaves.
   void setPresenting(bool presenting);
   bool isPresenting() const { return presentation_.has_value(); }
@@ -119,10 +129,18 @@ class MainWindow : public QMainWindow {
   QAction* addCommand(const char* name, const QString& text, const QKeySequence& key, Symbol symbol,
                       std::function<void()> run);
   void buildMenus();
+  void adoptActions(QMenu& menu);
   void buildToolBar();
   void fillScenes(QMenu& menu);
   void showPlaying(bool playing);
   void paintIcons();
+
+  // In main_window_help.cpp.
+  void buildHelpCommands();
+  void fillHelp(QMenu& menu);
+  void showTourStep(int step);
+  void endTour();
+  void showShortcuts();
   void showAbout();
 
   // In main_window_files.cpp.
@@ -168,15 +186,18 @@ class MainWindow : public QMainWindow {
   void showAboutScene();
   void showMeasuredCurve();
 
+  // In main_window_status.cpp: the facts below.
+  void buildStatus();
+  void showWork();
+
   // In main_window_view.cpp: the contact's commands and facts.
   void buildViewCommands(QMenu& menu);
   void connectView();
+  void wantFields();
 
   // In main_window_chart.cpp: the friction curve's.
   void buildChartCommands(QMenu& menu);
   void connectChart();
-  void showPlotSoon();
-  void showPlot();
 
   // In main_window_figures.cpp.
   void buildFigures();
@@ -190,19 +211,22 @@ class MainWindow : public QMainWindow {
   ParameterPanel* panel_ = nullptr;
   QTabWidget* tabs_ = nullptr;  // under the contact
   TransientStrips* strips_ = nullptr;
+  DiagramView *spectrum_ = nullptr, *statistics_ = nullptr;
   PlanList* plan_ = nullptr;
   AccuracyPanel* accuracy_ = nullptr;
   QElapsedTimer curveTime_;  // since the present curve was wanted
   MessageBar* messages_ = nullptr;
   MessageBar* description_ = nullptr;  // what to look for in the scene that was opened
+  MessageBar* hint_ = nullptr;         // at the tour
+  TourBar* tourBar_ = nullptr;
+  bool isTouring_ = false;
   StatusLine* status_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QStackedWidget* pages_ = nullptr;  // the views, and the figures
   GalleryPage* gallery_ = nullptr;
   QDockWidget* dock_ = nullptr;
   QToolBar* tools_ = nullptr;
-  QTimer* plotPause_ = nullptr;  // runs after the diagram was painted
-  bool plotIsDue_ = false;       // and something came meanwhile
+  CurveCommands* curveCommands_ = nullptr;
   QAction *play_ = nullptr, *step_ = nullptr, *reset_ = nullptr;
   QAction *open_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr, *light_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr, *revert_ = nullptr, *resetAll_ = nullptr;
@@ -210,6 +234,8 @@ class MainWindow : public QMainWindow {
   QAction *copyRender_ = nullptr, *copyCurve_ = nullptr;
   QAction *fullScreen_ = nullptr, *present_ = nullptr, *leave_ = nullptr;
   QAction* restoreLayout_ = nullptr;
+  QAction *tour_ = nullptr, *tourBack_ = nullptr, *tourNext_ = nullptr;
+  QAction *shortcuts_ = nullptr, *about_ = nullptr;
   QList<QAction*> tabActions_, colourActions_;
   QMenu* recent_ = nullptr;
   QAction* figures_ = nullptr;

@@ -3,19 +3,21 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
 #include <string>
 #include <utility>
 
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/appearance.h"
 #include "ui/window/command_words.h"
 #include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
 #include "ui/window/scene_document.h"
 #include "ui/window/scene_library.h"
 #include "ui/window/session.h"
+#include "ui/window/window_language.h"
 
 namespace asperity {
 
@@ -32,6 +34,7 @@ void MainWindow::buildActions() {
   light_ = addCommand("light", tr("Dark colours"), {}, Symbol::Light,
                       [this] { setColours(dark_ ? Colours::Light : Colours::Dark); });
   buildLayoutCommands();
+  buildHelpCommands();
   buildFigures();
   buildMenus();
   buildToolBar();
@@ -65,10 +68,25 @@ void MainWindow::buildMenus() {
   buildViewCommands(*view);
   view->addSeparator();
   fillLayout(*view);
+  view->addSeparator();
+  addLanguages(*view, [this] {
+    messages_->showMessage(tr("The language changes when Asperity is started again."));
+  });
 
   buildChartCommands(*menuBar()->addMenu(tr("&Curve")));
 
-  menuBar()->addMenu(tr("&Help"))->addAction(tr("About Asperity"), this, &MainWindow::showAbout);
+  fillHelp(*menuBar()->addMenu(tr("&Help")));
+  for (QAction* action : menuBar()->actions()) adoptActions(*action->menu());
+}
+
+/// Their keys are the window's, too: they go on where the menu bar is hidden.
+void MainWindow::adoptActions(QMenu& menu) {
+  for (QAction* action : menu.actions()) {
+    if (action->menu())
+      adoptActions(*action->menu());
+    else if (!action->shortcut().isEmpty())
+      addAction(action);
+  }
 }
 
 /// A submenu for each chapter; what has none stands in the menu itself.
@@ -78,14 +96,14 @@ void MainWindow::fillScenes(QMenu& menu) {
   for (const LibraryScene& entry : libraryScenes()) {
     if (entry.scene.chapter != chapter) {
       chapter = entry.scene.chapter;
-      part = chapter.empty() ? &menu : menu.addMenu(fromUtf8(chapter));
+      part = chapter.empty() ? &menu : menu.addMenu(translatedText(chapter));
       part->setToolTipsVisible(true);
     }
-    const QString title = QString::fromStdString(entry.scene.title);
+    const QString title = translatedText(entry.scene.title);
     QAction* action = part->addAction(title.isEmpty() ? entry.name : title, this, [this, entry] {
       replaceScene({entry.name, {}, entry.scene});
     });
-    action->setToolTip(wrappedTip(fromUtf8(entry.scene.description)));
+    action->setToolTip(wrappedTip(translatedText(entry.scene.description)));
     action->setObjectName("scene:" + entry.name);
   }
 }
@@ -135,20 +153,6 @@ void MainWindow::paintIcons() {
   if (auto* scenes = findChild<QToolButton*>("scenesButton"))
     scenes->setIcon(symbolIcon(Symbol::Scenes, colour));
   setCommandText(*light_, dark_ ? tr("Light colours") : tr("Dark colours"));
-}
-
-void MainWindow::showAbout() {
-  auto* box = new QMessageBox(this);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setWindowTitle(tr("About Asperity"));
-  box->setText(tr("<h3>Asperity %1</h3>").arg(ASPERITY_VERSION));
-  box->setInformativeText(
-      tr("Shows how a viscoelastic elastomer slides over a randomly rough rigid line, after Li et "
-         "al., <i>Friction between a viscoelastic body and a rigid surface with random self-affine "
-         "roughness</i>, Physical Review Letters 111, 034301 (2013).<br><br>The elements of the "
-         "elastomer are independent of each other: long-range elastic coupling is not in the "
-         "model.<br><br>Free software, GPL-3.0-or-later."));
-  box->open();
 }
 
 }  // namespace asperity

@@ -1,47 +1,53 @@
 // The main window's friction curve: its menu, and how it follows the session.
+#include <QFileInfo>
 #include <QMenu>
-#include <QTimer>
 
 #include "ui/charts/plot_view.h"
+#include "ui/window/accuracy_panel.h"
+#include "ui/window/curve_commands.h"
+#include "ui/window/curve_comparison.h"
+#include "ui/window/curve_display.h"
 #include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
 #include "ui/window/session.h"
+#include "ui/window/status_line.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr int kPlotPause = 80;  // ms; painting a diagram costs as much as several pictures
+constexpr int kOnePlot = 170, kTwoPlots = 300;  // least heights, pixels
 
 }  // namespace
 
 /// Called once, when menus, views and session are there.
 void MainWindow::buildChartCommands(QMenu& menu) {
-  menu.menuAction()->setVisible(!menu.isEmpty());
+  const auto run = [this](std::function<void()> work, std::function<void()> done) {
+    runExport(std::move(work), std::move(done));
+  };
+  curveCommands_ = new CurveCommands(*session_, *plot_, run, this);
+  curveCommands_->fill(menu);
+  addActions(menu.actions());  // keys work where the menu bar is hidden, too
+  connect(curveCommands_, &CurveCommands::exported, this, [this](const QString& file) {
+    status_->say(file.isEmpty() ? tr("The curve's picture is on the clipboard")
+                                : tr("Saved %1").arg(QFileInfo(file).fileName()));
+    emit exported(file);
+  });
 }
 
 void MainWindow::connectChart() {
+  plot_->setFocusPolicy(Qt::StrongFocus);
   connect(session_, &Session::plotChanged, this, &MainWindow::showMeasuredCurve);
-  plotPause_ = new QTimer(this);
-  plotPause_->setSingleShot(true);
-  plotPause_->setInterval(kPlotPause);
-  connect(plotPause_, &QTimer::timeout, this, [this] {
-    if (plotIsDue_) showPlot();
+  auto* display = new CurveDisplay(*session_, *plot_, this);
+  connect(display, &CurveDisplay::sceneEdited, this,
+          [this](const Scene& scene) { editScene(scene, tr("Velocity")); });
+  auto* comparison = new CurveComparison(*session_, this);
+  connect(accuracy_, &AccuracyPanel::comparisonChanged, this, [this, comparison] {
+    comparison->setSetting(accuracy_->comparison());
+    // Two plots need more room than one.
+    plot_->setMinimumHeight(accuracy_->comparison() ? kTwoPlots : kOnePlot);
   });
-  connect(session_, &Session::plotChanged, this, &MainWindow::showPlotSoon);
-  showPlot();
-}
-
-void MainWindow::showPlotSoon() {
-  if (plotPause_->isActive())
-    plotIsDue_ = true;
-  else
-    showPlot();
-}
-
-void MainWindow::showPlot() {
-  plotIsDue_ = false;
-  plot_->setPlot(session_->plot());
-  plotPause_->start();
+  connect(comparison, &CurveComparison::failed, messages_, &MessageBar::showMessage);
 }
 
 }  // namespace asperity

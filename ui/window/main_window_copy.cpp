@@ -46,14 +46,14 @@ void MainWindow::buildCopyCommands() {
 
 /// The picture that is on the screen; none before the first.
 std::optional<ContactShot> MainWindow::shot() const {
-  ContactShot shot{session_->frame(), {}};
+  ContactShot shot{canvas_->viewer().frame(), {}};
   if (!shot.frame) return std::nullopt;
+  shot.options = canvas_->viewer().options();
   const QSize size = devicePixels(*canvas_);
   shot.options.width = size.width();
   shot.options.height = size.height();
-  shot.options.scale = static_cast<float>(canvas_->devicePixelRatioF());
+  shot.options.scale = static_cast<float>(canvas_->devicePixelRatioF() * canvas_->textScale());
   shot.options.theme = dark_ ? darkTheme() : lightTheme();
-  shot.options.view = fittedView(*shot.frame);
   return shot;
 }
 
@@ -111,6 +111,7 @@ QString MainWindow::pictureCommand() const {
   }
   wish.scale = canvas_->devicePixelRatioF();
   wish.dark = dark_;
+  wish.overlay = QString::fromUtf8(wordFor(canvas_->viewer().overlay()).data());
   return renderCommand(document_->origin(), document_->scene(), wish);
 }
 

@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/command_words.h"
 #include "ui/window/gesture_counter.h"
@@ -68,7 +69,7 @@ void MainWindow::showHistory() {
 }
 
 void MainWindow::showTitle() {
-  const QString title = QString::fromStdString(document_->scene().title);
+  const QString title = translatedText(document_->scene().title);
   const QString name = title.isEmpty() ? QFileInfo(document_->file()).fileName() : title;
   setWindowTitle(name.isEmpty() ? tr("Asperity[*]") : tr("%1[*] – Asperity").arg(name));
   setWindowModified(document_->isChanged());
@@ -102,6 +103,7 @@ void MainWindow::showScene(const Scene& scene) {
 }
 
 void MainWindow::showScene(const SceneOrigin& origin) {
+  endTour();
   document_->open(origin);
   panel_->setScene(origin.scene);
   session_->setScene(origin.scene);
@@ -113,9 +115,10 @@ void MainWindow::replaceScene(const SceneOrigin& origin) {
   if (mayLeaveScene()) showScene(origin);
 }
 
-/// Whether the present scene may go: it is unchanged, was saved just now, or nobody wants it.
+/// Whether the present scene may go: it is unchanged, was saved just now, or nobody wants it; what
+/// was tried on the tour is not asked about.
 bool MainWindow::mayLeaveScene() {
-  if (!document_->isChanged()) return true;
+  if (!document_->isChanged() || isTouring_) return true;
   QMessageBox box(QMessageBox::Question, tr("Asperity"),
                   tr("The scene was changed. Save the changes?"),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);

@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/gallery_page.h"
@@ -19,7 +20,7 @@ namespace {
 
 /// As it stands in the menu: "Figure 2: Typical dependence …"; the two others by their headlines.
 QString menuText(const FigureEntry& entry) {
-  const QString headline = fromUtf8(entry.headline);
+  const QString headline = translatedText(entry.headline);
   return entry.name < FigureName::Master
              ? MainWindow::tr("%1: %2").arg(figureLabel(entry.name), headline)
              : headline;
@@ -32,11 +33,19 @@ void MainWindow::buildFigures() {
                         [this] { isShowingFigures() ? closeFigures() : openFigures(); });
   figures_->setIconText(QChar(0x2002) + tr("Figures"));
   figures_->setCheckable(true);
+}
+
+GalleryPage& MainWindow::gallery() {
+  if (gallery_) return *gallery_;
+  gallery_ = new GalleryPage;
+  gallery_->setTheme(dark_ ? darkTheme() : lightTheme());
+  pages_->addWidget(gallery_);
   connect(gallery_, &GalleryPage::closed, this, &MainWindow::closeFigures);
   connect(gallery_, &GalleryPage::sceneWanted, this, [this](const Scene& scene) {
     closeFigures();
     replaceScene({{}, {}, scene});
   });
+  return *gallery_;
 }
 
 void MainWindow::fillFigures(QMenu& menu) {
@@ -44,9 +53,10 @@ void MainWindow::fillFigures(QMenu& menu) {
   for (const FigureEntry& entry : figureEntries()) {
     QAction* action = menu.addAction(menuText(entry), this, [this, name = entry.name] {
       openFigures();
-      gallery_->choose(name, true);
+      gallery().choose(name, true);
     });
     action->setObjectName("figure:" + fromUtf8(entry.word));
+    if (entry.name < FigureName::Master) action->setProperty("shortText", figureLabel(entry.name));
     action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(key++)));
   }
   menu.addSeparator();
@@ -54,7 +64,7 @@ void MainWindow::fillFigures(QMenu& menu) {
 }
 
 bool MainWindow::isShowingFigures() const {
-  return pages_->currentWidget() == gallery_;
+  return gallery_ && pages_->currentWidget() == gallery_;
 }
 
 /// Parameters and facts, which are of the contact, make room; the run's keys are the page's: Space
@@ -66,7 +76,7 @@ void MainWindow::openFigures() {
   dock_->hide();
   statusBar()->hide();
   for (QAction* action : {play_, step_, reset_}) action->setEnabled(false);
-  pages_->setCurrentWidget(gallery_);
+  pages_->setCurrentWidget(&gallery());
 }
 
 void MainWindow::closeFigures() {

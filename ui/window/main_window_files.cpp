@@ -150,7 +150,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (urls.size() != 1 || !urls.front().isLocalFile()) return;
   event->acceptProposedAction();
   const QString file = urls.front().toLocalFile();
-  if (!document_->isChanged()) return void(openScene(file));
+  if (!document_->isChanged() || isTouring_) return void(openScene(file));
   QTimer::singleShot(0, this, [this, file] {  // who dropped it does not wait for an answer
     if (mayLeaveScene()) openScene(file);
   });

@@ -110,7 +110,8 @@ void MainWindow::fillColours(QMenu& menu) {
 void MainWindow::setColours(Colours colours) {
   colours_ = colours;
   colourActions_.at(static_cast<int>(colours))->setChecked(true);
-  setDark(colours == Colours::System ? systemIsDark() : colours == Colours::Dark);
+  const bool dark = colours == Colours::System ? systemIsDark() : colours == Colours::Dark;
+  if (dark != dark_ || styleSheet().isEmpty()) setDark(dark);  // which is a third of the start
 }
 
 void MainWindow::setFullScreen(bool full) {
@@ -140,6 +141,7 @@ void MainWindow::setPresenting(bool presenting) {
   } else {
     QApplication::setFont(presentation_->font);
   }
+  canvas_->setTextScale(presenting ? kPresentedScale : 1);
   menuBar()->setVisible(!presenting);
   tools_->setVisible(!presenting && presentation_->hasTools);
   statusBar()->setVisible(!presenting && presentation_->hasStatus);

@@ -4,9 +4,11 @@
 #include <QTabWidget>
 #include <cmath>
 
+#include "core/run/line_diagrams.h"
 #include "ui/charts/plot_view.h"
 #include "ui/charts/transient_strips.h"
 #include "ui/window/accuracy_panel.h"
+#include "ui/window/diagram_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/plan_list.h"
 #include "ui/window/session.h"
@@ -25,11 +27,20 @@ QTabWidget* MainWindow::buildTabs() {
   plan_ = new PlanList;
   tabs_ = new QTabWidget;
   tabs_->setObjectName("tabs");
+  tabs_->setAccessibleName(tr("about the scene"));
   tabs_->setDocumentMode(true);
   tabs_->tabBar()->setFocusPolicy(Qt::NoFocus);  // Space is the run's
   tabs_->tabBar()->setDrawBase(false);
   tabs_->addTab(plot_, tr("Friction curve"));
   tabs_->addTab(strips_, tr("Motion in time"));
+  spectrum_ = new DiagramView;
+  spectrum_->setObjectName("spectrumView");
+  spectrum_->setAccessibleName(tr("spectrum of the rigid line"));
+  tabs_->addTab(spectrum_, tr("Spectrum"));
+  statistics_ = new DiagramView;
+  statistics_->setObjectName("statisticsView");
+  statistics_->setAccessibleName(tr("pressures and slopes in contact"));
+  tabs_->addTab(statistics_, tr("Statistics"));
   accuracy_ = new AccuracyPanel;
   tabs_->addTab(accuracy_, tr("Accuracy"));
   tabs_->addTab(plan_, tr("Plan"));
@@ -50,6 +61,7 @@ void MainWindow::showAboutScene() {
   if (moves && !moved) tabs_->setCurrentIndex(kMotionTab);
   if (moves) strips_->show(sliding, nullptr);
   plan_->showScene(session_->scene());
+  spectrum_->show([scene = session_->scene()] { return spectrumSheet(scene); });
   accuracy_->showScene(session_->scene());
   curveTime_.start();
 }
@@ -62,7 +74,7 @@ void MainWindow::showMeasuredCurve() {
   int count = 0;
   for (const PlotSeries& series : plot.series)
     for (const PlotPoint& point : series.points)
-      if (series.style == PlotStyle::Points && std::isfinite(point.error)) {
+      if (series.id == kPresentCurve && std::isfinite(point.error)) {
         squares += std::pow(point.error / point.y, 2);
         ++count;
       }

@@ -1,7 +1,10 @@
 // The main window's contact view: its part of the View menu, and how it follows the session.
 #include <QMenu>
 
+#include "core/run/line_diagrams.h"
 #include "ui/window/contact_canvas.h"
+#include "ui/window/contact_view_actions.h"
+#include "ui/window/diagram_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/session.h"
@@ -12,10 +15,24 @@ namespace asperity {
 /// menu.
 void MainWindow::buildViewCommands(QMenu& menu) {
   menu.setToolTipsVisible(true);
+  addContactViewActions(*canvas_, menu);
 }
 
 void MainWindow::connectView() {
   connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
+  connect(canvas_, &ContactCanvas::fieldsWanted, this, &MainWindow::wantFields);
+  connect(statistics_, &DiagramView::visibilityChanged, this, &MainWindow::wantFields);
+  connect(session_, &Session::frameArrived, this, [this] {
+    if (statistics_->isVisible())
+      statistics_->show([frame = session_->frame()] { return statisticsSheet(*frame); });
+  });
+}
+
+/// What the contact shows and what the statistics count, and no more.
+void MainWindow::wantFields() {
+  FrameFields fields = canvas_->fields();
+  fields.lineSlope = fields.lineSlope || statistics_->isVisible();
+  session_->wantFields(fields);
 }
 
 }  // namespace asperity

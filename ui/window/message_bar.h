@@ -5,6 +5,7 @@
 #include <QFrame>
 
 class QLabel;
+class QPushButton;
 
 namespace asperity {
 
@@ -15,10 +16,18 @@ class MessageBar : public QFrame {
   explicit MessageBar(QWidget* parent = nullptr);
 
   void showMessage(const QString& text);
+
+  /// With a button that takes up the offer.
+  void showOffer(const QString& text, const QString& button);
   QString text() const;
+
+ signals:
+  void accepted();
+  void closed();  // by its button
 
  private:
   QLabel* label_;
+  QPushButton* accept_;
 };
 
 }  // namespace asperity

@@ -2,8 +2,9 @@
 
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
-#include "core/scene/provenance.h"
+#include "ui/language/translated.h"
 #include "ui/picture/pdf_file.h"
+#include "ui/picture/picture_origin.h"
 #include "ui/picture/png_file.h"
 #include "ui/picture/svg_file.h"
 #include "ui/picture/text_painter.h"
@@ -35,7 +36,7 @@ void writePicture(const std::filesystem::path& file, const DrawList& picture,
 void writeContact(const std::filesystem::path& file, const ContactShot& shot) {
   const Scene& scene = *shot.frame->scene;
   writePicture(file, composeContact(*shot.frame, shot.options),
-               {scene.title, provenanceLine(provenance("render", scene)), shot.options.scale});
+               {translated(scene.title), pictureOrigin("render", scene), shot.options.scale});
 }
 
 }  // namespace asperity

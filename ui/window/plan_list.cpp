@@ -4,6 +4,7 @@
 
 #include "core/scene/input_error.h"
 #include "core/scene/plan.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 
@@ -22,15 +23,15 @@ void PlanList::showScene(const Scene& scene) {
   clear();
   try {
     for (const PlanStage& stage : planOf(scene, Purpose::Window)) {
-      const QString reason = QString::fromStdString(stage.reason);
+      const QString reason = translatedText(stage.reason);
       auto* item = new QTreeWidgetItem(
-          {QString::fromStdString(stage.name), stage.runs ? tr("yes") : tr("no"), reason});
+          {translatedText(stage.name), stage.runs ? tr("yes") : tr("no"), reason});
       item->setToolTip(2, reason);
       item->setDisabled(!stage.runs);  // pale, in either theme
       addTopLevelItem(item);
     }
   } catch (const InputError& error) {
-    addTopLevelItem(new QTreeWidgetItem({{}, {}, QString::fromUtf8(error.what())}));
+    addTopLevelItem(new QTreeWidgetItem({{}, {}, translatedText(error.what())}));
   }
   resizeColumnToContents(0);
   resizeColumnToContents(1);

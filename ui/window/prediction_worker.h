@@ -6,16 +6,15 @@
 #pragma once
 
 #include <QString>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <stop_token>
-#include <thread>
+#include <utility>
 
 #include "core/accuracy/prediction.h"
 #include "core/scene/scene.h"
+#include "ui/window/latest_work.h"
 
 namespace asperity {
 
@@ -27,27 +26,19 @@ struct PredictionAnswer {
 
 class PredictionWorker {
  public:
-  explicit PredictionWorker(std::function<void(PredictionAnswer)> answered);
-  ~PredictionWorker();
-  PredictionWorker(const PredictionWorker&) = delete;
-  PredictionWorker& operator=(const PredictionWorker&) = delete;
+  explicit PredictionWorker(std::function<void(PredictionAnswer)> answered)
+      : answered_(std::move(answered)) {}
 
   /// Returns the request's number: 1, 2, ...
   std::uint64_t request(Scene scene);
-  void cancel();
+  void cancel() { work_.cancel(); }
 
  private:
-  void run();
   void answer(const Scene& scene, std::uint64_t number, const std::stop_token& stop) const;
 
   std::function<void(PredictionAnswer)> answered_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::optional<Scene> pending_;
-  std::stop_source stop_;  // of the newest request
   std::uint64_t number_ = 0;
-  bool ending_ = false;
-  std::thread thread_;  // last: starts when all of the above is there
+  LatestWork work_;  // last: its thread ends before anything else here goes
 };
 
 }  // namespace asperity

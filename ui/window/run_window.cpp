@@ -4,17 +4,20 @@
 #include <QFont>
 #include <QStyleFactory>
 
+#include "ui/language/language.h"
 #include "ui/picture/text_painter.h"
 #include "ui/window/appearance.h"
 #include "ui/window/main_window.h"
 #include "ui/window/scene_library.h"
+#include "ui/window/start_times.h"
+#include "ui/window/window_language.h"
 
 namespace asperity {
 
 namespace {
 
 Scene firstScene() {
-  const std::vector<LibraryScene> scenes = libraryScenes();
+  const std::vector<LibraryScene>& scenes = libraryScenes();
   return scenes.empty() ? Scene{} : scenes.front().scene;
 }
 
@@ -33,10 +36,15 @@ void prepareApplication(QApplication& application) {
   QApplication::setFont(font);
 }
 
-int runWindow(QApplication& application, const std::optional<Scene>& scene, RunnerOptions options) {
+int runWindow(QApplication& application, const std::optional<Scene>& scene, RunnerOptions options,
+              const WindowStart& start) {
+  if (start.timing) sayTime("connected to the display");
   prepareApplication(application);
+  useLanguage(start.language.empty() ? windowLanguage() : start.language);
   MainWindow window(scene ? *scene : firstScene(), options);
   window.rememberLayout();
+  window.offerTour();
+  if (start.timing) new StartTimes(window);
   window.show();
   return application.exec();
 }

@@ -29,18 +29,7 @@ std::size_t rankOf(const std::string& chapter) {
   return static_cast<std::size_t>(std::ranges::find(order, chapter) - std::begin(order));
 }
 
-}  // namespace
-
-std::optional<std::string> libraryFile(const std::string& name) {
-  openResources();
-  QFile file(kFolder + "/" + QString::fromStdString(name));
-  if (!name.ends_with(".json") || name.find('/') != std::string::npos ||
-      !file.open(QIODevice::ReadOnly))
-    return std::nullopt;
-  return file.readAll().toStdString();
-}
-
-std::vector<LibraryScene> libraryScenes() {
+std::vector<LibraryScene> readLibrary() {
   openResources();
   std::vector<LibraryScene> scenes;
   const QDir folder(kFolder);
@@ -57,6 +46,22 @@ std::vector<LibraryScene> libraryScenes() {
   std::ranges::stable_sort(scenes, {}, [](const LibraryScene& entry) {
     return std::pair(rankOf(entry.scene.chapter), entry.scene.chapter);
   });
+  return scenes;
+}
+
+}  // namespace
+
+std::optional<std::string> libraryFile(const std::string& name) {
+  openResources();
+  QFile file(kFolder + "/" + QString::fromStdString(name));
+  if (!name.ends_with(".json") || name.find('/') != std::string::npos ||
+      !file.open(QIODevice::ReadOnly))
+    return std::nullopt;
+  return file.readAll().toStdString();
+}
+
+const std::vector<LibraryScene>& libraryScenes() {
+  static const std::vector<LibraryScene> scenes = readLibrary();
   return scenes;
 }
 

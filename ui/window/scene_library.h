@@ -16,8 +16,8 @@ struct LibraryScene {
 };
 
 /// By chapter, from the paper to what goes beyond it, then in alphabetical order of their files. A
-/// scene that does not read is left out.
-std::vector<LibraryScene> libraryScenes();
+/// scene that does not read is left out. Read at the first call.
+const std::vector<LibraryScene>& libraryScenes();
 
 /// The file of a shipped scene, by its name with ".json"; none where no scene has this name.
 std::optional<std::string> libraryFile(const std::string& name);

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
 namespace asperity {
 
 namespace {
+
+constexpr int kPatience = 200;  // ms, until a person is told what is waited for
 
 bool sameOrBothMissing(double a, double b) {
   return a == b || (!std::isfinite(a) && !std::isfinite(b));
@@ -37,17 +40,43 @@ QString troubleOf(const Frame& frame) {
 }
 
 Session::Session(const Scene& scene, RunnerOptions options, QObject* parent)
-    : QObject(parent), runner_(options) {
-  setScene(scene);
+    : QObject(parent), scene_(scene), runner_(withNews(std::move(options))) {
+  friction_.expect(scene_);
+}
+
+void Session::begin() {
+  setScene(scene_);
   runner_.play();
 }
 
+/// A curve is taken when it comes, not at the next turn of the window's timer.
+RunnerOptions Session::withNews(RunnerOptions options) {
+  options.curveNews = [this] {
+    if (hasNews_.exchange(true)) return;
+    QMetaObject::invokeMethod(
+        this, [this] { takeCurves(); }, Qt::QueuedConnection);
+  };
+  return options;
+}
+
+void Session::editCurve(const std::function<void(FrictionPlot&)>& edit) {
+  edit(friction_);
+  emit plotChanged();
+}
+
 void Session::setScene(const Scene& scene) {
+  const bool sameCurve = sceneTime_.isValid() && haveSameCurve(scene, scene_);
   scene_ = scene;
+  sceneTime_.start();
+  if (!sameCurve) {
+    curveTime_.start();
+    isStopped_ = false;
+  }
   const bool wasStale = friction_.isStale();
   friction_.expect(scene_);
   sceneNumber_ = runner_.post(scene_);
-  if (wasStale != friction_.isStale()) emit plotChanged();
+  // Names of pinned curves say in what they differ from the scene.
+  if (wasStale != friction_.isStale() || !friction_.pinned().empty()) emit plotChanged();
 }
 
 void Session::setPlaying(bool playing) {
@@ -62,6 +91,38 @@ void Session::singleStep() {
 
 void Session::reset() {
   runner_.reset();
+}
+
+Session::Averaging Session::averaging() const {
+  const CurveUpdate* present = curve();
+  if (present && present->realizationsDone >= present->realizationsTotal) return Averaging::Done;
+  return isStopped_ || brokenNumber_ == sceneNumber_ ? Averaging::Stopped : Averaging::Running;
+}
+
+void Session::stopCurve() {
+  isStopped_ = true;
+  runner_.stopCurve();
+}
+
+void Session::startCurve() {
+  isStopped_ = false;
+  curve_.reset();
+  curveTime_.start();
+  runner_.startCurve();
+}
+
+bool Session::isWaiting() const {
+  return runningNumber_ != sceneNumber_ && brokenNumber_ != sceneNumber_ &&
+         sceneTime_.elapsed() > kPatience;
+}
+
+/// The same curve may come again under another scene's number.
+void Session::measureRate(const CurveUpdate& update) {
+  const bool isNews = !curve() || update.realizationsDone > curve_->realizationsDone;
+  if (!isNews || curveTime_.nsecsElapsed() == 0) return;
+  rate_ = 1e9 * static_cast<double>(update.realizationsDone) *
+          static_cast<double>(update.points.size()) /
+          static_cast<double>(curveTime_.nsecsElapsed());
 }
 
 void Session::poll() {
@@ -79,9 +140,11 @@ void Session::takeMessages() {
 }
 
 void Session::takeCurves() {
+  hasNews_ = false;
   bool changed = false;
   for (const CurveUpdate& update : runner_.takeCurveUpdates()) {
     if (!friction_.take(update)) continue;
+    measureRate(update);
     curve_ = update;
     changed = true;
   }
@@ -94,8 +157,10 @@ void Session::takeFrame() {
   const bool marked = sameMark(frame_.get(), *newest);
   frame_ = std::move(newest);
   if (!marked) {
+    const Plot before = friction_.plot();
     friction_.mark(*frame_);
-    emit plotChanged();
+    const Plot now = friction_.plot();
+    before.x == now.x&& before.y == now.y ? emit markChanged() : emit plotChanged();
   }
   emit frameArrived();
   if (frame_->sceneNumber == sceneNumber_) judgeFrame();

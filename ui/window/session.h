@@ -4,8 +4,11 @@
 // as a signal; the session goes on.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -20,6 +23,10 @@ class Session : public QObject {
  public:
   Session(const Scene& scene, RunnerOptions options, QObject* parent = nullptr);
 
+  /// The runner gets its first scene, and plays. Not before the window is made: it would wait for
+  /// the processors that the runner takes.
+  void begin();
+
   /// Makes this the scene; the newest wins.
   void setScene(const Scene& scene);
   const Scene& scene() const { return scene_; }
@@ -28,13 +35,33 @@ class Session : public QObject {
   bool isPlaying() const { return runner_.isPlaying(); }
   void setPlaying(bool playing);
   void singleStep();  // pauses first
+  /// What frames hold besides, from now on.
+  void wantFields(const FrameFields& fields) { runner_.want(fields); }
   void reset();
+
+  /// The averaging of the present scene's curve: it may be stopped, keeping what is there, and
+  /// begun anew.
+  enum class Averaging { Running, Stopped, Done };
+  Averaging averaging() const;
+  void stopCurve();
+  void startCurve();
+
+  /// Lines at one velocity each, of the present curve so far or of the last one; 0 before the
+  /// first.
+  double simulationsPerSecond() const { return rate_; }
+
+  /// Whether the present scene's first frame keeps a person waiting.
+  bool isWaiting() const;
 
   /// Takes what the runner has made since the last call.
   void poll();
 
   std::shared_ptr<const Frame> frame() const { return frame_; }
   Plot plot() const { return friction_.plot(); }
+
+  const FrictionPlot& friction() const { return friction_; }
+  /// Changes what the diagram shows beside the present curve: pins, axes, a difference.
+  void editCurve(const std::function<void(FrictionPlot&)>& edit);
 
   /// The newest state of a curve of the present scene; null before the first and once it is stale.
   const CurveUpdate* curve() const { return curve_ && !friction_.isStale() ? &*curve_ : nullptr; }
@@ -43,6 +70,8 @@ class Session : public QObject {
   void playingChanged(bool playing);
   void frameArrived();
   void plotChanged();
+  /// Only the marker has: where the line is, and its ranges hold it.
+  void markChanged();
   /// What is wrong with the present scene, by the runner's word or by its frame; key may be empty.
   void complained(const QString& key, const QString& text);
   /// A sound frame of the present scene is here and nothing was said against it: whatever was wrong
@@ -50,12 +79,15 @@ class Session : public QObject {
   void sceneRuns();
 
  private:
+  RunnerOptions withNews(RunnerOptions options);
   void takeMessages();
   void takeCurves();
+  void measureRate(const CurveUpdate& update);
   void takeFrame();
   void judgeFrame();
 
   Scene scene_;
+  std::atomic<bool> hasNews_ = false;  // told, but not taken yet
   Runner runner_;
   std::uint64_t sceneNumber_ = 0;
   std::uint64_t runningNumber_ = 0;  // newest scene of which a frame was seen
@@ -64,6 +96,9 @@ class Session : public QObject {
   std::shared_ptr<const Frame> frame_;
   FrictionPlot friction_;
   std::optional<CurveUpdate> curve_;
+  QElapsedTimer sceneTime_, curveTime_;  // since the scene came, and since its curve was begun
+  bool isStopped_ = false;
+  double rate_ = 0;  // 1/s
 };
 
 /// One sentence on a frame that cannot be believed; empty where nothing is wrong.

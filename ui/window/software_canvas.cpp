@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "ui/window/canvas_backend.h"
-#include "ui/window/picture_source.h"
+#include "ui/window/contact_canvas.h"
 #include "ui/window/picture_worker.h"
 
 namespace asperity {
@@ -20,11 +20,10 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
   }
 
   QWidget* widget() override { return this; }
-  QString name() const override { return tr("software (OSMesa)"); }
+  QString name() const override { return ContactCanvas::tr("software (OSMesa)"); }
 
-  void show(std::shared_ptr<const Frame> frame, const Theme& theme) override {
-    request_.frame = std::move(frame);
-    request_.theme = theme;
+  void show(const PictureRequest& request) override {
+    request_ = request;
     requestPicture();
   }
 
@@ -41,10 +40,10 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
   }
 
  private:
-  bool isFitting() const { return image_.size() == request_.size; }
+  bool isFitting() const { return image_.size() == size() * devicePixelRatioF(); }
 
   QColor colour() const {
-    const Rgba& c = request_.theme.background;
+    const Rgba& c = request_.options.theme.background;
     return request_.frame ? QColor::fromRgbF(c.r, c.g, c.b) : palette().color(QPalette::Window);
   }
 
@@ -52,8 +51,7 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
     request_.scale = devicePixelRatioF();
     request_.size = size() * request_.scale;
     if (!request_.frame || request_.size.isEmpty()) return;
-    worker_.request(
-        {[this, request = request_] { return source_.compose(request); }, request_.scale});
+    worker_.request({[request = request_] { return composePicture(request); }, request_.scale});
   }
 
   /// Both arrive on the worker's thread and go on here; dropped once this widget is gone.
@@ -76,7 +74,6 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
 
   CanvasEvents events_;
   PictureRequest request_;
-  PictureSource source_;  // used on the worker's thread
   QImage image_;
   PictureWorker worker_;  // last: its thread ends before anything else here goes
 };

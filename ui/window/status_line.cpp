@@ -2,11 +2,18 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
 #include <QTimer>
+#include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 #include "core/scene/element_law.h"
 #include "ui/charts/decade_range.h"
+#include "ui/language/language.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/curve_reading.h"
 
 namespace asperity {
 
@@ -16,6 +23,26 @@ constexpr int kSaidFor = 5000;  // ms
 
 double orMissing(double value) {
   return std::isfinite(value) ? value : kNotApplicable;
+}
+
+/// Of a motion: of the moment.
+double presentFriction(const Frame& frame) {
+  return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
+}
+
+/// " (mean 0.001198 ± 0.4 %)", with the digits that the error leaves.
+QString meanText(const CurveReading& reading) {
+  const double share = std::abs(reading.error / reading.mu);
+  const double digits = share > 0 ? std::ceil(-std::log10(share)) + 1 : 4;
+  return StatusLine::tr(" (mean %1 ± %2 %)")
+      .arg(shownNumber(roundedToDigits(reading.mu, static_cast<int>(std::clamp(digits, 2.0, 5.0)))),
+           shownNumber(roundedToDigits(100 * share, 1)));
+}
+
+/// Three digits are more than a rate has: "12,000".
+QString rateText(double rate) {
+  const QLocale locale(fromUtf8(presentLanguage()));
+  return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
 }
 
 }  // namespace
@@ -35,8 +62,14 @@ double dimensionlessVelocity(const Frame& frame) {
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(12, 3, 12, 3);
-  line->setSpacing(26);
-  mu_ = addFact(*line, "factMu", tr("Coefficient of friction of this line in steady sliding"));
+  line->setSpacing(20);
+  regime_ = addFact(*line, "factRegime",
+                    tr("Where the velocity lies on the friction curve: regions I to IV of the "
+                       "paper, found on the complete curve"));
+  mu_ = addFact(
+      *line, "factMu",
+      tr("Coefficient of friction of this line, of a motion at this moment; in brackets the mean "
+         "of all lines at this velocity with its standard error"));
   force_ =
       addFact(*line, "factForce",
               tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
@@ -50,8 +83,56 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   silence_ = new QTimer(this);
   silence_->setSingleShot(true);
   connect(silence_, &QTimer::timeout, said_, &QLabel::clear);
+  addWork(*line);
+  simulations_ = addFact(*line, "factSimulations",
+                         tr("Lines at one velocity each, computed in a second for the curve"));
   rate_ = addFact(*line, "factRate", tr("Pictures of the contact shown in the last second"));
   backend_ = addFact(*line, "factBackend", tr("What draws the contact"));
+  showWork({});
+}
+
+/// Slim, and there only while something is under way.
+void StatusLine::addWork(QHBoxLayout& line) {
+  progress_ = new QProgressBar;
+  progress_->setObjectName("workProgress");
+  progress_->setTextVisible(false);
+  progress_->setFixedSize(90, 6);
+  stop_ = new QToolButton;
+  stop_->setObjectName("workStop");
+  stop_->setAutoRaise(true);
+  stop_->setFocusPolicy(Qt::TabFocus);
+  connect(stop_, &QToolButton::clicked, this, &StatusLine::pressed);
+  auto* room = new QHBoxLayout;
+  room->setSpacing(4);
+  room->addWidget(progress_);
+  room->addWidget(stop_);
+  line.addLayout(room);
+}
+
+void StatusLine::pressed() {
+  if (state_ == Work::State::Running) emit stopWanted();
+  if (state_ == Work::State::Stopped) emit againWanted();
+  if (state_ == Work::State::Waiting) emit backWanted();
+}
+
+void StatusLine::showWork(const Work& work) {
+  state_ = work.state;
+  const bool waits = state_ == Work::State::Waiting;
+  const bool stands = state_ == Work::State::Stopped;
+  progress_->setRange(0, waits ? 0 : 1000);
+  progress_->setValue(static_cast<int>(1000 * work.progress));
+  progress_->setAccessibleName(waits ? tr("making the line") : tr("progress of the curve"));
+  stop_->setText(stands ? QStringLiteral("↻") : QStringLiteral("✕"));
+  const QString text = waits    ? tr("Making the line… Back to the scene before")
+                       : stands ? tr("The curve is not complete: average it again")
+                                : tr("Stop averaging the curve");
+  stop_->setToolTip(text);
+  stop_->setAccessibleName(text);
+  progress_->setVisible(state_ != Work::State::Idle);
+  stop_->setVisible(state_ != Work::State::Idle);
+  simulations_->setText(work.simulationsPerSecond > 0
+                            ? tr("%1 simulations/s").arg(rateText(work.simulationsPerSecond))
+                            : QString());
 }
 
 QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name, const QString& tip) {
@@ -62,11 +143,14 @@ QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name, const QString& 
   return label;
 }
 
-void StatusLine::showFrame(const Frame& frame) {
-  mu_->setText(tr("friction coefficient μ = %1").arg(readingLabel(frame.muSteady)));
-  force_->setText(tr("dimensionless force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
-  velocity_->setText(
-      tr("dimensionless velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame))));
+void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
+  regime_->setText(reading.regime);
+  regime_->setHidden(reading.regime.isEmpty());
+  QString mean;
+  if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
+  mu_->setText(tr("friction μ = %1%2").arg(readingLabel(presentFriction(frame)), mean));
+  force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
+  velocity_->setText(tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame))));
 }
 
 void StatusLine::say(const QString& text) {

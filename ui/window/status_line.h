@@ -1,5 +1,6 @@
-// The facts in the status bar: friction, the paper's two dimensionless numbers, pictures per second
-// and what draws them. They come from the frame shown. GUI thread.
+// The facts in the status bar: regime, friction with its error, the paper's two dimensionless
+// numbers, how fast is computed and drawn and by what; and the progress of the friction curve with
+// the button that stops it. They come from the frame shown. GUI thread.
 #pragma once
 
 #include <QWidget>
@@ -8,9 +9,21 @@
 
 class QHBoxLayout;
 class QLabel;
+class QProgressBar;
 class QTimer;
+class QToolButton;
 
 namespace asperity {
+
+struct CurveReading;
+
+/// What is under way.
+struct Work {
+  enum class State { Idle, Running, Stopped, Waiting };  // Waiting: for the scene's first frame
+  State state = State::Idle;
+  double progress = 0;              // 0 to 1
+  double simulationsPerSecond = 0;  // 0: not known
+};
 
 class StatusLine : public QWidget {
   Q_OBJECT
@@ -18,20 +31,35 @@ class StatusLine : public QWidget {
  public:
   explicit StatusLine(QWidget* parent = nullptr);
 
-  void showFrame(const Frame& frame);
+  void showFrame(const Frame& frame, const CurveReading& reading);
+  void showWork(const Work& work);
+
   /// For a few seconds, in the room between the facts.
   void say(const QString& text);
 
   void showDrawing(int framesPerSecond, const QString& backend);
 
+ signals:
+  /// The button of what is under way, as showWork() left it.
+  void stopWanted();
+  void againWanted();
+  void backWanted();  // from waiting
+
  private:
   QLabel* addFact(QHBoxLayout& line, const char* name, const QString& tip);
+  void addWork(QHBoxLayout& line);
+  void pressed();
 
+  Work::State state_ = Work::State::Idle;
   QLabel* said_;
   QTimer* silence_;
+  QLabel* regime_;
   QLabel* mu_;
   QLabel* force_;
   QLabel* velocity_;
+  QProgressBar* progress_;
+  QToolButton* stop_;
+  QLabel* simulations_;
   QLabel* rate_;
   QLabel* backend_;
 };

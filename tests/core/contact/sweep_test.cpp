@@ -120,6 +120,27 @@ TEST_P(Sweep, ContactsFarShorterThanASegment) {
     }
 }
 
+/// Elastic, or far slower than anything relaxes: the free surface is back at once.
+TEST_P(Sweep, WithoutMemory) {
+  const std::vector<double> velocities{1e-5, 1e-2, 10};
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
+    const TravelLine line = prepareTravel(roughLine(301, 2), scheme);
+    for (const double tau : {0.0, 1e-300, 1e-30, 1e-15})
+      for (const double force : {1e-4, 0.1, 100.0}) {
+        Load load;
+        load.normalForce = force;
+        std::vector<SteadyResult> results(velocities.size());
+        slideSweep(line, {kModulus, tau, 0}, load, velocities, results);
+        for (std::size_t i = 0; i < velocities.size(); ++i) {
+          const SteadyResult plain = slideAtForce(line, {kModulus, tau, velocities[i]}, force);
+          EXPECT_EQ(results[i].status, SteadyStatus::Balanced);
+          EXPECT_NEAR(results[i].indentation, plain.indentation, 1e-12 * plain.indentation);
+          EXPECT_NEAR(results[i].mu, plain.mu, 1e-10 * plain.mu + 1e-290);
+        }
+      }
+  }
+}
+
 /// Where nothing relaxes within a period, all depends on F_N / (4 eta v L) and the shape, however
 /// far v tau is beyond numbers that tell a surface from one that does not relax at all.
 TEST_P(Sweep, MemoryFarBeyondThePeriodKeepsItsDigits) {
@@ -238,6 +259,32 @@ TEST_P(Sweep, ManyForcesAtOnce) {
         const double tolerance = scheme == Scheme::Nodal ? 1e-9 : 1e-12;
         EXPECT_NEAR(result.mu, one[i].mu, tolerance * std::abs(one[i].mu));
         EXPECT_NEAR(result.normalForce / forces[row], 1, 1e-10);
+      }
+    }
+  }
+}
+
+/// Depths of another line change what a balance costs, not what it finds.
+TEST_P(Sweep, AnotherLineShowsWhereToBegin) {
+  const auto velocities = decades(1e-5, 1e3, 17);
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
+    const TravelLine line = prepareTravel(roughLine(2000, 1, 0.7, 1), scheme);
+    const TravelLine another = prepareTravel(roughLine(2000, 1, 0.7, 2), scheme);
+    for (const double force : {1e-3, 0.1, 10.0}) {
+      const auto others = sweep(another, force, velocities), alone = sweep(line, force, velocities);
+      auto results = alone;
+      Load load;
+      load.normalForce = force;
+      slideSweep(line, {kModulus, kTau, 0}, load, velocities, results, {}, others);
+      int passes = 0, passesAlone = 0;
+      for (std::size_t i = 0; i < velocities.size(); ++i) {
+        EXPECT_EQ(results[i].status, SteadyStatus::Balanced);
+        expectSame(results[i], alone[i], line);
+        passes += results[i].passes;
+        passesAlone += alone[i].passes;
+      }
+      if (force < 1) {  // a line in full contact needs no help
+        EXPECT_LT(passes, passesAlone);
       }
     }
   }

@@ -9,8 +9,8 @@ TEST(CurveWords, SayWhatASceneSets) {
   const std::string words = parametersInWords({});
   EXPECT_NE(words.find("H = 0.7"), words.npos);
   EXPECT_NE(words.find("G = 10 MPa"), words.npos);
-  EXPECT_NE(words.find("F_N = 3.4 mN"), words.npos);
-  EXPECT_EQ(words.find("T_r"), words.npos) << "a temperature that shifts nothing is not said";
+  EXPECT_NE(words.find("F\u2099 = 3.4 mN"), words.npos);
+  EXPECT_EQ(words.find("T\u1D63"), words.npos) << "a temperature that shifts nothing is not said";
 }
 
 TEST(CurveWords, SayOnlyWhatDiffers) {

@@ -233,7 +233,9 @@ TEST(Fields, GoOnWithThePresentShapeUnderAnotherScene) {
 }
 
 TEST(Fields, ArriveWhileTheRunnerIsPaused) {
-  Runner runner({.threads = 1});
+  RunnerOptions options;
+  options.threads = 1;
+  Runner runner(options);
   runner.pause();
   runner.post(rough());
   const auto waitFor = [&](auto&& isThere) {

@@ -53,6 +53,43 @@ TEST(Runner, APostedSceneComesBackAsFramesAndAWholeCurve) {
   EXPECT_TRUE(runner.takeMessages().empty());
 }
 
+TEST(Runner, AStoppedCurveStaysAsFarAsItIsUntilItIsBegunAnew) {
+  Runner runner;
+  Scene scene = smallScene();
+  scene.surface.elements = 5000;
+  scene.ensemble.realizations = 1000000;  // never ends
+  const std::uint64_t number = runner.post(scene);
+  waitFor([&] { return !runner.takeCurveUpdates().empty(); });
+  runner.stopCurve();
+  const auto present = [&] { return runner.newestFrame() ? runner.newestFrame()->step : 0; };
+  const std::uint64_t step = present();
+  waitFor([&] { return present() > step + 5; });  // the animation goes on
+  runner.takeCurveUpdates();                      // what was under way
+  const std::uint64_t later = present();
+  waitFor([&] { return present() > later + 5; });
+  EXPECT_TRUE(runner.takeCurveUpdates().empty());
+  runner.startCurve();
+  std::vector<CurveUpdate> updates;
+  waitFor([&] {
+    updates = runner.takeCurveUpdates();
+    return !updates.empty();
+  });
+  EXPECT_EQ(updates.front().sceneNumber, number);
+  EXPECT_EQ(updates.front().realizationsDone, 1);
+}
+
+TEST(Runner, ACurveStoppedBeforeItBeganIsNotAveraged) {
+  Runner runner;
+  runner.post(smallScene());
+  runner.stopCurve();
+  const std::uint64_t next = runner.post([] {
+    Scene scene = smallScene();
+    scene.load.normalForce *= 2;
+    return scene;
+  }());
+  EXPECT_EQ(curveOf(runner, next).back().realizationsDone, 9);  // a new one is
+}
+
 TEST(Runner, TheNewestSceneWins) {
   Runner runner;
   std::uint64_t last = 0;

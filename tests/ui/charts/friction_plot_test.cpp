@@ -68,17 +68,11 @@ TEST(DecadeRange, GrowsAtOnceAndShrinksReluctantly) {
   EXPECT_EQ(steadyRange(shown, {}, true), shown);
 }
 
-TEST(DecadeRange, LabelsReadLikePrint) {
-  EXPECT_EQ(decadeLabel(-5), QStringLiteral("10⁻⁵"));
-  EXPECT_EQ(decadeLabel(0), QStringLiteral("1"));
-  EXPECT_EQ(decadeLabel(1), QStringLiteral("10"));
-  EXPECT_EQ(decadeLabel(12), QStringLiteral("10¹²"));
-}
-
 TEST(DecadeRange, ReadingsReadLikePrint) {
   EXPECT_EQ(readingLabel(0.125), QStringLiteral("0.125"));
   EXPECT_EQ(readingLabel(2.5e-5), QStringLiteral("2.5·10⁻⁵"));
   EXPECT_EQ(readingLabel(1e-6), QStringLiteral("10⁻⁶"));
+  EXPECT_EQ(readingLabel(0.01234, 2), QStringLiteral("0.012"));
   EXPECT_EQ(readingLabel(std::nan("")), QStringLiteral("–"));
 }
 
@@ -125,6 +119,7 @@ TEST(FrictionPlot, FadesTheOldCurveUntilTheNewOneArrives) {
   diagram.expect(fresh);
   EXPECT_TRUE(diagram.isStale());
   for (const PlotSeries& series : diagram.plot().series) EXPECT_TRUE(series.faded);
+  for (const PlotSpan& span : diagram.plot().spans) EXPECT_TRUE(span.faded);
   EXPECT_EQ(diagram.plot().progress, 0);
 
   EXPECT_FALSE(diagram.take(update(old, {point(1, 1e-3), point(2, 1e-3)}, 3)));

@@ -13,13 +13,22 @@ namespace asperity {
 namespace {
 
 const PlotColours kColours{
-    Qt::white, Qt::black,          Qt::darkGray,       QColor(0xdd, 0xdd, 0xdd),
-    Qt::black, QColor(0, 0, 0xff), QColor(0, 0x90, 0), QColor(0xff, 0, 0)};
+    Qt::white,
+    Qt::black,
+    Qt::darkGray,
+    QColor(0xdd, 0xdd, 0xdd),
+    Qt::black,
+    QColor(0, 0, 0xff),
+    QColor(0, 0x90, 0),
+    QColor(0xff, 0, 0),
+    QColor(0xee, 0xee, 0xee),
+    QColor(0x80, 0, 0x80),
+    {QColor(0, 0xcc, 0xcc), QColor(0xcc, 0, 0xcc), Qt::cyan, Qt::cyan, Qt::cyan, Qt::cyan}};
 
 Plot samplePlot() {
   Plot plot;
-  plot.x = {QStringLiteral("x"), {-3, 3}};
-  plot.y = {QStringLiteral("y"), {-4, 0}};
+  plot.x = {QStringLiteral("x"), {}, {-3, 3}};
+  plot.y = {QStringLiteral("y"), {}, {-4, 0}};
   plot.series = {{QStringLiteral("law"), PlotStyle::Line, false, {{1e-3, 1e-3}, {1e3, 1e-3}}},
                  {QStringLiteral("points"),
                   PlotStyle::Points,
@@ -143,6 +152,53 @@ TEST_F(PlotViewTest, SaysWhyItIsBlank) {
   plot.blank = QStringLiteral("nothing to see here");
   view_->setPlot(plot);
   EXPECT_GT(darkPixels(), 50);
+}
+
+TEST_F(PlotViewTest, PaintsPinnedCurvesInTheirColourOnALine) {
+  Plot plot = samplePlot();
+  PlotSeries pinned = plot.series[1];
+  pinned.id = 3;
+  pinned.place = 1;
+  pinned.points = {{0.01, 0.3}, {0.1, 0.3}};
+  plot.series.push_back(pinned);
+  view_->setPlot(plot);
+  EXPECT_TRUE(has(kColours.pinned[1], at(0.01, 0.3)));
+  EXPECT_TRUE(has(kColours.pinned[1], at(0.03, 0.3)));
+  EXPECT_FALSE(has(kColours.points, at(0.01, 0.3)));
+}
+
+TEST_F(PlotViewTest, ShadesRegionsByTurns) {
+  Plot plot = samplePlot();
+  plot.spans = {{"I", "linear", {}, 1e-3, 0.1, false}, {"II", "transition", {}, 0.1, 1e3, false}};
+  view_->setPlot(plot);
+  QTest::qWait(1);
+  // Between the lines of the fine grid, away from everything else.
+  EXPECT_EQ(image().pixelColor(at(0.045, 0.35)), kColours.span);
+  EXPECT_EQ(image().pixelColor(at(15, 0.35)), kColours.background);
+}
+
+TEST_F(PlotViewTest, AStripStandsBelowOverTheSameAxis) {
+  Plot plot = samplePlot();
+  plot.strip = PlotStrip{"difference", "linear", "", -10, 10, false, {{0.03, 4, 1}, {30, 80}}};
+  view_->setPlot(plot);
+  QTest::qWait(1);
+  const QPointF zero = view_->stripPositionOf(0.03, 0);
+  EXPECT_EQ(zero.x(), view_->positionOf(0.03, 0.02).x());
+  EXPECT_GT(zero.y(), view_->positionOf(0.03, 1e-4).y());
+  EXPECT_TRUE(has(kColours.difference, view_->stripPositionOf(0.03, 4).toPoint()));
+  EXPECT_TRUE(has(kColours.difference, view_->stripPositionOf(0.03, 4.9).toPoint()));
+  EXPECT_FALSE(has(kColours.difference, view_->stripPositionOf(0.03, -4).toPoint()));
+  // Beyond the range: an arrowhead at its edge.
+  EXPECT_TRUE(has(kColours.difference, view_->stripPositionOf(30, 10).toPoint() + QPoint(0, 5)));
+  EXPECT_TRUE(has(kColours.points, at(0.03, 0.02))) << "the curve is still there";
+}
+
+TEST_F(PlotViewTest, TheMarkerAloneCanBeMoved) {
+  PlotMarker marker = *samplePlot().marker;
+  marker.x = 100;
+  view_->setMarker(marker);
+  EXPECT_TRUE(has(kColours.marker, at(100, 3e-2)));
+  EXPECT_FALSE(has(kColours.marker, at(2, 3e-2)));
 }
 
 TEST_F(PlotViewTest, AnEmptyPlotIsHarmless) {

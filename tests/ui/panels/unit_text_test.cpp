@@ -28,6 +28,16 @@ TEST(UnitText, AUnitWithoutPrefixIsNotTakenForOne) {
   EXPECT_EQ(inPlainUnit("2 m/s", "m/s").toDouble(), 2);
 }
 
+TEST(UnitText, ACommaIsAPoint) {
+  EXPECT_EQ(withPoint("2,5"), "2.5");
+  EXPECT_EQ(inPlainUnit(withPoint("2,5 mm"), "m").toDouble(), 0.0025);
+  EXPECT_EQ(withPoint("-1,5e-3 Pa s"), "-1.5e-3 Pa s");
+  EXPECT_EQ(withPoint(",5"), ".5");
+  EXPECT_EQ(withPoint("2.5 mm"), "2.5 mm");
+  for (const char* text : {"1,2,3", "1.000,5", "1,000.5", "a,b", "profile,1.csv", ""})
+    EXPECT_EQ(withPoint(text), text);
+}
+
 TEST(UnitText, WhatHasNoUnitOrAnotherOneIsLeftAsItIs) {
   for (const char* text : {"0.125", "1e7", "10 MN", "ten", "", "5 e", "1.2.3 m", "2 PA"})
     EXPECT_EQ(inPlainUnit(text, "Pa"), text);

@@ -73,7 +73,7 @@ TEST(Decimate, NeverLosesAContact) {
         double greatest = 0;
         for (const auto& stretch : stretches) {
           ASSERT_FALSE(stretch.empty());
-          for (const CurveVertex& v : stretch) greatest = std::max(greatest, v.pressure);
+          for (const CurveVertex& v : stretch) greatest = std::max(greatest, v.value);
         }
         EXPECT_EQ(greatest, 5);
         for (std::int64_t i = range.first; i <= range.last; ++i) {

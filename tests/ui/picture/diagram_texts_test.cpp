@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/run/line_diagrams.h"
+#include "core/run/steady_frames.h"
 #include "sample_sheets.h"
 #include "tidy_texts.h"
 #include "ui/picture/diagram_picture.h"
@@ -91,6 +93,23 @@ TEST(DiagramTexts, EntriesWithoutRoomAreCounted) {
   ASSERT_NE(crowd, sheets.end());
   const std::string words = allTexts(composeDiagrams(crowd->sheet, {800, 500, 1, lightTheme()}));
   EXPECT_NE(words.find(" more|"), std::string::npos) << words;
+}
+
+/// Low as a tab under the contact, with texts that can be read.
+TEST(DiagramTexts, StayReadableInLowTabs) {
+  Scene scene;
+  scene.surface.elements = 400;
+  const Frame frame = SteadyFrames(std::make_shared<const Scene>(scene)).frame(0, 1, 25);
+  for (const DiagramSheet& sheet : {spectrumSheet(scene), statisticsSheet(frame)})
+    for (const Size& size : {Size{850, 210, 1}, {640, 200, 1}, {1700, 420, 2}, {2100, 600, 1}}) {
+      DiagramOptions options{size.width, size.height, size.scale, darkTheme()};
+      options.leastText = 0.85F;
+      const DrawList list = composeDiagrams(sheet, options);
+      expectTidy(list, sheet.note + std::to_string(size.width));
+      for (const DrawText& text : list.texts)  // exponents are smaller
+        EXPECT_GE(text.size, 7 * size.scale) << text.utf8;
+      EXPECT_GE(list.texts.front().size, 9 * size.scale);
+    }
 }
 
 }  // namespace

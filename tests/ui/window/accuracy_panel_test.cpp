@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QSpinBox>
 #include <QTest>
 #include <mutex>
 #include <vector>
@@ -57,6 +60,29 @@ TEST_F(AccuracyPanelTest, TimeAndErrorArePredicted) {
   EXPECT_TRUE(text("accuracyPredicted").contains("error"));
 }
 
+TEST_F(AccuracyPanelTest, AMotionIsPredictedByItsSteps) {
+  Scene scene = smallScene();
+  scene.sliding = {SlidingKind::Step, 0.1, 0.2};
+  scene.sliding.duration = 0.01;
+  panel_.showScene(scene);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return text("accuracyPredicted").startsWith("predicted motion:"); }, kPatience));
+  EXPECT_TRUE(text("accuracyPredicted").contains("time step"));
+}
+
+TEST_F(AccuracyPanelTest, TheBoxSaysWithWhatTheCurveIsCompared) {
+  QSignalSpy changed(&panel_, &AccuracyPanel::comparisonChanged);
+  EXPECT_FALSE(panel_.comparison());
+  control<QCheckBox>("comparisonWanted").setChecked(true);
+  EXPECT_EQ(panel_.comparison(), CurveSetting());
+  control<QComboBox>("comparisonScheme").setCurrentIndex(static_cast<int>(Scheme::Nodal));
+  EXPECT_EQ(panel_.comparison()->oversampling, 1);
+  EXPECT_FALSE(control<QSpinBox>("comparisonOversampling").isEnabled());
+  control<QSpinBox>("comparisonLines").setValue(7);
+  EXPECT_EQ(panel_.comparison()->realizations, 7);
+  EXPECT_EQ(changed.count(), 3);
+}
+
 TEST_F(AccuracyPanelTest, TheSliderSetsTheTargetAndTheButtonTakesItAway) {
   Scene edited;
   QObject::connect(&panel_, &AccuracyPanel::sceneEdited, [&](const Scene& s) { edited = s; });
@@ -70,10 +96,11 @@ TEST_F(AccuracyPanelTest, TheSliderSetsTheTargetAndTheButtonTakesItAway) {
 }
 
 TEST_F(AccuracyPanelTest, WhatCannotBePredictedIsExplained) {
-  Scene moving = smallScene();
-  moving.sliding.kind = SlidingKind::Step;
-  panel_.showScene(moving);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return text("accuracyPredicted").contains("sliding.kind"); },
+  Scene missing = smallScene();
+  missing.surface.kind = SurfaceKind::Profile;
+  missing.surface.file = "nowhere.csv";
+  panel_.showScene(missing);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return text("accuracyPredicted").contains("nowhere.csv"); },
                               kPatience))
       << text("accuracyPredicted").toStdString();
 }
@@ -88,7 +115,7 @@ TEST_F(AccuracyPanelTest, AComparisonCanBeCancelled) {
 
 TEST_F(AccuracyPanelTest, MeasuredNumbersGoWithTheirScene) {
   panel_.showMeasured(2, 0.015);
-  EXPECT_EQ(text("accuracyMeasured"), "measured: 2 s, standard error 1.5 %");
+  EXPECT_EQ(text("accuracyMeasured"), "measured: 2 s, standard error 1.5\u00A0%");
   panel_.showScene(smallScene());
   EXPECT_EQ(text("accuracyMeasured"), "");
 }

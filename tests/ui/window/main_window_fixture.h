@@ -20,7 +20,7 @@
 
 namespace asperity {
 
-inline constexpr int kPatience = 20000;  // ms, far more than anything here takes
+inline constexpr int kWindowPatience = 20000;  // ms, far more than anything here takes
 
 inline Scene smallScene() {
   Scene scene;
@@ -43,7 +43,7 @@ class MainWindowTest : public testing::Test {
 
   template <class Condition>
   bool waitFor(Condition condition) {
-    return QTest::qWaitFor(condition, kPatience);
+    return QTest::qWaitFor(condition, kWindowPatience);
   }
   void drop(const QString& file) {
     QMimeData data;

@@ -216,7 +216,7 @@ TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   QTest::qWait(100);
   EXPECT_TRUE(window_.messages().isVisible());
-  EXPECT_LT(window_.messages().text().size(), 160);
+  EXPECT_LT(window_.messages().text().size(), 160) << window_.messages().text().toStdString();
 }
 
 TEST_F(MainWindowTest, AProfileWithoutAFileIsNeitherRunNorSaved) {
@@ -416,12 +416,12 @@ TEST_F(MainWindowTest, LightAndDark) {
 
 TEST_F(MainWindowTest, FactsComeFromTheFrame) {
   ASSERT_TRUE(waitForFrame());
-  EXPECT_EQ(fact("factForce"), QStringLiteral("dimensionless force F̄ = 0.034"));
+  EXPECT_EQ(fact("factForce"), QStringLiteral("force F̄ = 0.034"));
   EXPECT_TRUE(control<QLabel>("factForce").toolTip().contains("Eq. (14)"));
-  EXPECT_TRUE(fact("factVelocity").startsWith(QStringLiteral("dimensionless velocity v̄ = ")));
+  EXPECT_TRUE(fact("factVelocity").startsWith(QStringLiteral("velocity v̄ = ")));
   EXPECT_TRUE(control<QLabel>("factVelocity").toolTip().contains("Eq. (13)"));
-  EXPECT_EQ(fact("factMu"), QStringLiteral("friction coefficient μ = %1")
-                                .arg(QString::number(frame()->muSteady, 'g', 3)));
+  EXPECT_TRUE(fact("factMu").startsWith(
+      QStringLiteral("friction μ = %1").arg(QString::number(frame()->muSteady, 'g', 3))));
   ASSERT_TRUE(waitFor([&] { return fact("factBackend") == "software (OSMesa)"; }));
 }
 

@@ -1,21 +1,27 @@
 // Shows the window on a real display, waits until it is alive, and saves a picture of the screen.
 // Usage: window_screenshot FILE.png [--dark] [--size WxH] [--scene FILE [--set KEY=VALUE]...]
 //        [--wait MS] [--expect-message] [--figure WORD] [--tab NUMBER]
-// Exit: 0 when the window was exposed, animated and showed a curve (or, with --expect-message, a
-// message); 1 with the reason otherwise.
+//        [--do ACTION]... [--point X,Y] [--zoom X,Y,STEPS] [--language CODE]
+// ACTION: an action's object name; X and Y: shares of the contact's plot from its left lower
+// corner. Exit: 0 when the window was exposed, animated and showed a curve (or, with
+// --expect-message, a message); 1 with the reason otherwise.
 #include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QPixmap>
 #include <QScreen>
+#include <QSettings>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QWheelEvent>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 #include "core/scene/scene_file.h"
 #include "ui/charts/plot_view.h"
+#include "ui/language/language.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/figure_picture.h"
 #include "ui/window/gallery_page.h"
@@ -30,10 +36,12 @@ namespace {
 using namespace asperity;
 
 struct Wish {
-  QString picture, scene, figure;
+  QString picture, scene, figure, language;
   QSize size{1280, 800};
   std::vector<std::string> assignments;
-  int tab = -1;  // as it comes
+  QStringList actions;
+  QStringList point, zoom;  // empty: not asked for
+  int tab = -1;             // as it comes
   bool dark = false;
   bool message = false;
   int wait = 1500;  // ms
@@ -48,6 +56,10 @@ Wish readWish(const QApplication& application) {
                      {"set", "over the scene file", "KEY=VALUE"},
                      {"figure", "of the paper, on its page", "WORD"},
                      {"tab", "under the contact, from 0", "NUMBER"},
+                     {"language", "of all texts", "CODE"},
+                     {"do", "to trigger before the picture", "ACTION"},
+                     {"point", "where the cursor is over the contact", "X,Y"},
+                     {"zoom", "wheel turned over the contact", "X,Y,STEPS"},
                      {"expect-message", "the scene cannot run"},
                      {"wait", "milliseconds to run before the picture", "MS"}});
   parser.process(application);
@@ -56,8 +68,12 @@ Wish readWish(const QApplication& application) {
   wish.picture = parser.positionalArguments().constFirst();
   wish.scene = parser.value("scene");
   wish.figure = parser.value("figure");
+  wish.language = parser.value("language");
   for (const QString& text : parser.values("set")) wish.assignments.push_back(text.toStdString());
   if (parser.isSet("tab")) wish.tab = parser.value("tab").toInt();
+  wish.actions = parser.values("do");
+  wish.point = parser.value("point").split(',', Qt::SkipEmptyParts);
+  wish.zoom = parser.value("zoom").split(',', Qt::SkipEmptyParts);
   wish.dark = parser.isSet("dark");
   wish.message = parser.isSet("expect-message");
   if (parser.isSet("wait")) wish.wait = parser.value("wait").toInt();
@@ -93,12 +109,36 @@ bool showFigure(MainWindow& window, const QString& word) {
   return isThere;
 }
 
+QPointF placeOn(const ContactCanvas& canvas, const QStringList& shares) {
+  const QRectF plot = canvas.plotArea();
+  return {plot.left() + shares[0].toDouble() * plot.width(),
+          plot.bottom() - shares[1].toDouble() * plot.height()};
+}
+
+/// What hands would do to the contact view.
+void handle(MainWindow& window, const Wish& wish) {
+  ContactCanvas& canvas = window.canvas();
+  for (const QString& name : wish.actions)
+    if (auto* action = window.findChild<QAction*>(name)) action->trigger();
+  if (wish.zoom.size() == 3) {
+    const QPointF place = placeOn(canvas, wish.zoom);
+    QWheelEvent wheel(place, canvas.mapToGlobal(place), {},
+                      {0, static_cast<int>(120 * wish.zoom[2].toDouble())}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&canvas, &wheel);
+  }
+  if (wish.point.size() == 2) QTest::mouseMove(&canvas, placeOn(canvas, wish.point).toPoint());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
+  const QTemporaryDir settings;  // never the user's own
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   const Wish wish = readWish(application);
   prepareApplication(application);
+  useLanguage(wish.language.toStdString());
   const std::vector<LibraryScene> library = libraryScenes();
   const Scene scene = !wish.scene.isEmpty()
                           ? readSceneFile(wish.scene.toStdString(), wish.assignments)
@@ -112,7 +152,9 @@ int main(int argc, char** argv) {
   window.show();
   if (!QTest::qWaitForWindowExposed(&window)) return std::fputs("never exposed\n", stderr), 1;
   if (wish.tab >= 0) window.findChild<QTabWidget*>("tabs")->setCurrentIndex(wish.tab);
-  QTest::qWait(wish.wait);
+  QTest::qWait(wish.wait / 2);
+  handle(window, wish);
+  QTest::qWait(wish.wait / 2);
   if (const char* reason = complaint(window, wish, pictures)) {
     std::fprintf(stderr, "window_screenshot: %s\n", reason);
     return 1;

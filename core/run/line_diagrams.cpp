@@ -1,0 +1,268 @@
+#include "core/run/line_diagrams.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "core/surface/fourier.h"
+#include "core/surface/line_source.h"
+#include "core/surface/spectrum.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kStretchesPerDecade = 16;
+constexpr double kLeastDensity = 1e-22;  // of the greatest; below is rounding
+constexpr double kMostSlopes = 4;        // rms slopes shown
+
+struct Spectrum {
+  std::vector<double> waveNumber, density;
+};
+
+double lowestWave(double length) {
+  return 2 * std::numbers::pi / length;
+}
+
+/// Geometric means over equal stretches of log q.
+Spectrum gathered(const FourierLine& modes) {
+  const double lowest = lowestWave(modes.length);
+  double greatest = 0;
+  for (const auto& c : modes.coefficients) greatest = std::max(greatest, std::norm(c));
+  struct Sum {
+    double logWave = 0, logDensity = 0, count = 0;
+  };
+  std::map<int, Sum> stretches;
+  for (std::size_t j = 0; j < modes.coefficients.size(); ++j) {
+    const double square = std::norm(modes.coefficients[j]);
+    if (!(square > kLeastDensity * greatest)) continue;
+    const auto mode = static_cast<double>(j + 1);
+    Sum& sum = stretches[static_cast<int>(std::lround(kStretchesPerDecade * std::log10(mode)))];
+    sum.logWave += std::log(lowest * mode);
+    sum.logDensity += std::log(square / lowest);
+    sum.count += 1;
+  }
+  Spectrum spectrum;
+  for (const auto& [place, sum] : stretches) {
+    spectrum.waveNumber.push_back(std::exp(sum.logWave / sum.count));
+    spectrum.density.push_back(std::exp(sum.logDensity / sum.count));
+  }
+  return spectrum;
+}
+
+/// Of a line given by a formula from its points.
+FourierLine modesOf(const LineSource& source) {
+  FourierLine modes = source.spectrum(0);
+  if (!modes.coefficients.empty()) return modes;
+  const Line line = source.make(0);
+  return FourierTransform(line.nodes()).analyse(line.height, line.length);
+}
+
+/// As the scene asks for it, before phases and summits.
+Spectrum wanted(const Scene& scene, const LineSource& source) {
+  const Surface& surface = scene.surface;
+  const double rollOff =
+      surface.rollOffWavelength > 0 ? source.length() / surface.rollOffWavelength : 0;
+  FourierLine modes;
+  modes.length = source.length();
+  for (const double amplitude : selfAffineAmplitudes(static_cast<std::size_t>(source.elements()),
+                                                     surface.hurst, surface.rmsHeight, rollOff))
+    modes.coefficients.emplace_back(0.5 * amplitude, 0);
+  return gathered(modes);
+}
+
+DiagramSeries seriesOf(const Spectrum& spectrum, std::string name) {
+  DiagramSeries series;
+  series.name = std::move(name);
+  for (std::size_t i = 0; i < spectrum.waveNumber.size(); ++i)
+    series.points.push_back({spectrum.waveNumber[i], spectrum.density[i]});
+  return series;
+}
+
+/// With upright sides.
+DiagramSeries stepsOf(const Histogram& histogram, std::string name, int colour) {
+  DiagramSeries series;
+  series.name = std::move(name);
+  series.colour = colour;
+  double edge = histogram.from;
+  series.points.push_back({edge, 0});
+  for (const double share : histogram.share) {
+    series.points.push_back({edge, 100 * share});
+    edge += histogram.width();
+    series.points.push_back({edge, 100 * share});
+  }
+  series.points.push_back({edge, 0});
+  return series;
+}
+
+/// Rice's rule, from the points in contact.
+std::size_t binsFor(std::size_t points) {
+  return std::clamp<std::size_t>(
+      static_cast<std::size_t>(2 * std::cbrt(static_cast<double>(points))), 8, 48);
+}
+
+std::vector<double> slopesOf(const Frame& frame) {
+  const std::size_t n = frame.lineHeight.size();
+  if (frame.lineSlope.size() == n) return frame.lineSlope;
+  std::vector<double> slopes(n);
+  for (std::size_t i = 0; i < n; ++i)
+    slopes[i] =
+        (frame.lineHeight[(i + 1) % n] - frame.lineHeight[(i + n - 1) % n]) / (2 * frame.spacing);
+  return slopes;
+}
+
+Diagram pressureDiagram(const Frame& frame) {
+  std::vector<double> pressures;
+  for (const double p : frame.pressure)
+    if (p > 0) pressures.push_back(p);
+  Diagram diagram;
+  diagram.x = {"contact pressure p", "N/m", AxisScale::Linear};
+  diagram.y = {"share of the contact", "%", AxisScale::Linear};
+  if (pressures.empty()) return diagram;
+  // The few elements at the edges of contact that carry most stand apart by far.
+  std::vector<double> sorted = pressures;
+  std::sort(sorted.begin(), sorted.end());
+  const double most = sorted[(sorted.size() - 1) * 99 / 100];
+  diagram.series = {stepsOf(histogramOf(pressures, 0, 1.2 * most, binsFor(pressures.size())),
+                            "elements in contact", 0)};
+  double sum = 0;
+  for (const double p : pressures) sum += p;
+  const double mean = sum / static_cast<double>(pressures.size());
+  double highest = 0;
+  for (const DiagramPoint& point : diagram.series[0].points) highest = std::max(highest, point.y);
+  diagram.series.push_back({.name = "mean", .isTheory = true});
+  diagram.series.back().points = {{mean, 0}, {mean, highest}};
+  return diagram;
+}
+
+Diagram slopeDiagram(const SlopeStatistics& slopes) {
+  Diagram diagram;
+  diagram.x = {"slope z\u2032 / rms slope", "", AxisScale::Linear, -kMostSlopes, kMostSlopes};
+  diagram.y = {"share", "%", AxisScale::Linear};
+  diagram.series = {stepsOf(slopes.whole, "whole line", 1)};
+  if (!slopes.contact.share.empty())
+    diagram.series.push_back(stepsOf(slopes.contact, "in contact", 0));
+  DiagramSeries normal{
+      .name = "normal distribution", .stroke = SeriesStroke::Dashed, .isTheory = true};
+  for (double x = -kMostSlopes; x <= kMostSlopes; x += 0.1)
+    normal.points.push_back(
+        {x, 100 * slopes.whole.width() * std::exp(-0.5 * x * x) / std::sqrt(2 * std::numbers::pi)});
+  diagram.series.push_back(std::move(normal));
+  return diagram;
+}
+
+}  // namespace
+
+SpectrumReading readSpectrum(const Scene& scene) {
+  const LineSource source(scene, 1);
+  Spectrum spectrum = gathered(modesOf(source));
+  SpectrumReading reading;
+  const double rollOff =
+      scene.surface.kind == SurfaceKind::SelfAffine ? scene.surface.rollOffWavelength : 0;
+  reading.fitFrom = rollOff > 0 ? 2 * std::numbers::pi / rollOff : 0;
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < spectrum.waveNumber.size(); ++i) {
+    if (spectrum.waveNumber[i] < reading.fitFrom) continue;
+    x.push_back(spectrum.waveNumber[i]);
+    y.push_back(spectrum.density[i]);
+  }
+  reading.hasFit = x.size() > 2;
+  if (reading.hasFit) reading.fit = fitPower(x, y);
+  reading.waveNumber = std::move(spectrum.waveNumber);
+  reading.density = std::move(spectrum.density);
+  return reading;
+}
+
+DiagramSheet spectrumSheet(const Scene& scene) {
+  const SpectrumReading reading = readSpectrum(scene);
+  Diagram diagram;
+  diagram.x = {"wave number q", "1/m", AxisScale::Logarithmic};
+  diagram.y = {"power spectral density C", "m\u00B3", AxisScale::Logarithmic};
+  DiagramSheet sheet;
+  DiagramSeries line = seriesOf({reading.waveNumber, reading.density}, "this line");
+  line.mark = SeriesMark::Circle;
+  line.stroke = SeriesStroke::None;
+  line.colour = 0;
+  if (scene.surface.kind == SurfaceKind::SelfAffine) {
+    DiagramSeries asked = seriesOf(wanted(scene, LineSource(scene, 1)),
+                                   fmt::format("wanted, H = {:.3g}", scene.surface.hurst));
+    asked.isTheory = true;
+    diagram.series.push_back(std::move(asked));
+  }
+  diagram.series.push_back(std::move(line));
+  if (reading.hasFit) {
+    DiagramSeries fitted;
+    fitted.name = fmt::format("fitted, H = {:.3f}", reading.hurst());
+    fitted.stroke = SeriesStroke::Dashed;
+    fitted.colour = 1;
+    for (const double q : reading.waveNumber)
+      if (q >= reading.fitFrom)
+        fitted.points.push_back(
+            {q, std::exp(reading.fit.intercept + reading.fit.slope * std::log(q))});
+    diagram.series.push_back(std::move(fitted));
+  }
+  sheet.note =
+      "C(q) ~ q^(\u22122H\u22121) is two-sided, h\u00B2 = 2 \u222B C dq; cut off at \u03C0 over "
+      "the element spacing. "
+      "Points are means over equal stretches of log q.";
+  sheet.diagrams = {std::move(diagram)};
+  return sheet;
+}
+
+Histogram histogramOf(const std::vector<double>& values, double from, double to, std::size_t bins) {
+  Histogram histogram{from, to, std::vector<double>(bins)};
+  if (values.empty()) return histogram;
+  const double each = 1 / static_cast<double>(values.size());
+  for (const double value : values) {
+    const double place = (value - from) / histogram.width();
+    if (place >= 0 && place < static_cast<double>(bins))
+      histogram.share[static_cast<std::size_t>(place)] += each;
+  }
+  return histogram;
+}
+
+SlopeStatistics slopeStatistics(const Frame& frame) {
+  SlopeStatistics statistics;
+  std::vector<double> slopes = slopesOf(frame), contact;
+  if (slopes.empty()) return statistics;
+  const double way = frame.velocity < 0 ? -1 : 1;
+  double square = 0, contactSquare = 0, climbing = 0;
+  for (double& slope : slopes) {
+    slope *= way;
+    square += slope * slope;
+  }
+  const double rms = std::sqrt(square / static_cast<double>(slopes.size()));
+  if (!(rms > 0)) return statistics;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    slopes[i] /= rms;
+    if (!(frame.pressure[i] > 0)) continue;
+    contact.push_back(slopes[i]);
+    contactSquare += slopes[i] * slopes[i];
+    climbing += slopes[i] > 0 ? 1 : 0;
+  }
+  const std::size_t bins = binsFor(contact.empty() ? slopes.size() : contact.size());
+  statistics.whole = histogramOf(slopes, -kMostSlopes, kMostSlopes, bins);
+  if (contact.empty()) return statistics;
+  statistics.contact = histogramOf(contact, -kMostSlopes, kMostSlopes, bins);
+  statistics.climbing = climbing / static_cast<double>(contact.size());
+  statistics.rmsContact = std::sqrt(contactSquare / static_cast<double>(contact.size()));
+  return statistics;
+}
+
+DiagramSheet statisticsSheet(const Frame& frame) {
+  DiagramSheet sheet;
+  sheet.columns = 2;
+  const SlopeStatistics slopes = slopeStatistics(frame);
+  sheet.diagrams = {pressureDiagram(frame), slopeDiagram(slopes)};
+  sheet.note = slopes.contact.share.empty()
+                   ? "No element is in contact."
+                   : fmt::format(
+                         "{:.0f} % of the contact is on slopes that climb (100 %: one-sided, "
+                         "50 %: both sides alike); rms slope in contact {:.2f} of the line's.",
+                         100 * slopes.climbing, slopes.rmsContact);
+  return sheet;
+}
+
+}  // namespace asperity

@@ -1,0 +1,54 @@
+// The rigid line in numbers, as diagrams: its spectrum with the Hurst exponent read back from it,
+// and how pressures and slopes are distributed where the bodies touch. Pure; any thread.
+#pragma once
+
+#include <vector>
+
+#include "core/friction/diagram.h"
+#include "core/friction/fit.h"
+#include "core/run/frame.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// The power spectral density C(q) (m^3, two-sided) over the wave number q (1/m), geometric means
+/// of equal stretches of log q, and the power law through those above the roll-off: C ~ q^(-2H-1).
+struct SpectrumReading {
+  std::vector<double> waveNumber, density;
+  LineFit fit;          // ln C over ln q
+  bool hasFit = false;  // more than two stretches
+  double fitFrom = 0;   // 1/m
+  double hurst() const { return -0.5 * (fit.slope + 1); }
+};
+
+/// Of the scene's first line. Throws InputError where it cannot be made.
+SpectrumReading readSpectrum(const Scene& scene);
+
+/// C(q), what was wanted and what was fitted, on logarithmic axes.
+DiagramSheet spectrumSheet(const Scene& scene);
+
+/// Shares of the points in equal stretches of [from, to], of those inside.
+struct Histogram {
+  double from = 0, to = 1;
+  std::vector<double> share;
+  double width() const {  // of a stretch; 0 without any
+    return share.empty() ? 0 : (to - from) / static_cast<double>(share.size());
+  }
+};
+
+/// `bins` stretches; values outside are left out of the stretches but counted in the whole.
+Histogram histogramOf(const std::vector<double>& values, double from, double to, std::size_t bins);
+
+/// Slopes of the line over the elements in contact and over all, in rms slopes; positive where the
+/// line climbs against the elastomer that it meets.
+struct SlopeStatistics {
+  Histogram whole, contact;
+  double climbing = 0;    // share of the contact with a positive slope; 1: one-sided
+  double rmsContact = 0;  // rms slope in contact over that of the line
+};
+SlopeStatistics slopeStatistics(const Frame& frame);
+
+/// Pressures in contact, and slopes in contact against the whole line.
+DiagramSheet statisticsSheet(const Frame& frame);
+
+}  // namespace asperity

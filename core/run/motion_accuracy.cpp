@@ -1,0 +1,224 @@
+#include "core/run/motion_accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/accuracy/processor_time.h"
+#include "core/friction/study.h"
+#include "core/run/rigid_line.h"
+#include "core/run/transient.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kPilotWork = 3e6;   // steps times elements of the piece
+constexpr double kWindow = 16;       // steps that friction is averaged over
+constexpr double kLeastWindows = 8;  // of a piece
+constexpr double kMemories = 6;      // distances of memory after which all is forgotten
+constexpr int kEnds = 2;             // windows at either end of settling
+
+void throwIfStopped(const std::stop_token& stop) {
+  if (stop.stop_requested()) throw StudyStopped{};
+}
+
+/// A motion or the first part of one, cut so that steps keep their length.
+struct Piece {
+  Scene scene;
+  std::int64_t leastSteps = Transient::kLeastSteps;
+  double windows = 1;
+};
+
+double nodesOf(const RigidLine& rigid) {
+  return static_cast<double>(rigid.line->nodes());
+}
+
+/// `part` of the motion, in whole parts of its least number of steps.
+Piece pieceOf(const Scene& scene, double steps, double part) {
+  Piece piece{scene};
+  const auto all = static_cast<double>(Transient::kLeastSteps);
+  const double kept = std::clamp(std::ceil(part * all), 1.0, all);
+  piece.leastSteps = static_cast<std::int64_t>(kept);
+  piece.scene.sliding.duration *= kept / all;
+  piece.windows = std::max(1.0, std::floor(steps * kept / all / kWindow));
+  return piece;
+}
+
+/// Friction in the windows of a piece, and the work that they took.
+struct March {
+  std::vector<double> mu;
+  double forceError = 0;  // relative, largest
+  double seconds = 0;     // of the steps, processor time
+  double steps = 0;
+};
+
+March marchThrough(const Piece& piece, const std::shared_ptr<const RigidLine>& rigid, int division,
+                   const std::stop_token& stop) {
+  Transient transient(piece.scene, rigid, piece.leastSteps, division);
+  March march;
+  const double begin = threadSeconds();
+  for (double i = 1; i <= piece.windows; ++i) {
+    throwIfStopped(stop);
+    const TransientSample sample =
+        transient.marchTo(piece.scene.sliding.duration * i / piece.windows);
+    march.mu.push_back(sample.mu);
+    if (piece.scene.load.kind == LoadKind::Force)
+      march.forceError = std::max(march.forceError,
+                                  std::abs(sample.normalForce / piece.scene.load.normalForce - 1));
+  }
+  march.seconds = threadSeconds() - begin;
+  march.steps = static_cast<double>(transient.steps());
+  return march;
+}
+
+/// Root mean square of the difference over that of the better one; windows at rest do not count.
+double relativeDifference(const std::vector<double>& mu, const std::vector<double>& better) {
+  double differences = 0, all = 0;
+  for (std::size_t i = 0; i < std::min(mu.size(), better.size()); ++i) {
+    if (!std::isfinite(mu[i]) || !std::isfinite(better[i])) continue;
+    differences += (mu[i] - better[i]) * (mu[i] - better[i]);
+    all += better[i] * better[i];
+  }
+  return all > 0 ? std::sqrt(differences / all) : kNotApplicable;
+}
+
+/// On twice the points; separate elements against a resolved line.
+Scene refined(const Scene& scene) {
+  Scene fine = scene;
+  const Scheme scheme =
+      scene.accuracy.scheme == Scheme::Nodal ? Scheme::Cubic : scene.accuracy.scheme;
+  fine.accuracy = {scheme, 2 * pointsPerElement(scene), 0};
+  return fine;
+}
+
+double meanOf(const std::vector<double>& values, std::size_t first, std::size_t count) {
+  double sum = 0;
+  for (std::size_t i = first; i < first + count; ++i) sum += values[i];
+  return sum / static_cast<double>(count);
+}
+
+/// Friction at the beginning against that after the way in which a memory fades, or as much of it
+/// as `work` allows. On a rigid line friction in steady sliding does not vary.
+double settlingOf(const Scene& scene, const std::shared_ptr<const RigidLine>& rigid,
+                  std::int64_t leastSteps, double work, const std::stop_token& stop) {
+  const double velocity = std::abs(scene.sliding.velocity);
+  if (scene.sliding.kind == SlidingKind::Start || !(velocity > 0)) return kNotApplicable;
+  Piece piece{scene};
+  Sliding& sliding = piece.scene.sliding;
+  sliding.kind = SlidingKind::Step;  // that changes nothing
+  sliding.velocityAfter = sliding.velocity;
+  const Transient steady(piece.scene, rigid, leastSteps);
+  const double step = sliding.duration / std::max(1.0, steady.countSteps());
+  double memory = 0;
+  for (const double rate : steady.march().modes().rate) memory = std::max(memory, 1 / rate);
+  const double wanted = std::max(kMemories * memory / step, kLeastWindows * kWindow);
+  const double steps = std::min(wanted, std::max(work / nodesOf(*rigid), kLeastWindows * kWindow));
+  sliding.duration = steps * step;
+  piece.leastSteps = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
+  piece.windows = std::max(2.0 * kEnds, std::floor(steps / kWindow));
+  const std::vector<double> mu = marchThrough(piece, rigid, 1, stop).mu;
+  const double settled = meanOf(mu, mu.size() - kEnds, kEnds);
+  return settled != 0 ? std::abs(meanOf(mu, 0, kEnds) / settled - 1) : kNotApplicable;
+}
+
+struct Measured {
+  ErrorBudget error;
+  March march;
+};
+
+Measured measure(const Scene& scene, const std::shared_ptr<const RigidLine>& rigid,
+                 const Piece& piece, const std::stop_token& stop) {
+  Measured measured;
+  measured.march = marchThrough(piece, rigid, 1, stop);
+  ErrorBudget& error = measured.error;
+  if (scene.load.kind == LoadKind::Force) error.forceBalance = measured.march.forceError;
+  const std::vector<double>& mu = measured.march.mu;
+  error.timeStep = relativeDifference(mu, marchThrough(piece, rigid, 2, stop).mu);
+  Piece fine = piece;
+  fine.scene = refined(piece.scene);
+  const auto fineLine = std::make_shared<const RigidLine>(fine.scene);
+  const double difference = relativeDifference(mu, marchThrough(fine, fineLine, 1, stop).mu);
+  (scene.accuracy.scheme == Scheme::Nodal ? error.modelDifference : error.resolution) = difference;
+  error.settling = settlingOf(scene, rigid, Transient::kLeastSteps,
+                              2 * nodesOf(*rigid) * measured.march.steps, stop);
+  return measured;
+}
+
+/// Bytes of the march: what every element has, and its amplitudes.
+double memoryOf(const Transient& transient) {
+  const TimeMarch& march = transient.march();
+  constexpr double kOfElement = 16;  // numbers of march, line and travel line
+  return static_cast<double>(march.depth().size()) *
+         (kOfElement + static_cast<double>(march.modes().modes())) * sizeof(double);
+}
+
+}  // namespace
+
+Prediction predictMotion(const Scene& scene, const std::stop_token& stop) {
+  const double begin = threadSeconds();
+  const auto rigid = std::make_shared<const RigidLine>(scene);
+  const Transient whole(scene, rigid);
+  const double beginning = threadSeconds() - begin;
+  Prediction prediction;
+  prediction.steps = whole.countSteps();
+  prediction.elements = nodesOf(*rigid);
+  prediction.lines = prediction.simulations = 1;
+  prediction.memory = memoryOf(whole);
+  const double wanted = std::max(kPilotWork / prediction.elements, kLeastWindows * kWindow);
+  const Piece piece = pieceOf(scene, prediction.steps, wanted / prediction.steps);
+  const Measured measured = measure(scene, rigid, piece, stop);
+  prediction.error = measured.error;
+  prediction.pilotLines = 1;
+  prediction.seconds = beginning + measured.march.seconds / measured.march.steps * prediction.steps;
+  return prediction;
+}
+
+ErrorBudget measureMotionError(const Scene& scene, const std::stop_token& stop) {
+  const auto rigid = std::make_shared<const RigidLine>(scene);
+  const double steps = Transient(scene, rigid).countSteps();
+  return measure(scene, rigid, pieceOf(scene, steps, 1), stop).error;
+}
+
+void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop) {
+  for (RegionPrecision& region : comparison.regions) {
+    Piece piece{comparison.scene};
+    Sliding& sliding = piece.scene.sliding;
+    sliding.kind = SlidingKind::Step;  // that changes nothing
+    sliding.velocity = std::sqrt(region.velocities.front() * region.velocities.back());
+    sliding.velocityAfter = sliding.velocity;
+    const auto rigid = std::make_shared<const RigidLine>(piece.scene);
+    const double steps =
+        std::max(std::floor(kPilotWork / nodesOf(*rigid)), kLeastWindows * kWindow);
+    sliding.duration = steps * rigid->line->spacing / sliding.velocity;
+    piece.leastSteps = 1;  // a node in each step
+    piece.windows = std::floor(steps / kWindow);
+    const March march = marchThrough(piece, rigid, 1, stop);
+    region.timeStepError = relativeDifference(march.mu, marchThrough(piece, rigid, 2, stop).mu);
+    region.settlingError = settlingOf(piece.scene, rigid, piece.leastSteps, 2 * kPilotWork, stop);
+  }
+}
+
+Prediction predictRun(const Scene& scene, int threads, const std::stop_token& stop) {
+  return scene.sliding.kind == SlidingKind::Steady ? predictCurve(scene, threads, stop)
+                                                   : predictMotion(scene, stop);
+}
+
+Explanation explainRun(const Scene& scene, int threads) {
+  Explanation explanation = explain(scene, threads);
+  if (!explanation.predicted) explanation.predicted = predictMotion(scene);
+  return explanation;
+}
+
+void analyzeRun(Explanation& explanation, int threads) {
+  const Scene& scene = explanation.scene;
+  if (scene.sliding.kind == SlidingKind::Steady) return analyze(explanation, threads);
+  Measurement measured;
+  const double begin = threadSeconds();
+  Transient transient(scene, std::make_shared<const RigidLine>(scene));
+  while (!transient.isOver()) transient.marchTo(scene.sliding.duration);
+  measured.seconds = threadSeconds() - begin;
+  measured.error = measureMotionError(scene);
+  explanation.measured = measured;
+}
+
+}  // namespace asperity

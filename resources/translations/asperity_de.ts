@@ -1,0 +1,1644 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en_GB">
+<context>
+    <name>Words</name>
+    <message>
+        <source>A rough rigid line</source>
+        <translation>Eine raue starre Linie</translation>
+    </message>
+    <message>
+        <source>A flat rigid line</source>
+        <translation>Eine ebene starre Linie</translation>
+    </message>
+    <message>
+        <source>A rigid sine</source>
+        <translation>Ein starrer Sinus</translation>
+    </message>
+    <message>
+        <source>A rigid wedge</source>
+        <translation>Ein starrer Keil</translation>
+    </message>
+    <message>
+        <source>A rigid parabola</source>
+        <translation>Eine starre Parabel</translation>
+    </message>
+    <message>
+        <source>A measured rigid line</source>
+        <translation>Eine gemessene starre Linie</translation>
+    </message>
+    <message>
+        <source>A rigid line</source>
+        <translation>Eine starre Linie</translation>
+    </message>
+    <message>
+        <source>A rigid line on an elastomer</source>
+        <translation>Eine starre Linie auf einem Elastomer</translation>
+    </message>
+    <message>
+        <source>%1 rests on an elastomer</source>
+        <translation>%1 ruht auf einem Elastomer</translation>
+    </message>
+    <message>
+        <source>%1 slides over an elastomer</source>
+        <translation>%1 gleitet über ein Elastomer</translation>
+    </message>
+    <message>
+        <source>t = %1, slid %2</source>
+        <translation>t = %1; Weg %2</translation>
+    </message>
+    <message>
+        <source>elastic, G = %1</source>
+        <translation>elastisch, G = %1</translation>
+    </message>
+    <message>
+        <source>viscoelastic, G = %1, τ = %2</source>
+        <translation>viskoelastisch, G = %1, τ = %2</translation>
+    </message>
+    <message>
+        <source>viscoelastic, G = %1, %2 arm</source>
+        <translation>viskoelastisch, G = %1, %2 Arm</translation>
+    </message>
+    <message>
+        <source>viscoelastic, G = %1, %2 arms</source>
+        <translation>viskoelastisch, G = %1, %2 Arme</translation>
+    </message>
+    <message>
+        <source>vertical exaggeration %1×</source>
+        <translation>%1-fach überhöht</translation>
+    </message>
+    <message>
+        <source>coefficient of friction</source>
+        <translation>Reibungszahl</translation>
+    </message>
+    <message>
+        <source>in contact</source>
+        <translation>in Kontakt</translation>
+    </message>
+    <message>
+        <source>indentation</source>
+        <translation>Eindringung</translation>
+    </message>
+    <message>
+        <source>%1 scenes, %2 of them failed.</source>
+        <translation>%1 Szenen, davon %2 fehlgeschlagen.</translation>
+    </message>
+    <message>
+        <source>%1 scenes.</source>
+        <translation>%1 Szenen.</translation>
+    </message>
+    <message>
+        <source>All on one sheet</source>
+        <translation>Alle auf einem Blatt</translation>
+    </message>
+    <message>
+        <source>all results as a table</source>
+        <translation>alle Ergebnisse als Tabelle</translation>
+    </message>
+    <message>
+        <source>Made by Asperity %1.</source>
+        <translation>Erstellt mit Asperity %1.</translation>
+    </message>
+    <message>
+        <source>nothing is dissipated</source>
+        <translation>nichts wird dissipiert</translation>
+    </message>
+    <message>
+        <source>%1 in all, %2 % in the free surface</source>
+        <translation>%1 insgesamt, %2 % in der freien Oberfläche</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::AccuracyPanel</name>
+    <message>
+        <source>quick</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>accuracy from quick to exact</source>
+        <translation>Genauigkeit von schnell bis genau</translation>
+    </message>
+    <message>
+        <source>No target</source>
+        <translation>Kein Ziel</translation>
+    </message>
+    <message>
+        <source>Scheme, oversampling and realizations as the parameters say</source>
+        <translation>Verfahren, Überabtastung und Realisierungen nach den Parametern</translation>
+    </message>
+    <message>
+        <source>Compare methods</source>
+        <translation>Verfahren vergleichen</translation>
+    </message>
+    <message>
+        <source>Measures error against time of every method on this scene&apos;s lines</source>
+        <translation>Misst Fehler über Zeit jedes Verfahrens auf den Linien dieser Szene</translation>
+    </message>
+    <message>
+        <source>“Compare methods” measures what accuracy costs for this scene.</source>
+        <translation>„Verfahren vergleichen“ misst, was Genauigkeit bei dieser Szene kostet.</translation>
+    </message>
+    <message>
+        <source>target: %1 of μ at every velocity</source>
+        <translation>Ziel: %1 von μ bei jeder Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>no target: as scheme and realizations say</source>
+        <translation>kein Ziel: nach Verfahren und Realisierungen</translation>
+    </message>
+    <message>
+        <source>measured: %1, standard error %2</source>
+        <translation>gemessen: %1, Standardfehler %2</translation>
+    </message>
+    <message>
+        <source>predicting …</source>
+        <translation>Vorhersage läuft …</translation>
+    </message>
+    <message>
+        <source>predicted: %1, error %2 (resolution %3, realizations %4)</source>
+        <translation>vorhergesagt: %1, Fehler %2 (Auflösung %3, Realisierungen %4)</translation>
+    </message>
+    <message>
+        <source>Cancel (%1 %)</source>
+        <translation>Abbrechen (%1 %)</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>measuring every method on this scene&apos;s lines …</source>
+        <translation>Jedes Verfahren wird auf den Linien dieser Szene gemessen …</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ClaimsTable</name>
+    <message>
+        <source>only for scheme %1</source>
+        <translation>nur für %1</translation>
+    </message>
+    <message>
+        <source>✓ yes</source>
+        <translation>✓ ja</translation>
+    </message>
+    <message>
+        <source>✗ no</source>
+        <translation>✗ nein</translation>
+    </message>
+    <message>
+        <source>Measured: %1.</source>
+        <translation>Gemessen: %1.</translation>
+    </message>
+    <message>
+        <source>Holds when: %1.</source>
+        <translation>Gilt, wenn: %1.</translation>
+    </message>
+    <message>
+        <source>what the paper says of this figure, and whether it holds</source>
+        <translation>was die Arbeit zu dieser Abbildung sagt und ob es gilt</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Gilt</translation>
+    </message>
+    <message>
+        <source>The paper says</source>
+        <translation>Aussage der Arbeit</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ContactCanvas</name>
+    <message>
+        <source>contact view</source>
+        <translation>Kontaktansicht</translation>
+    </message>
+    <message>
+        <source>The contact cannot be drawn here: %1</source>
+        <translation>Der Kontakt lässt sich hier nicht zeichnen: %1</translation>
+    </message>
+    <message>
+        <source>software (OSMesa)</source>
+        <translation>Software (OSMesa)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::CurveCommands</name>
+    <message>
+        <source>Pin curve</source>
+        <translation>Kurve anheften</translation>
+    </message>
+    <message>
+        <source>Keeps this curve to compare others with</source>
+        <translation>Behält diese Kurve zum Vergleich mit anderen</translation>
+    </message>
+    <message>
+        <source>Unpin all</source>
+        <translation>Alle lösen</translation>
+    </message>
+    <message>
+        <source>Dimensionless axes</source>
+        <translation>Dimensionslose Achsen</translation>
+    </message>
+    <message>
+        <source>v̄ of Eq. (13) and μ over the rms slope of the line</source>
+        <translation>v̄ aus Gl. (13) und μ durch die RMS-Steigung der Linie</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Fit axes</source>
+        <translation>Achsen einpassen</translation>
+    </message>
+    <message>
+        <source>Save curve…</source>
+        <translation>Kurve speichern…</translation>
+    </message>
+    <message>
+        <source>Everything that is shown, as a picture or as a table</source>
+        <translation>Alles Gezeigte als Bild oder als Tabelle</translation>
+    </message>
+    <message>
+        <source>Copy curve picture</source>
+        <translation>Kurvenbild kopieren</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Save curve</source>
+        <translation>Kurve speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf);;Table (*.csv)</source>
+        <translation>Bilder (*.png *.svg *.pdf);;Tabelle (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::CurveReadingText</name>
+    <message>
+        <source>region %1, %2</source>
+        <translation>Bereich %1, %2</translation>
+    </message>
+    <message>
+        <source>full contact</source>
+        <translation>Vollkontakt</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::FigureGallery</name>
+    <message>
+        <source>Master curve</source>
+        <translation>Masterkurve</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Figure %1</source>
+        <translation>Abbildung %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::FigureList</name>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>not computed</source>
+        <translation>nicht berechnet</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>ready, 1 line</source>
+        <translation>fertig, 1 Linie</translation>
+    </message>
+    <message>
+        <source>ready, %1 lines</source>
+        <translation>fertig, %1 Linien</translation>
+    </message>
+    <message>
+        <source>figures of the paper</source>
+        <translation>Abbildungen der Arbeit</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::FrictionPlot</name>
+    <message>
+        <source>v = %1 m/s</source>
+        <translation>v = %1 m/s</translation>
+    </message>
+    <message>
+        <source>sliding velocity v (m/s)</source>
+        <translation>Gleitgeschwindigkeit v (m/s)</translation>
+    </message>
+    <message>
+        <source>coefficient of friction μ</source>
+        <translation>Reibungszahl μ</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>this line, now</source>
+        <translation>diese Linie, jetzt</translation>
+    </message>
+    <message>
+        <source>no curve yet</source>
+        <translation>noch keine Kurve</translation>
+    </message>
+    <message>
+        <source>curve of the scene before</source>
+        <translation>Kurve der vorigen Szene</translation>
+    </message>
+    <message>
+        <source>%1 of %2 realizations</source>
+        <translation>%1 von %2 Realisierungen</translation>
+    </message>
+    <message>
+        <source>no friction: nothing positive to show on a logarithmic axis</source>
+        <translation>keine Reibung: nichts Positives für eine logarithmische Achse</translation>
+    </message>
+    <message>
+        <source>no positive coefficient of friction to show on a logarithmic axis</source>
+        <translation>keine positive Reibungszahl für eine logarithmische Achse</translation>
+    </message>
+    <message>
+        <source>friction μ</source>
+        <translation>Reibungszahl μ</translation>
+    </message>
+    <message>
+        <source>dimensionless velocity v̄ = τ v ∇z / (√2 h)</source>
+        <translation>dimensionslose Geschwindigkeit v̄ = τ v ∇z / (√2 h)</translation>
+    </message>
+    <message>
+        <source>normalized friction μ / ∇z</source>
+        <translation>normierte Reibungszahl μ / ∇z</translation>
+    </message>
+    <message>
+        <source>v̄ = %1</source>
+        <translation>v̄ = %1</translation>
+    </message>
+    <message>
+        <source>no dimensionless axes: they need a line with roughness and one relaxation time</source>
+        <translation>keine dimensionslosen Achsen: Sie brauchen eine raue Linie und eine einzige Relaxationszeit</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::FrictionSeries</name>
+    <message>
+        <source>%1 of %2 lines</source>
+        <translation>%1 von %2 Linien</translation>
+    </message>
+    <message>
+        <source>this line</source>
+        <translation>diese Linie</translation>
+    </message>
+    <message>
+        <source>mean of the lines ± standard error</source>
+        <translation>Mittel über die Linien ± Standardfehler</translation>
+    </message>
+    <message>
+        <source>Eq. (11)</source>
+        <translation>Gl. (11)</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>Region I: friction grows in proportion to velocity, Eqs. (5) to (8). It ends where the curve is 20 % below that line.</source>
+        <translation>Bereich I: Die Reibung wächst proportional zur Geschwindigkeit, Gl. (5) bis (8). Er endet, wo die Kurve 20 % unter dieser Geraden liegt.</translation>
+    </message>
+    <message>
+        <source>transition</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Region II: from the line to the plateau. It ends where 95 % of the maximum is reached.</source>
+        <translation>Bereich II: von der Geraden zum Plateau. Er endet, wo 95 % des Maximums erreicht sind.</translation>
+    </message>
+    <message>
+        <source>plateau</source>
+        <translation>Plateau</translation>
+    </message>
+    <message>
+        <source>Region III: contacts carry on their leading sides only, Eq. (9). It ends where friction falls below 95 % of the maximum.</source>
+        <translation>Bereich III: Kontakte tragen nur an ihren Vorderseiten, Gl. (9). Er endet, wo die Reibung unter 95 % des Maximums fällt.</translation>
+    </message>
+    <message>
+        <source>decrease</source>
+        <translation>Abfall</translation>
+    </message>
+    <message>
+        <source>Region IV: the contact is so small that the slope in it falls, Eq. (15). It begins below 95 % of the maximum.</source>
+        <translation>Bereich IV: Der Kontakt ist so klein, dass die Steigung in ihm fällt, Gl. (15). Er beginnt unter 95 % des Maximums.</translation>
+    </message>
+    <message>
+        <source>Borders are read from this curve, not from theory.</source>
+        <translation>Die Grenzen sind aus dieser Kurve abgelesen, nicht aus der Theorie.</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>%1, less the curve above</source>
+        <translation>%1, minus obere Kurve</translation>
+    </message>
+    <message>
+        <source>same parameters</source>
+        <translation>gleiche Parameter</translation>
+    </message>
+    <message>
+        <source>v = %1 m/s</source>
+        <translation>v = %1 m/s</translation>
+    </message>
+    <message>
+        <source>in contact %1 %</source>
+        <translation>in Kontakt %1 %</translation>
+    </message>
+    <message>
+        <source>Eq. (11): %1</source>
+        <translation>Gl. (11): %1</translation>
+    </message>
+    <message>
+        <source>difference %1</source>
+        <translation>Unterschied %1</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>mit %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::GalleryPage</name>
+    <message>
+        <source>Figures of the paper, computed here and now</source>
+        <translation>Abbildungen der Arbeit, hier und jetzt berechnet</translation>
+    </message>
+    <message>
+        <source>✕</source>
+        <translation>✕</translation>
+    </message>
+    <message>
+        <source>Back to the contact (Esc)</source>
+        <translation>Zurück zum Kontakt (Esc)</translation>
+    </message>
+    <message>
+        <source>back to the contact</source>
+        <translation>zurück zum Kontakt</translation>
+    </message>
+    <message>
+        <source>&amp;Realizations</source>
+        <translation>&amp;Realisierungen</translation>
+    </message>
+    <message>
+        <source>realizations to average over</source>
+        <translation>Realisierungen, über die gemittelt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Quick</source>
+        <translation>Sch&amp;nell</translation>
+    </message>
+    <message>
+        <source>%1 realizations</source>
+        <translation>%1 Realisierungen</translation>
+    </message>
+    <message>
+        <source>Pap&amp;er</source>
+        <translation>Arb&amp;eit</translation>
+    </message>
+    <message>
+        <source>%1 realizations, as in the paper</source>
+        <translation>%1 Realisierungen wie in der Arbeit</translation>
+    </message>
+    <message>
+        <source>Compute &amp;all</source>
+        <translation>&amp;Alle</translation>
+    </message>
+    <message>
+        <source>All figures, one after another</source>
+        <translation>Alle Abbildungen nacheinander</translation>
+    </message>
+    <message>
+        <source>&amp;Compute</source>
+        <translation>&amp;Berechnen</translation>
+    </message>
+    <message>
+        <source>This figure, from lines made anew (Enter in the list)</source>
+        <translation>Diese Abbildung aus neu erzeugten Linien (Eingabetaste in der Liste)</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>Ends what is computed and what waits</source>
+        <translation>Beendet die laufende und alle wartenden Berechnungen</translation>
+    </message>
+    <message>
+        <source>progress of the computation</source>
+        <translation>Fortschritt der Berechnung</translation>
+    </message>
+    <message>
+        <source>&amp;Open as scene</source>
+        <translation>Als &amp;Szene öffnen</translation>
+    </message>
+    <message>
+        <source>This figure&apos;s parameters in the window, to play with</source>
+        <translation>Die Parameter dieser Abbildung im Fenster, zum Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Save &amp;picture…</source>
+        <translation>B&amp;ild speichern…</translation>
+    </message>
+    <message>
+        <source>PNG, SVG or PDF</source>
+        <translation>PNG, SVG oder PDF</translation>
+    </message>
+    <message>
+        <source>Save &amp;data…</source>
+        <translation>&amp;Daten speichern…</translation>
+    </message>
+    <message>
+        <source>The table as CSV, or the claims as JSON</source>
+        <translation>Die Tabelle als CSV oder die Aussagen als JSON</translation>
+    </message>
+    <message>
+        <source>%1 is not computed yet.</source>
+        <translation>%1 ist noch nicht berechnet.</translation>
+    </message>
+    <message>
+        <source>%1 appears here once it is computed.</source>
+        <translation>%1 erscheint hier, sobald die Berechnung fertig ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Compute again</source>
+        <translation>Neu &amp;berechnen</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf)</source>
+        <translation>Bilder (*.png *.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>Daten speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;Claims (*.json)</source>
+        <translation>Tabelle (*.csv);;Aussagen (*.json)</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>%1 wird gespeichert…</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::MainWindow</name>
+    <message>
+        <source>close</source>
+        <translation>schließen</translation>
+    </message>
+    <message>
+        <source>coefficient of friction against velocity</source>
+        <translation>Reibungszahl über der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Asperity</source>
+        <translation>Asperity</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Open scene…</source>
+        <translation>Szene öffnen…</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Dunkle Farben</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Scenes</source>
+        <translation>&amp;Szenen</translation>
+    </message>
+    <message>
+        <source>Fi&amp;gures</source>
+        <translation>Ab&amp;bildungen</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>&amp;Kurve</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>About Asperity</source>
+        <translation>Über Asperity</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Helle Farben</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Asperity %1&lt;/h3&gt;</source>
+        <translation>&lt;h3&gt;Asperity %1&lt;/h3&gt;</translation>
+    </message>
+    <message>
+        <source>Shows how a viscoelastic elastomer slides over a randomly rough rigid line, after Li et al., &lt;i&gt;Friction between a viscoelastic body and a rigid surface with random self-affine roughness&lt;/i&gt;, Physical Review Letters 111, 034301 (2013).&lt;br&gt;&lt;br&gt;The elements of the elastomer are independent of each other: long-range elastic coupling is not in the model.&lt;br&gt;&lt;br&gt;Free software, GPL-3.0-or-later.</source>
+        <translation>Zeigt, wie ein viskoelastisches Elastomer über eine zufällig raue starre Linie gleitet, nach Li et al., &lt;i&gt;Friction between a viscoelastic body and a rigid surface with random self-affine roughness&lt;/i&gt;, Physical Review Letters 111, 034301 (2013).&lt;br&gt;&lt;br&gt;Die Elemente des Elastomers sind voneinander unabhängig: Eine langreichweitige elastische Kopplung ist nicht im Modell.&lt;br&gt;&lt;br&gt;Freie Software, GPL-3.0-or-later.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>All figures</source>
+        <translation>Alle Abbildungen</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Abbildungen</translation>
+    </message>
+    <message>
+        <source>Open scene</source>
+        <translation>Szene öffnen</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json);;Pictures and tables (*.png *.svg *.pdf *.csv *.mp4 *.webm *.gif *.webp)</source>
+        <translation>Szenen (*.json);;Bilder und Tabellen (*.png *.svg *.pdf *.csv *.mp4 *.webm *.gif *.webp)</translation>
+    </message>
+    <message>
+        <source>Save scene</source>
+        <translation>Szene speichern</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json)</source>
+        <translation>Szenen (*.json)</translation>
+    </message>
+    <message>
+        <source>Friction curve</source>
+        <translation>Reibungskurve</translation>
+    </message>
+    <message>
+        <source>Motion in time</source>
+        <translation>Zeitverlauf</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>The language changes when Asperity is started again.</source>
+        <translation>Die Sprache wechselt beim nächsten Start von Asperity.</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Copy as command line</source>
+        <translation>Als Befehlszeile kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the curve&apos;s command line</source>
+        <translation>Befehlszeile der Kurve kopieren</translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Das Bild ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf)</source>
+        <translation>Bilder (*.png *.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>On the clipboard: %1</source>
+        <translation>In der Zwischenablage: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Back to the scene as opened</source>
+        <translation>Zurück zur Szene wie geöffnet</translation>
+    </message>
+    <message>
+        <source>All parameters to their defaults</source>
+        <translation>Alle Parameter auf ihre Vorgaben</translation>
+    </message>
+    <message>
+        <source>Undo %1</source>
+        <translation>%1 rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>%1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Asperity[*]</source>
+        <translation>Asperity[*]</translation>
+    </message>
+    <message>
+        <source>%1[*] – Asperity</source>
+        <translation>%1[*] – Asperity</translation>
+    </message>
+    <message>
+        <source>All parameters</source>
+        <translation>Alle Parameter</translation>
+    </message>
+    <message>
+        <source>The scene was changed. Save the changes?</source>
+        <translation>Die Szene wurde geändert. Änderungen speichern?</translation>
+    </message>
+    <message>
+        <source>They are lost otherwise.</source>
+        <translation>Sonst gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save scene as…</source>
+        <translation>Szene speichern unter…</translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Presentation</source>
+        <translation>Präsentation</translation>
+    </message>
+    <message>
+        <source>Leave full screen</source>
+        <translation>Vollbild verlassen</translation>
+    </message>
+    <message>
+        <source>Restore layout</source>
+        <translation>Anordnung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Tabs</source>
+        <translation>Reiter</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Desktop</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>The curve&apos;s picture is on the clipboard</source>
+        <translation>Das Bild der Kurve ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Guided tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Tour: back</source>
+        <translation>Rundgang: zurück</translation>
+    </message>
+    <message>
+        <source>Tour: next</source>
+        <translation>Rundgang: weiter</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>New here? A tour of six steps shows what there is to see.</source>
+        <translation>Neu hier? Ein Rundgang in sechs Schritten zeigt, was es zu sehen gibt.</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rundgang beginnen</translation>
+    </message>
+    <message>
+        <source>about the scene</source>
+        <translation>über die Szene</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::MessageBar</name>
+    <message>
+        <source>close message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+    <message>
+        <source>accept</source>
+        <translation>annehmen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ParameterPanel</name>
+    <message>
+        <source>Rigid line</source>
+        <translation>Starre Linie</translation>
+    </message>
+    <message>
+        <source>Elastomer</source>
+        <translation>Elastomer</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>Sliding</source>
+        <translation>Gleiten</translation>
+    </message>
+    <message>
+        <source>Friction curve</source>
+        <translation>Reibungskurve</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Choose a profile</source>
+        <translation>Profil wählen</translation>
+    </message>
+    <message>
+        <source>Profiles (*.csv);;All files (*)</source>
+        <translation>Profile (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>as in file</source>
+        <translation>wie Datei</translation>
+    </message>
+    <message>
+        <source>choose a profile file</source>
+        <translation>Profildatei wählen</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>Grenzfläche</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ParameterRow</name>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>choose file…</source>
+        <translation>Datei wählen…</translation>
+    </message>
+    <message>
+        <source>Back to the default, %1</source>
+        <translation>Zurück zur Vorgabe, %1</translation>
+    </message>
+    <message>
+        <source>As the file says</source>
+        <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>no file</source>
+        <translation>keine Datei</translation>
+    </message>
+    <message>
+        <source>Choose a file of this computer</source>
+        <translation>Eine Datei dieses Rechners wählen</translation>
+    </message>
+    <message>
+        <source>choose file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>reset %1</source>
+        <translation>%1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>A number alone counts in the unit beside it, one with an exponent (1e7) in %1; any unit may be typed with it.</source>
+        <translation>Eine Zahl allein gilt in der Einheit daneben, eine mit Exponent (1e7) in %1; jede Einheit darf dazu getippt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::PlanList</name>
+    <message>
+        <source>which stages run, and why</source>
+        <translation>welche Stufen laufen und warum</translation>
+    </message>
+    <message>
+        <source>stage</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>because</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::PlotLegend</name>
+    <message>
+        <source>legend of the plot</source>
+        <translation>Legende des Diagramms</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click to unpin this curve</source>
+        <translation>Klicken, um diese Kurve zu lösen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SceneDocument</name>
+    <message>
+        <source>%1 parameters</source>
+        <translation>%1 Parameter</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::Session</name>
+    <message>
+        <source>The numbers of this scene leave what a computer can hold.</source>
+        <translation>Die Zahlen dieser Szene übersteigen, was ein Rechner fassen kann.</translation>
+    </message>
+    <message>
+        <source>No steady sliding was found at this load and velocity.</source>
+        <translation>Bei dieser Last und Geschwindigkeit wurde kein stationäres Gleiten gefunden.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ShortcutSheet</name>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::StatusLine</name>
+    <message>
+        <source>Eq. (14) of the paper: normal force / (shear modulus × rms height × length)</source>
+        <translation>Gl. (14) der Arbeit: Normalkraft / (Schubmodul × RMS-Höhe × Länge)</translation>
+    </message>
+    <message>
+        <source>Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height)</source>
+        <translation>Gl. (13) der Arbeit: Relaxationszeit × Geschwindigkeit × RMS-Steigung / (√2 × RMS-Höhe)</translation>
+    </message>
+    <message>
+        <source>Pictures of the contact shown in the last second</source>
+        <translation>In der letzten Sekunde gezeigte Bilder des Kontakts</translation>
+    </message>
+    <message>
+        <source>What draws the contact</source>
+        <translation>Was den Kontakt zeichnet</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source> (mean %1 ± %2 %)</source>
+        <translation> (Mittel %1 ± %2 %)</translation>
+    </message>
+    <message>
+        <source>Where the velocity lies on the friction curve: regions I to IV of the paper, found on the complete curve</source>
+        <translation>Wo die Geschwindigkeit auf der Reibungskurve liegt: Bereiche I bis IV der Arbeit, gefunden auf der vollständigen Kurve</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction of this line in steady sliding; in brackets the mean of all lines at this velocity with its standard error</source>
+        <translation>Reibungszahl dieser Linie beim stationären Gleiten; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
+    </message>
+    <message>
+        <source>Lines at one velocity each, computed in a second for the curve</source>
+        <translation>Linien bei je einer Geschwindigkeit, die in einer Sekunde für die Kurve berechnet werden</translation>
+    </message>
+    <message>
+        <source>making the line</source>
+        <translation>die Linie entsteht</translation>
+    </message>
+    <message>
+        <source>progress of the curve</source>
+        <translation>Fortschritt der Kurve</translation>
+    </message>
+    <message>
+        <source>Making the line… Back to the scene before</source>
+        <translation>Die Linie entsteht… Zurück zur vorigen Szene</translation>
+    </message>
+    <message>
+        <source>The curve is not complete: average it again</source>
+        <translation>Die Kurve ist nicht vollständig: erneut mitteln</translation>
+    </message>
+    <message>
+        <source>Stop averaging the curve</source>
+        <translation>Mittelung der Kurve anhalten</translation>
+    </message>
+    <message>
+        <source>%1 simulations/s</source>
+        <translation>%1 Simulationen/s</translation>
+    </message>
+    <message>
+        <source>friction μ = %1%2</source>
+        <translation>Reibungszahl μ = %1%2</translation>
+    </message>
+    <message>
+        <source>force F̄ = %1</source>
+        <translation>Kraft F̄ = %1</translation>
+    </message>
+    <message>
+        <source>velocity v̄ = %1</source>
+        <translation>Geschwindigkeit v̄ = %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::Tour</name>
+    <message>
+        <source>Press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>A rough line rests on rubber: only its highest summits touch.</source>
+        <translation>Eine raue Linie ruht auf Gummi: Nur ihre höchsten Gipfel berühren ihn.</translation>
+    </message>
+    <message>
+        <source>Drag the normal force up: contacts grow in number and length.</source>
+        <translation>Die Normalkraft erhöhen: Die Kontakte wachsen an Zahl und Länge.</translation>
+    </message>
+    <message>
+        <source>Slide slowly</source>
+        <translation>Langsam gleiten</translation>
+    </message>
+    <message>
+        <source>The rubber has time to come back behind every summit, and friction grows in proportion to the velocity.</source>
+        <translation>Der Gummi hat Zeit, hinter jedem Gipfel zurückzukehren, und die Reibung wächst proportional zur Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Double the velocity: the coefficient of friction doubles.</source>
+        <translation>Die Geschwindigkeit verdoppeln: Die Reibungszahl verdoppelt sich.</translation>
+    </message>
+    <message>
+        <source>The plateau</source>
+        <translation>Das Plateau</translation>
+    </message>
+    <message>
+        <source>Faster, friction stops growing: it is now set by the slope of the line, not by the rubber.</source>
+        <translation>Schneller wächst die Reibung nicht mehr: Sie wird nun von der Steigung der Linie bestimmt, nicht vom Gummi.</translation>
+    </message>
+    <message>
+        <source>Change the shear modulus or the force: the plateau stays.</source>
+        <translation>Schubmodul oder Kraft ändern: Das Plateau bleibt.</translation>
+    </message>
+    <message>
+        <source>One-sided contact</source>
+        <translation>Einseitiger Kontakt</translation>
+    </message>
+    <message>
+        <source>A single summit shows why: the rubber is too slow to touch its trailing side, so it pushes only from the front.</source>
+        <translation>Ein einzelner Gipfel zeigt, warum: Der Gummi ist zu langsam, um seine Rückseite zu berühren, und drückt daher nur von vorn.</translation>
+    </message>
+    <message>
+        <source>Lower the velocity to 0.001 m/s: contact becomes even on both sides, and friction vanishes.</source>
+        <translation>Die Geschwindigkeit auf 0,001 m/s senken: Der Kontakt wird auf beiden Seiten gleich, und die Reibung verschwindet.</translation>
+    </message>
+    <message>
+        <source>Region IV</source>
+        <translation>Bereich IV</translation>
+    </message>
+    <message>
+        <source>Faster still, only the tips of the highest summits touch, and they are smooth: friction falls again.</source>
+        <translation>Noch schneller berühren nur die Spitzen der höchsten Gipfel, und die sind glatt: Die Reibung fällt wieder.</translation>
+    </message>
+    <message>
+        <source>Raise the elements: finer tips move the fall to higher velocities.</source>
+        <translation>Die Zahl der Elemente erhöhen: Feinere Spitzen verschieben den Abfall zu höheren Geschwindigkeiten.</translation>
+    </message>
+    <message>
+        <source>Full contact</source>
+        <translation>Vollkontakt</translation>
+    </message>
+    <message>
+        <source>Under a high load the rubber fills every valley, and friction is known exactly.</source>
+        <translation>Unter hoher Last füllt der Gummi jedes Tal, und die Reibung ist exakt bekannt.</translation>
+    </message>
+    <message>
+        <source>Raise the velocity until the first valleys open: there the straight line ends.</source>
+        <translation>Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen: Dort endet die Gerade.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TourBar</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>%1 of %2&amp;ensp;&lt;b&gt;%3.&lt;/b&gt; %4 &lt;i&gt;Try: %5&lt;/i&gt;</source>
+        <translation>%1 von %2&amp;ensp;&lt;b&gt;%3.&lt;/b&gt; %4 &lt;i&gt;Versuch: %5&lt;/i&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TransientStrips</name>
+    <message>
+        <source>friction, indentation and contact length in time</source>
+        <translation>Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
+    </message>
+    <message>
+        <source>nothing has moved yet</source>
+        <translation>noch hat sich nichts bewegt</translation>
+    </message>
+    <message>
+        <source>predicted rate 1/τ + v/ℓ = %1 (exact for one contact, a guide on rough lines)</source>
+        <translation>vorhergesagte Rate 1/τ + v/ℓ = %1 (exakt für einen Kontakt, ein Anhalt auf rauen Linien)</translation>
+    </message>
+    <message>
+        <source>friction μ</source>
+        <translation>Reibungszahl μ</translation>
+    </message>
+    <message>
+        <source>indentation d</source>
+        <translation>Eindringung d</translation>
+    </message>
+    <message>
+        <source>contact length ℓ</source>
+        <translation>Kontaktlänge ℓ</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ViewActionText</name>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>At the crosshair, or in the middle; also the wheel</source>
+        <translation>Am Fadenkreuz oder in der Mitte; auch mit dem Mausrad</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Also the wheel</source>
+        <translation>Auch mit dem Mausrad</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>The whole period, heights fitted; also a double click</source>
+        <translation>Die ganze Periode, Höhen eingepasst; auch mit Doppelklick</translation>
+    </message>
+    <message>
+        <source>More vertical exaggeration</source>
+        <translation>Stärker überhöhen</translation>
+    </message>
+    <message>
+        <source>Also Ctrl and the wheel, or Shift and Up</source>
+        <translation>Auch mit Strg und Mausrad oder Umschalt und Pfeil nach oben</translation>
+    </message>
+    <message>
+        <source>Less vertical exaggeration</source>
+        <translation>Schwächer überhöhen</translation>
+    </message>
+    <message>
+        <source>Also Ctrl and the wheel, or Shift and Down</source>
+        <translation>Auch mit Strg und Mausrad oder Umschalt und Pfeil nach unten</translation>
+    </message>
+    <message>
+        <source>Fit heights</source>
+        <translation>Höhen einpassen</translation>
+    </message>
+    <message>
+        <source>The exaggeration that shows all heights</source>
+        <translation>Die Überhöhung, die alle Höhen zeigt</translation>
+    </message>
+    <message>
+        <source>Follow the line</source>
+        <translation>Der Linie folgen</translation>
+    </message>
+    <message>
+        <source>The line stands still in the picture and the elastomer passes by</source>
+        <translation>Die Linie steht im Bild still, und das Elastomer zieht vorbei</translation>
+    </message>
+    <message>
+        <source>Magnifier</source>
+        <translation>Lupe</translation>
+    </message>
+    <message>
+        <source>Enlarges the asperity at the crosshair, or the one pressed most</source>
+        <translation>Vergrößert die Rauheitsspitze am Fadenkreuz oder die am stärksten gedrückte</translation>
+    </message>
+    <message>
+        <source>Contact pressure</source>
+        <translation>Kontaktdruck</translation>
+    </message>
+    <message>
+        <source>Where the bodies press on each other</source>
+        <translation>Wo die Körper aufeinander drücken</translation>
+    </message>
+    <message>
+        <source>Time since contact</source>
+        <translation>Zeit seit dem Kontakt</translation>
+    </message>
+    <message>
+        <source>How long the free surface has had to come back</source>
+        <translation>Wie lange die freie Oberfläche zur Rückkehr hatte</translation>
+    </message>
+    <message>
+        <source>Dissipated power</source>
+        <translation>Dissipierte Leistung</translation>
+    </message>
+    <message>
+        <source>Where friction turns into heat: in contact and where the surface comes back</source>
+        <translation>Wo Reibung zu Wärme wird: im Kontakt und wo die Oberfläche zurückkehrt</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Colours show</source>
+        <translation>Farben zeigen</translation>
+    </message>
+    <message>
+        <source>Next colours</source>
+        <translation>Nächste Farben</translation>
+    </message>
+    <message>
+        <source>Goes through what colours can show</source>
+        <translation>Geht durch, was Farben zeigen können</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::WindowLanguage</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Desktop</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::Words</name>
+    <message>
+        <source>position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>height above the undeformed surface</source>
+        <translation>Höhe über der unverformten Oberfläche</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>friction coefficient μ</source>
+        <translation>Reibungszahl μ</translation>
+    </message>
+    <message>
+        <source>normal force F</source>
+        <translation>Normalkraft F</translation>
+    </message>
+    <message>
+        <source>indentation d</source>
+        <translation>Eindringung d</translation>
+    </message>
+    <message>
+        <source>in contact</source>
+        <translation>in Kontakt</translation>
+    </message>
+    <message>
+        <source>velocity v</source>
+        <translation>Geschwindigkeit v</translation>
+    </message>
+    <message>
+        <source>1 s on screen</source>
+        <translation>1 s im Bild</translation>
+    </message>
+    <message>
+        <source>μ in this march in time</source>
+        <translation>μ in diesen Zeitschritten</translation>
+    </message>
+    <message>
+        <source>rigid line at rest</source>
+        <translation>starre Linie in Ruhe</translation>
+    </message>
+    <message>
+        <source>slides</source>
+        <translation>gleitet</translation>
+    </message>
+    <message>
+        <source>rigid line slides</source>
+        <translation>starre Linie gleitet</translation>
+    </message>
+    <message>
+        <source>friction F</source>
+        <translation>Reibung F</translation>
+    </message>
+    <message>
+        <source>elastomer</source>
+        <translation>Elastomer</translation>
+    </message>
+    <message>
+        <source>rigid body</source>
+        <translation>starrer Körper</translation>
+    </message>
+    <message>
+        <source>dot: the deepest contact</source>
+        <translation>Punkt: der tiefste Kontakt</translation>
+    </message>
+    <message>
+        <source>dot: contact between two points</source>
+        <translation>Punkt: Kontakt zwischen zwei Stützpunkten</translation>
+    </message>
+    <message>
+        <source>glow: pressure, not depth</source>
+        <translation>Leuchten: Druck, nicht Tiefe</translation>
+    </message>
+    <message>
+        <source>below: the elastomer</source>
+        <translation>unten: das Elastomer</translation>
+    </message>
+    <message>
+        <source>elastomer: %1</source>
+        <translation>Elastomer: %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>one period L = %1</source>
+        <translation>eine Periode L = %1</translation>
+    </message>
+    <message>
+        <source>rms height h = %1</source>
+        <translation>RMS-Höhe h = %1</translation>
+    </message>
+    <message>
+        <source>rms slope = %1</source>
+        <translation>RMS-Steigung = %1</translation>
+    </message>
+    <message>
+        <source>Hurst exponent H = %1</source>
+        <translation>Hurst-Exponent H = %1</translation>
+    </message>
+    <message>
+        <source>Rigid line</source>
+        <translation>Starre Linie</translation>
+    </message>
+    <message>
+        <source>wave number q (1/m)</source>
+        <translation>Wellenzahl q (1/m)</translation>
+    </message>
+    <message>
+        <source>power spectral density C (m³)</source>
+        <translation>Leistungsspektraldichte C (m³)</translation>
+    </message>
+    <message>
+        <source>C ∝ q⁻²ᴴ⁻¹, cut off at π over the element spacing</source>
+        <translation>C ∝ q⁻²ᴴ⁻¹, abgeschnitten bei π durch Elementabstand</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>the line shown, at its velocity</source>
+        <translation>die gezeigte Linie bei ihrer Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>, arrow %1×</source>
+        <translation>, Pfeil %1×</translation>
+    </message>
+    <message>
+        <source>time since contact</source>
+        <translation>Zeit seit dem Kontakt</translation>
+    </message>
+    <message>
+        <source>dissipated power (log scale)</source>
+        <translation>dissipierte Leistung (log. Skala)</translation>
+    </message>
+    <message>
+        <source>contact pressure (line load)</source>
+        <translation>Kontaktdruck (Linienlast)</translation>
+    </message>
+    <message>
+        <source>position x</source>
+        <translation>Ort x</translation>
+    </message>
+    <message>
+        <source>rigid line z</source>
+        <translation>starre Linie z</translation>
+    </message>
+    <message>
+        <source>elastomer u</source>
+        <translation>Elastomer u</translation>
+    </message>
+    <message>
+        <source>pressure p</source>
+        <translation>Druck p</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>Spalt</translation>
+    </message>
+    <message>
+        <source>slope z′</source>
+        <translation>Steigung z′</translation>
+    </message>
+    <message>
+        <source>free for</source>
+        <translation>frei seit</translation>
+    </message>
+    <message>
+        <source>dissipates</source>
+        <translation>dissipiert</translation>
+    </message>
+</context>
+</TS>

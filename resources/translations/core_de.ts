@@ -1,0 +1,2101 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en_GB">
+<!-- Texts that core makes: see ui/language/translated.h. %1, %2, ... stand for numbers with their
+     units and for what is in single quotes. Written by hand; lupdate does not know them. -->
+<context>
+    <name>core</name>
+    <message>
+        <source>A name for the scene, shown above its pictures.</source>
+        <translation>Name der Szene; er steht über ihren Bildern.</translation>
+    </message>
+    <message>
+        <source>CSV file of position and height, or of heights alone; its path is relative to the scene.</source>
+        <translation>CSV-Datei mit Ort und Höhe oder nur mit Höhen; der Pfad gilt relativ zur Szene.</translation>
+    </message>
+    <message>
+        <source>Elements per period: the shortest wave of a random line is two of them long; a profile without it has one for each row.</source>
+        <translation>Elemente je Periode: Die kürzeste Welle einer Zufallslinie ist zwei davon lang; ein Profil ohne Angabe hat eines je Zeile.</translation>
+    </message>
+    <message>
+        <source>First constant of the shift with temperature (Williams, Landel and Ferry).</source>
+        <translation>Erste Konstante der Temperaturverschiebung (Williams, Landel und Ferry).</translation>
+    </message>
+    <message>
+        <source>First velocity of the friction curve.</source>
+        <translation>Erste Geschwindigkeit der Reibungskurve.</translation>
+    </message>
+    <message>
+        <source>Force that presses one period of the line into the elastomer.</source>
+        <translation>Kraft, die eine Periode der Linie in das Elastomer drückt.</translation>
+    </message>
+    <message>
+        <source>Height of the sine's crests above its mean.</source>
+        <translation>Höhe der Sinuskämme über dem Mittel.</translation>
+    </message>
+    <message>
+        <source>How the elastomer answers to deformation.</source>
+        <translation>Wie das Elastomer auf Verformung antwortet.</translation>
+    </message>
+    <message>
+        <source>How the line is resolved: the paper's single elements (nodal), straight segments (linear) or smooth ones (cubic).</source>
+        <translation>Wie die Linie aufgelöst wird: mit den einzelnen Elementen der Arbeit (nodal), mit geraden (linear) oder glatten Abschnitten (kubisch).</translation>
+    </message>
+    <message>
+        <source>How the line moves.</source>
+        <translation>Wie sich die Linie bewegt.</translation>
+    </message>
+    <message>
+        <source>How the roughness grows with length: 0 is rough at every scale alike, 1 is smooth at short ones.</source>
+        <translation>Wie die Rauheit mit der Länge wächst: 0 ist auf jeder Skala gleich rau, 1 auf kurzen Skalen glatt.</translation>
+    </message>
+    <message>
+        <source>Hurst exponent</source>
+        <translation>Hurst-Exponent</translation>
+    </message>
+    <message>
+        <source>Indentation, measured from the lowest point of the line.</source>
+        <translation>Eindringung, gemessen vom tiefsten Punkt der Linie.</translation>
+    </message>
+    <message>
+        <source>Last velocity of the friction curve.</source>
+        <translation>Letzte Geschwindigkeit der Reibungskurve.</translation>
+    </message>
+    <message>
+        <source>Local coefficient of friction in contact, added to what the deformation costs and reported apart; 0: none.</source>
+        <translation>Lokale Reibungszahl im Kontakt; sie kommt zum Verformungsanteil hinzu und wird getrennt ausgewiesen; 0: keine.</translation>
+    </message>
+    <message>
+        <source>Of a dashpot beside the arms; 0: none.</source>
+        <translation>Eines Dämpfers neben den Armen; 0: keiner.</translation>
+    </message>
+    <message>
+        <source>Of the elastomer; it shifts all relaxation times together.</source>
+        <translation>Des Elastomers; sie verschiebt alle Relaxationszeiten gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Of the velocity about its mean: v = velocity + amplitude sin(2 pi frequency t).</source>
+        <translation>Der Geschwindigkeit um ihr Mittel: v = Geschwindigkeit + Amplitude · sin(2π · Frequenz · t).</translation>
+    </message>
+    <message>
+        <source>Oscillations of the velocity in a second.</source>
+        <translation>Schwingungen der Geschwindigkeit je Sekunde.</translation>
+    </message>
+    <message>
+        <source>Picks the random phases of the line.</source>
+        <translation>Bestimmt die Zufallsphasen der Linie.</translation>
+    </message>
+    <message>
+        <source>Points that resolve the line per element.</source>
+        <translation>Stützpunkte der Linie je Element.</translation>
+    </message>
+    <message>
+        <source>Radius of curvature at the parabola's vertex.</source>
+        <translation>Krümmungsradius im Scheitel der Parabel.</translation>
+    </message>
+    <message>
+        <source>Random lines that the friction curve is averaged over.</source>
+        <translation>Zufallslinien, über die die Reibungskurve gemittelt wird.</translation>
+    </message>
+    <message>
+        <source>Relative error of friction to be reached at every velocity: resolution and number of lines are then chosen by the program; 0: as scheme and realizations say.</source>
+        <translation>Relativer Fehler der Reibungszahl, der bei jeder Geschwindigkeit zu erreichen ist: Auflösung und Anzahl der Linien wählt dann das Programm; 0: nach Verfahren und Realisierungen.</translation>
+    </message>
+    <message>
+        <source>Root mean square of the height (ISO Rq), set by the long waves.</source>
+        <translation>Quadratischer Mittelwert der Höhe (ISO Rq), bestimmt von den langen Wellen.</translation>
+    </message>
+    <message>
+        <source>Second constant of that shift.</source>
+        <translation>Zweite Konstante dieser Verschiebung.</translation>
+    </message>
+    <message>
+        <source>Shear modulus that is left when all arms have relaxed; steady sliding needs more than 0.</source>
+        <translation>Schubmodul, der bleibt, wenn alle Arme relaxiert sind; stationäres Gleiten braucht mehr als 0.</translation>
+    </message>
+    <message>
+        <source>Short waves stronger on the summits, which touch first (above 0), or in the valleys (below 0); 0: everywhere alike.</source>
+        <translation>Kurze Wellen stärker auf den Gipfeln, die zuerst berühren (über 0), oder in den Tälern (unter 0); 0: überall gleich.</translation>
+    </message>
+    <message>
+        <source>Sine waves in one period of the line.</source>
+        <translation>Sinuswellen in einer Periode der Linie.</translation>
+    </message>
+    <message>
+        <source>Sliding velocity of the line; of an oscillation its mean.</source>
+        <translation>Gleitgeschwindigkeit der Linie; bei einer Schwingung ihr Mittel.</translation>
+    </message>
+    <message>
+        <source>Slope of the wedge's two sides.</source>
+        <translation>Steigung der beiden Flanken des Keils.</translation>
+    </message>
+    <message>
+        <source>Springs and dashpots in series: modulus in Pa and relaxation time in s of each; a standard solid has one.</source>
+        <translation>Federn und Dämpfer in Reihe: je ein Modul in Pa und eine Relaxationszeit in s; ein Standardkörper hat einen solchen Arm.</translation>
+    </message>
+    <message>
+        <source>Static shear modulus of the elastomer.</source>
+        <translation>Statischer Schubmodul des Elastomers.</translation>
+    </message>
+    <message>
+        <source>Tangential load on each length in contact instead of that coefficient; 0: none.</source>
+        <translation>Tangentiallast je Länge im Kontakt anstelle dieser Reibungszahl; 0: keine.</translation>
+    </message>
+    <message>
+        <source>Temperature at which the relaxation times are as given.</source>
+        <translation>Temperatur, für die die Relaxationszeiten angegeben sind.</translation>
+    </message>
+    <message>
+        <source>The group of scenes that it belongs to.</source>
+        <translation>Die Gruppe von Szenen, zu der sie gehört.</translation>
+    </message>
+    <message>
+        <source>The period of the line; a profile without it is as long as its file says.</source>
+        <translation>Periode der Linie; ein Profil ohne Angabe ist so lang, wie seine Datei sagt.</translation>
+    </message>
+    <message>
+        <source>The shape of the rigid line.</source>
+        <translation>Form der starren Linie.</translation>
+    </message>
+    <message>
+        <source>Time that the motion takes; a step or a reversal comes at half of it.</source>
+        <translation>Dauer der Bewegung; ein Sprung oder eine Umkehr kommt nach der Hälfte.</translation>
+    </message>
+    <message>
+        <source>Velocities of the friction curve, evenly spaced in their logarithm.</source>
+        <translation>Geschwindigkeiten der Reibungskurve, logarithmisch gleich verteilt.</translation>
+    </message>
+    <message>
+        <source>Velocity from half of the duration on; below 0 the line goes back.</source>
+        <translation>Geschwindigkeit ab der Hälfte der Dauer; unter 0 läuft die Linie zurück.</translation>
+    </message>
+    <message>
+        <source>Viscosity over shear modulus: how long the free surface takes to come back.</source>
+        <translation>Viskosität durch Schubmodul: wie lange die freie Oberfläche zur Rückkehr braucht.</translation>
+    </message>
+    <message>
+        <source>Waves longer than this are all equally strong; 0: the roughness is self-affine up to its whole length.</source>
+        <translation>Längere Wellen als diese sind alle gleich stark; 0: Die Rauheit ist bis zur ganzen Länge selbstaffin.</translation>
+    </message>
+    <message>
+        <source>What is held constant: the normal force or the indentation.</source>
+        <translation>Was konstant gehalten wird: die Normalkraft oder die Eindringung.</translation>
+    </message>
+    <message>
+        <source>What to look for in the scene.</source>
+        <translation>Worauf in der Szene zu achten ist.</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>arms</source>
+        <translation>Arme</translation>
+    </message>
+    <message>
+        <source>chapter</source>
+        <translation>Kapitel</translation>
+    </message>
+    <message>
+        <source>cubic</source>
+        <translation>kubisch</translation>
+    </message>
+    <message>
+        <source>description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>elastic</source>
+        <translation>elastisch</translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>fastest</source>
+        <translation>schnellste</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>indentation</source>
+        <translation>Eindringung</translation>
+    </message>
+    <message>
+        <source>kelvin</source>
+        <translation>Kelvin</translation>
+    </message>
+    <message>
+        <source>kind of line</source>
+        <translation>Art der Linie</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>local friction</source>
+        <translation>lokale Reibung</translation>
+    </message>
+    <message>
+        <source>local shear</source>
+        <translation>lokaler Schub</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>nodal</source>
+        <translation>nodal</translation>
+    </message>
+    <message>
+        <source>normal force</source>
+        <translation>Normalkraft</translation>
+    </message>
+    <message>
+        <source>oscillation</source>
+        <translation>Schwingung</translation>
+    </message>
+    <message>
+        <source>oversampling</source>
+        <translation>Überabtastung</translation>
+    </message>
+    <message>
+        <source>parabola</source>
+        <translation>Parabel</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>prony</source>
+        <translation>Prony</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>realizations</source>
+        <translation>Realisierungen</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>relaxation time</source>
+        <translation>Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>rest modulus</source>
+        <translation>Ruhemodul</translation>
+    </message>
+    <message>
+        <source>reversal</source>
+        <translation>Umkehr</translation>
+    </message>
+    <message>
+        <source>rheology</source>
+        <translation>Rheologie</translation>
+    </message>
+    <message>
+        <source>rms height</source>
+        <translation>RMS-Höhe</translation>
+    </message>
+    <message>
+        <source>roll-off</source>
+        <translation>Roll-off</translation>
+    </message>
+    <message>
+        <source>rough summits</source>
+        <translation>raue Gipfel</translation>
+    </message>
+    <message>
+        <source>scheme</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>self-affine</source>
+        <translation>selbstaffin</translation>
+    </message>
+    <message>
+        <source>shear modulus</source>
+        <translation>Schubmodul</translation>
+    </message>
+    <message>
+        <source>shift C1</source>
+        <translation>Konstante C1</translation>
+    </message>
+    <message>
+        <source>shift C2</source>
+        <translation>Konstante C2</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>slowest</source>
+        <translation>langsamste</translation>
+    </message>
+    <message>
+        <source>standard-solid</source>
+        <translation>Standardkörper</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfahren</translation>
+    </message>
+    <message>
+        <source>steady</source>
+        <translation>stationär</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>target error</source>
+        <translation>Zielfehler</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>velocity after</source>
+        <translation>danach</translation>
+    </message>
+    <message>
+        <source>viscosity</source>
+        <translation>Viskosität</translation>
+    </message>
+    <message>
+        <source>waves</source>
+        <translation>Wellen</translation>
+    </message>
+    <message>
+        <source>wedge</source>
+        <translation>Keil</translation>
+    </message>
+    <message>
+        <source>A constant shear stress in contact</source>
+        <translation>Konstante Schubspannung im Kontakt</translation>
+    </message>
+    <message>
+        <source>A filled tread compound: thirteen arms</source>
+        <translation>Gefüllte Laufflächenmischung: dreizehn Arme</translation>
+    </message>
+    <message>
+        <source>A local coefficient of 0.001 in contact is added to what the deformation costs, and reported apart as mu_interface. The contact itself is not changed: compare it with the same scene without.</source>
+        <translation>Eine lokale Reibungszahl von 0,001 im Kontakt kommt zum Verformungsanteil hinzu und wird als mu_interface getrennt ausgewiesen. Der Kontakt selbst ändert sich nicht: mit derselben Szene ohne sie vergleichen.</translation>
+    </message>
+    <message>
+        <source>A parabola</source>
+        <translation>Parabel</translation>
+    </message>
+    <message>
+        <source>A single wave asks a standard solid for its loss at a single frequency, so the friction curve is the loss modulus itself. Its peak lies where the wave number times velocity times relaxation time is 1.</source>
+        <translation>Eine einzelne Welle fragt den Standardkörper nach seinem Verlust bei einer einzigen Frequenz, daher ist die Reibungskurve der Verlustmodul selbst. Ihr Maximum liegt dort, wo Wellenzahl mal Geschwindigkeit mal Relaxationszeit 1 ist.</translation>
+    </message>
+    <message>
+        <source>A step of velocity</source>
+        <translation>Geschwindigkeitssprung</translation>
+    </message>
+    <message>
+        <source>A step of velocity on one asperity</source>
+        <translation>Geschwindigkeitssprung auf einer Rauheitsspitze</translation>
+    </message>
+    <message>
+        <source>A tread compound at room temperature</source>
+        <translation>Laufflächenmischung bei Raumtemperatur</translation>
+    </message>
+    <message>
+        <source>A wedge</source>
+        <translation>Keil</translation>
+    </message>
+    <message>
+        <source>A wedge on a standard solid</source>
+        <translation>Keil auf einem Standardkörper</translation>
+    </message>
+    <message>
+        <source>At 283 K all relaxation times are some 2600 times as long as at 343 K, so the whole curve moves to lower velocities. Its shape stays: velocity times the shift is all that counts.</source>
+        <translation>Bei 283 K sind alle Relaxationszeiten etwa 2600-mal so lang wie bei 343 K, daher rückt die ganze Kurve zu kleineren Geschwindigkeiten. Ihre Form bleibt: Es zählt allein Geschwindigkeit mal Verschiebung.</translation>
+    </message>
+    <message>
+        <source>At 393 K the rubber relaxes about 15 times as fast as at 343 K, and the plateau is reached only at a higher velocity. The constants are those of a measured filled rubber: C1 4.41, C2 137.64 K, T_r 343.15 K.</source>
+        <translation>Bei 393 K relaxiert der Gummi etwa 15-mal so schnell wie bei 343 K, und das Plateau wird erst bei höherer Geschwindigkeit erreicht. Die Konstanten sind die eines gemessenen gefüllten Gummis: C1 4,41; C2 137,64 K; T_r 343,15 K.</translation>
+    </message>
+    <message>
+        <source>At half time the line slides twice as fast: friction jumps at once with the viscous forces, then relaxes as contact shrinks. The predicted rate is 1/tau + v/l with l the length of a contact; on a rough line it is a guide.</source>
+        <translation>Nach der halben Zeit gleitet die Linie doppelt so schnell: Die Reibung springt sofort mit den viskosen Kräften und relaxiert dann, während der Kontakt schrumpft. Die vorhergesagte Rate ist 1/τ + v/ℓ mit der Länge ℓ eines Kontakts; auf einer rauen Linie ist sie ein Anhalt.</translation>
+    </message>
+    <message>
+        <source>At half time the line stops: friction vanishes at once, and the line goes on sinking in as the rubber creeps around its summits. Contact grows meanwhile, which is why the next start is harder.</source>
+        <translation>Nach der halben Zeit bleibt die Linie stehen: Die Reibung verschwindet sofort, und die Linie sinkt weiter ein, während der Gummi um ihre Gipfel kriecht. Der Kontakt wächst dabei; deshalb ist das nächste Anfahren schwerer.</translation>
+    </message>
+    <message>
+        <source>At half time the line turns back into the dents it has just left. Friction first falls short and then settles at the value of the mirrored line, which for one line is not quite the same.</source>
+        <translation>Nach der halben Zeit kehrt die Linie in die Mulden zurück, die sie eben verlassen hat. Die Reibung ist erst zu klein und nimmt dann den Wert der gespiegelten Linie an, der bei einer einzelnen Linie nicht ganz derselbe ist.</translation>
+    </message>
+    <message>
+        <source>Cold rubber</source>
+        <translation>Kalter Gummi</translation>
+    </message>
+    <message>
+        <source>Contact shifts to the leading side as the velocity grows, while the indentation falls. Friction has a maximum where the way slid in a relaxation time is 1.4 contact half-widths at rest, and falls again.</source>
+        <translation>Mit wachsender Geschwindigkeit wandert der Kontakt zur Vorderseite, und die Eindringung nimmt ab. Die Reibung hat ein Maximum, wo der Gleitweg in einer Relaxationszeit 1,4 halbe Kontaktbreiten in Ruhe beträgt, und fällt dann wieder.</translation>
+    </message>
+    <message>
+        <source>Correlated roughness</source>
+        <translation>Korrelierte Rauheit</translation>
+    </message>
+    <message>
+        <source>Each arm adds a shoulder to the curve, and the dashpot a last climb to the plateau of a Kelvin body. Set the viscosity to 0 and the plateau becomes a fall.</source>
+        <translation>Jeder Arm gibt der Kurve eine Schulter und der Dämpfer einen letzten Anstieg zum Plateau eines Kelvin-Körpers. Mit der Viskosität 0 wird aus dem Plateau ein Abfall.</translation>
+    </message>
+    <message>
+        <source>Each length in contact carries the same tangential load, so this part of friction follows the contact length and falls with velocity. The deformation part rises meanwhile: look where they cross.</source>
+        <translation>Jede Länge im Kontakt trägt dieselbe Tangentiallast, daher folgt dieser Anteil der Reibung der Kontaktlänge und fällt mit der Geschwindigkeit. Der Verformungsanteil steigt dabei: Interessant ist, wo sie sich kreuzen.</translation>
+    </message>
+    <message>
+        <source>Elastic rubber has no friction</source>
+        <translation>Elastischer Gummi hat keine Reibung</translation>
+    </message>
+    <message>
+        <source>Figure 1: contact of a rough line and a viscoelastic elastomer</source>
+        <translation>Abbildung 1: Kontakt einer rauen Linie mit einem viskoelastischen Elastomer</translation>
+    </message>
+    <message>
+        <source>Figure 2: a typical dependence of friction on velocity</source>
+        <translation>Abbildung 2: typische Abhängigkeit der Reibung von der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Friction over velocity, averaged over 200 lines: it grows, bends into a plateau, and falls. The curve of Eq. (11) lies on it up to the plateau.</source>
+        <translation>Reibung über der Geschwindigkeit, gemittelt über 200 Linien: Sie wächst, biegt in ein Plateau ein und fällt. Die Kurve nach Gl. (11) liegt bis zum Plateau auf ihr.</translation>
+    </message>
+    <message>
+        <source>Full contact</source>
+        <translation>Vollkontakt</translation>
+    </message>
+    <message>
+        <source>Full contact on a sine: one wave, one frequency</source>
+        <translation>Vollkontakt auf einem Sinus: eine Welle, eine Frequenz</translation>
+    </message>
+    <message>
+        <source>Full contact: an exact answer</source>
+        <translation>Vollkontakt: eine exakte Antwort</translation>
+    </message>
+    <message>
+        <source>Local friction beside deformation</source>
+        <translation>Lokale Reibung neben der Verformung</translation>
+    </message>
+    <message>
+        <source>One Maxwell arm beside a spring: friction has one broad peak instead of a plateau, because at high velocity the rubber is a stiff elastic body. Make the arm weaker and the peak sinks.</source>
+        <translation>Ein Maxwell-Arm neben einer Feder: Die Reibung hat ein breites Maximum statt eines Plateaus, denn bei hoher Geschwindigkeit ist der Gummi ein steifer elastischer Körper. Mit schwächerem Arm sinkt das Maximum.</translation>
+    </message>
+    <message>
+        <source>One contact has one length, so friction relaxes along a single exponential at the rate 1/tau + v/l, to about one per cent. On rough lines many contacts overlap and only the guide remains.</source>
+        <translation>Ein einziger Kontakt hat eine einzige Länge, daher relaxiert die Reibung auf etwa ein Prozent genau längs einer einzigen Exponentialfunktion mit der Rate 1/τ + v/ℓ. Auf rauen Linien überlagern sich viele Kontakte, und es bleibt nur ein Anhalt.</translation>
+    </message>
+    <message>
+        <source>Only leading sides of summits are in contact: the rubber acts like a viscous fluid, and friction is the slope of the line there, times about 1.4. Change the modulus or the force: little happens.</source>
+        <translation>Nur die Vorderseiten der Gipfel sind in Kontakt: Der Gummi wirkt wie eine viskose Flüssigkeit, und die Reibungszahl ist dort die Steigung der Linie mal etwa 1,4. Modul oder Kraft ändern: Es geschieht wenig.</translation>
+    </message>
+    <message>
+        <source>Only the highest summits still touch, with tips that are smooth at the shortest wave. Refine the elements: with the nodal scheme the level stays, with a resolved line friction goes on falling.</source>
+        <translation>Nur die höchsten Gipfel berühren noch, mit Spitzen, die auf der Skala der kürzesten Welle glatt sind. Die Elemente verfeinern: Mit dem nodalen Verfahren bleibt das Niveau, mit einer aufgelösten Linie fällt die Reibung weiter.</translation>
+    </message>
+    <message>
+        <source>Oscillation through rest</source>
+        <translation>Schwingung durch die Ruhe</translation>
+    </message>
+    <message>
+        <source>Pressed in for ever and then pulled at once: contact is full width at first, so friction begins above its steady value. It settles within a relaxation time or the way of one contact, whichever is shorter, while the line is lifted.</source>
+        <translation>Beliebig lange eingedrückt und dann plötzlich gezogen: Der Kontakt hat zunächst seine volle Breite, daher beginnt die Reibung über ihrem stationären Wert. Sie stellt sich innerhalb einer Relaxationszeit oder des Weges eines Kontakts ein, je nachdem, was kürzer ist; dabei hebt sich die Linie.</translation>
+    </message>
+    <message>
+        <source>Region I: friction grows with velocity</source>
+        <translation>Bereich I: Die Reibung wächst mit der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Region II: the bend</source>
+        <translation>Bereich II: die Biegung</translation>
+    </message>
+    <message>
+        <source>Region III: the plateau</source>
+        <translation>Bereich III: das Plateau</translation>
+    </message>
+    <message>
+        <source>Region IV: friction falls again</source>
+        <translation>Bereich IV: Die Reibung fällt wieder</translation>
+    </message>
+    <message>
+        <source>Regions I to IV</source>
+        <translation>Bereiche I bis IV</translation>
+    </message>
+    <message>
+        <source>Relaxation times from 100 s to 1e-10 s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 1e-10 s, so the fall beyond about 1e5 m/s belongs to the fit and not to the rubber.</source>
+        <translation>Relaxationszeiten von 100 s bis 1e-10 s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 1e-10 s abgeschnitten, daher gehört der Abfall oberhalb von etwa 1e5 m/s zur Anpassung und nicht zum Gummi.</translation>
+    </message>
+    <message>
+        <source>Reversal</source>
+        <translation>Umkehr</translation>
+    </message>
+    <message>
+        <source>Rheology</source>
+        <translation>Rheologie</translation>
+    </message>
+    <message>
+        <source>Rougher summits</source>
+        <translation>Rauere Gipfel</translation>
+    </message>
+    <message>
+        <source>Rougher valleys</source>
+        <translation>Rauere Täler</translation>
+    </message>
+    <message>
+        <source>Roughness with a roll-off</source>
+        <translation>Rauheit mit Roll-off</translation>
+    </message>
+    <message>
+        <source>Single asperities</source>
+        <translation>Einzelne Rauheitsspitzen</translation>
+    </message>
+    <message>
+        <source>Slow or fast, a standard solid is elastic, soft or stiff, and friction vanishes on both sides. Compare with the wedge on the Kelvin body, where it stays at its highest.</source>
+        <translation>Langsam oder schnell: Ein Standardkörper ist elastisch, weich oder steif, und auf beiden Seiten verschwindet die Reibung. Zum Vergleich der Keil auf dem Kelvin-Körper, wo sie am höchsten Wert bleibt.</translation>
+    </message>
+    <message>
+        <source>Standard solid on a rough line</source>
+        <translation>Standardkörper auf einer rauen Linie</translation>
+    </message>
+    <message>
+        <source>Start from rest</source>
+        <translation>Anfahren aus der Ruhe</translation>
+    </message>
+    <message>
+        <source>Start on a standard solid</source>
+        <translation>Anfahren auf einem Standardkörper</translation>
+    </message>
+    <message>
+        <source>Stop and rest</source>
+        <translation>Anhalten und Ruhen</translation>
+    </message>
+    <message>
+        <source>Summits of the line are dented into the rubber, which comes back behind them; colour is pressure. Raise the velocity: contact withdraws to the leading sides.</source>
+        <translation>Gipfel der Linie drücken sich in den Gummi, der hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>The load is so high that the rubber fills every valley, and friction is 4 L eta v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
+        <translation>Die Last ist so hoch, dass der Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal dem Quadrat der RMS-Steigung durch die Kraft. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
+    </message>
+    <message>
+        <source>The rubber no longer quite keeps up, and contact begins to leave the trailing sides of the summits. Within a decade of velocity the straight line bends into the plateau.</source>
+        <translation>Der Gummi kommt nicht mehr ganz nach, und der Kontakt beginnt die Rückseiten der Gipfel zu verlassen. Innerhalb einer Dekade der Geschwindigkeit biegt die Gerade in das Plateau ein.</translation>
+    </message>
+    <message>
+        <source>The rubber slides down a straight flank, so pressure is even on it and falls off behind the tip. Friction reaches the slope itself once nothing touches the trailing flank, and stays there.</source>
+        <translation>Der Gummi gleitet eine gerade Flanke hinab, daher ist der Druck auf ihr gleichmäßig und fällt hinter der Spitze ab. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
+    </message>
+    <message>
+        <source>The series holds at 343 K; at 298 K every arm is about 140 times as slow and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>
+        <translation>Die Reihe gilt bei 343 K; bei 298 K ist jeder Arm etwa 140-mal so langsam, und die Reibung bei Schrittgeschwindigkeit ist die eines steiferen Gummis. Die Temperatur verschieben: Die Kurve wandert unverändert längs der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The short waves lie in the valleys and the summits are smooth, so the slope in contact rises with the load. Friction at light load is far below that of the line with rough summits, at nearly the same spectrum.</source>
+        <translation>Die kurzen Wellen liegen in den Tälern, und die Gipfel sind glatt, daher steigt die Steigung im Kontakt mit der Last. Bei kleiner Last liegt die Reibung weit unter der einer Linie mit rauen Gipfeln, bei fast demselben Spektrum.</translation>
+    </message>
+    <message>
+        <source>The short waves stand on the summits, which touch first, so the slope in contact is high at a light load and falls as the load grows. The spectrum alone does not tell this line from one with rough valleys.</source>
+        <translation>Die kurzen Wellen stehen auf den Gipfeln, die zuerst berühren, daher ist die Steigung im Kontakt bei kleiner Last groß und fällt mit wachsender Last. Das Spektrum allein unterscheidet diese Linie nicht von einer mit rauen Tälern.</translation>
+    </message>
+    <message>
+        <source>The surface has long come back where the next summit meets it, and every contact is nearly even fore and aft. Double the velocity: friction doubles with it.</source>
+        <translation>Die Oberfläche ist längst zurückgekehrt, wo der nächste Gipfel auf sie trifft, und jeder Kontakt ist vorn und hinten fast gleich. Die Geschwindigkeit verdoppeln: Die Reibung verdoppelt sich mit.</translation>
+    </message>
+    <message>
+        <source>The velocity swings through zero and back, and friction draws a loop over it instead of a curve: the rubber remembers where it came from. Slow the oscillation and the loop closes onto the steady curve.</source>
+        <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung zeichnet darüber eine Schleife statt einer Kurve: Der Gummi erinnert sich, woher er kommt. Bei langsamerer Schwingung schließt sich die Schleife zur stationären Kurve.</translation>
+    </message>
+    <message>
+        <source>Transients</source>
+        <translation>Übergänge</translation>
+    </message>
+    <message>
+        <source>Two arms and a dashpot</source>
+        <translation>Zwei Arme und ein Dämpfer</translation>
+    </message>
+    <message>
+        <source>Warm rubber</source>
+        <translation>Warmer Gummi</translation>
+    </message>
+    <message>
+        <source>Waves longer than a millimetre are all equally strong, so the line looks like many alike summits instead of one landscape. At the same rms height its slope is far larger, and so is friction.</source>
+        <translation>Wellen über einem Millimeter sind alle gleich stark, daher sieht die Linie wie viele gleiche Gipfel aus statt wie eine Landschaft. Bei gleicher RMS-Höhe ist ihre Steigung weit größer und damit auch die Reibung.</translation>
+    </message>
+    <message>
+        <source>Without a dashpot of its own the rubber answers at once with its stiff modulus and then relaxes. Friction first shoots to more than twice its steady value, then falls with the contact as the line is lifted.</source>
+        <translation>Ohne eigenen Dämpfer antwortet der Gummi sofort mit seinem steifen Modul und relaxiert dann. Die Reibung schießt erst auf mehr als das Doppelte ihres stationären Werts und fällt dann mit dem Kontakt, während sich die Linie hebt.</translation>
+    </message>
+    <message>
+        <source>Without memory every summit is pushed as much forward as back, and friction is exactly zero at any velocity. What remains in a measurement is the local friction of the interface.</source>
+        <translation>Ohne Gedächtnis wird jeder Gipfel ebenso stark vorwärts wie rückwärts gedrückt, und die Reibung ist bei jeder Geschwindigkeit exakt null. In einer Messung bleibt die lokale Reibung der Grenzfläche.</translation>
+    </message>
+    <message>
+        <source>%1 in contact are reported apart</source>
+        <translation>%1 im Kontakt werden getrennt ausgewiesen</translation>
+    </message>
+    <message>
+        <source>%1 internal variable an element</source>
+        <translation>%1 innere Variable je Element</translation>
+    </message>
+    <message>
+        <source>%1 internal variables an element</source>
+        <translation>%1 innere Variablen je Element</translation>
+    </message>
+    <message>
+        <source>%1 random lines</source>
+        <translation>%1 Zufallslinien</translation>
+    </message>
+    <message>
+        <source>%1 velocities, side by side where the kernel can</source>
+        <translation>%1 Geschwindigkeiten, nebeneinander, wo der Rechenkern es kann</translation>
+    </message>
+    <message>
+        <source>a free surface comes back with one relaxation time</source>
+        <translation>eine freie Oberfläche kehrt mit einer Relaxationszeit zurück</translation>
+    </message>
+    <message>
+        <source>a free surface comes back with several relaxation times</source>
+        <translation>eine freie Oberfläche kehrt mit mehreren Relaxationszeiten zurück</translation>
+    </message>
+    <message>
+        <source>a local coefficient of %1 is reported apart</source>
+        <translation>eine lokale Reibungszahl von %1 wird getrennt ausgewiesen</translation>
+    </message>
+    <message>
+        <source>arms must be after a period as they were before</source>
+        <translation>die Arme müssen nach einer Periode sein wie zuvor</translation>
+    </message>
+    <message>
+        <source>at %1 all relaxation times are %2 times as long</source>
+        <translation>bei %1 sind alle Relaxationszeiten %2-mal so lang</translation>
+    </message>
+    <message>
+        <source>averaging</source>
+        <translation>Mittelung</translation>
+    </message>
+    <message>
+        <source>closure of the period</source>
+        <translation>Schließen der Periode</translation>
+    </message>
+    <message>
+        <source>force balance</source>
+        <translation>Kräftegleichgewicht</translation>
+    </message>
+    <message>
+        <source>free surface</source>
+        <translation>freie Oberfläche</translation>
+    </message>
+    <message>
+        <source>interface friction</source>
+        <translation>Grenzflächenreibung</translation>
+    </message>
+    <message>
+        <source>it is drawn, or marched on from</source>
+        <translation>sie wird gezeichnet oder dient als Ausgangszustand</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>local friction has no strength</source>
+        <translation>die lokale Reibung ist null</translation>
+    </message>
+    <message>
+        <source>no arm has strength and time</source>
+        <translation>kein Arm hat Modul und Zeit</translation>
+    </message>
+    <message>
+        <source>no wave of the line is longer than the roll-off</source>
+        <translation>keine Welle der Linie ist länger als der Roll-off</translation>
+    </message>
+    <message>
+        <source>nothing is drawn</source>
+        <translation>es wird nichts gezeichnet</translation>
+    </message>
+    <message>
+        <source>nothing relaxes</source>
+        <translation>es relaxiert nichts</translation>
+    </message>
+    <message>
+        <source>one line is enough</source>
+        <translation>eine Linie genügt</translation>
+    </message>
+    <message>
+        <source>only one velocity is asked for</source>
+        <translation>nur eine Geschwindigkeit ist gefragt</translation>
+    </message>
+    <message>
+        <source>only the line is asked for</source>
+        <translation>nur die Linie ist gefragt</translation>
+    </message>
+    <message>
+        <source>phases alone are random: summits are as rough as valleys</source>
+        <translation>nur die Phasen sind zufällig: Gipfel sind so rau wie Täler</translation>
+    </message>
+    <message>
+        <source>short waves are stronger in the valleys, kappa = %1</source>
+        <translation>kurze Wellen sind in den Tälern stärker, κ = %1</translation>
+    </message>
+    <message>
+        <source>short waves are stronger on the summits, kappa = %1</source>
+        <translation>kurze Wellen sind auf den Gipfeln stärker, κ = %1</translation>
+    </message>
+    <message>
+        <source>start from rest</source>
+        <translation>Anfahren aus der Ruhe</translation>
+    </message>
+    <message>
+        <source>steady pass</source>
+        <translation>stationärer Durchlauf</translation>
+    </message>
+    <message>
+        <source>steady sliding is stationary in the line's frame</source>
+        <translation>stationäres Gleiten ruht im System der Linie</translation>
+    </message>
+    <message>
+        <source>stored shape</source>
+        <translation>gespeicherte Form</translation>
+    </message>
+    <message>
+        <source>summit correlation</source>
+        <translation>Gipfelkorrelation</translation>
+    </message>
+    <message>
+        <source>temperature shift</source>
+        <translation>Temperaturverschiebung</translation>
+    </message>
+    <message>
+        <source>the elastomer has none</source>
+        <translation>das Elastomer hat keine</translation>
+    </message>
+    <message>
+        <source>the elastomer is at its reference temperature</source>
+        <translation>das Elastomer hat seine Bezugstemperatur</translation>
+    </message>
+    <message>
+        <source>the elastomer is elastic and has no memory</source>
+        <translation>das Elastomer ist elastisch und hat kein Gedächtnis</translation>
+    </message>
+    <message>
+        <source>the indentation is given</source>
+        <translation>die Eindringung ist vorgegeben</translation>
+    </message>
+    <message>
+        <source>the indentation that carries %1 is sought</source>
+        <translation>die Eindringung, die %1 trägt, wird gesucht</translation>
+    </message>
+    <message>
+        <source>the line has no spectrum of its own</source>
+        <translation>die Linie hat kein eigenes Spektrum</translation>
+    </message>
+    <message>
+        <source>the line is given by a formula</source>
+        <translation>die Linie ist durch eine Formel gegeben</translation>
+    </message>
+    <message>
+        <source>the line is not random</source>
+        <translation>die Linie ist nicht zufällig</translation>
+    </message>
+    <message>
+        <source>the line is pressed in at v = 0 and everything has relaxed</source>
+        <translation>die Linie ist bei v = 0 eingedrückt, und alles ist relaxiert</translation>
+    </message>
+    <message>
+        <source>the lowest point is always in contact: the period closes in one pass</source>
+        <translation>der tiefste Punkt ist immer in Kontakt: Die Periode schließt sich in einem Durchlauf</translation>
+    </message>
+    <message>
+        <source>the motion begins at v = 0, where nothing slides</source>
+        <translation>die Bewegung beginnt bei v = 0, wo nichts gleitet</translation>
+    </message>
+    <message>
+        <source>the motion does not begin from rest</source>
+        <translation>die Bewegung beginnt nicht aus der Ruhe</translation>
+    </message>
+    <message>
+        <source>the profile is read and taken as one period of a band-limited line</source>
+        <translation>das Profil wird gelesen und gilt als eine Periode einer bandbegrenzten Linie</translation>
+    </message>
+    <message>
+        <source>the spectrum is self-affine up to the whole length</source>
+        <translation>das Spektrum ist bis zur ganzen Länge selbstaffin</translation>
+    </message>
+    <message>
+        <source>the steady state at the first velocity is where the motion begins</source>
+        <translation>die Bewegung beginnt im stationären Zustand der ersten Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>the velocity changes with time</source>
+        <translation>die Geschwindigkeit ändert sich mit der Zeit</translation>
+    </message>
+    <message>
+        <source>the window lets the line pass by</source>
+        <translation>das Fenster lässt die Linie vorbeiziehen</translation>
+    </message>
+    <message>
+        <source>there is no steady state to close</source>
+        <translation>es gibt keinen stationären Zustand zu schließen</translation>
+    </message>
+    <message>
+        <source>time march</source>
+        <translation>Zeitschritte</translation>
+    </message>
+    <message>
+        <source>velocity sweep</source>
+        <translation>Geschwindigkeitsreihe</translation>
+    </message>
+    <message>
+        <source>waves longer than %1 are all equally strong</source>
+        <translation>Wellen über %1 sind alle gleich stark</translation>
+    </message>
+    <message>
+        <source>waves of a self-affine spectrum with random phases are summed</source>
+        <translation>Wellen eines selbstaffinen Spektrums mit Zufallsphasen werden summiert</translation>
+    </message>
+    <message>
+        <source>%1 is not a number; allowed is %2 to %3</source>
+        <translation>%1 ist keine Zahl; erlaubt ist %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number; allowed is %2 to %3</source>
+        <translation>%1 ist keine ganze Zahl; erlaubt ist %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3</source>
+        <translation>%1 liegt außerhalb von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 is beyond what a number can hold; allowed is %2 to %3</source>
+        <translation>%1 ist größer, als eine Zahl sein kann; erlaubt ist %2 bis %3</translation>
+    </message>
+    <message>
+        <source>inf is not a finite number; allowed is %1 to %2</source>
+        <translation>inf ist keine endliche Zahl; erlaubt ist %1 bis %2</translation>
+    </message>
+    <message>
+        <source>nan is not a finite number; allowed is %1 to %2</source>
+        <translation>nan ist keine endliche Zahl; erlaubt ist %1 bis %2</translation>
+    </message>
+    <message>
+        <source>-inf is not a finite number; allowed is %1 to %2</source>
+        <translation>-inf ist keine endliche Zahl; erlaubt ist %1 bis %2</translation>
+    </message>
+    <message>
+        <source>0 by the literal rule</source>
+        <translation>0 nach der wörtlichen Regel</translation>
+    </message>
+    <message>
+        <source>0.7 to 1.3 decades</source>
+        <translation>0,7 bis 1,3 Dekaden</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>H = %1: %2 %</source>
+        <translation>H = %1: %2 %</translation>
+    </message>
+    <message>
+        <source>H = %1: %2</source>
+        <translation>H = %1: %2</translation>
+    </message>
+    <message>
+        <source>H = %1: %2 for %3</source>
+        <translation>H = %1: %2 bei Theorie %3</translation>
+    </message>
+    <message>
+        <source>beta by H: %1: %2</source>
+        <translation>β nach H: %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 realizations</source>
+        <translation>%1 Realisierungen</translation>
+    </message>
+    <message>
+        <source>%1 points of complete contact.</source>
+        <translation>%1 Punkte im Vollkontakt.</translation>
+    </message>
+    <message>
+        <source>Against the slope of the spectrum the difference is %1: the resolution of the line, which falls with accuracy.oversampling.</source>
+        <translation>Gegenüber der Steigung des Spektrums ist der Unterschied %1: die Auflösung der Linie; er fällt mit accuracy.oversampling.</translation>
+    </message>
+    <message>
+        <source>At %1.</source>
+        <translation>Bei %1.</translation>
+    </message>
+    <message>
+        <source>Mind the fall already at this small force.</source>
+        <translation>Zu beachten ist der Abfall schon bei dieser kleinen Kraft.</translation>
+    </message>
+    <message>
+        <source>F_N(d) of separate elements jumps where one enters under viscous pressure; on a resolved line it is continuous and every balance is met to %1.</source>
+        <translation>F_N(d) getrennter Elemente springt, wo eines unter viskosem Druck eintritt; auf einer aufgelösten Linie ist F_N(d) stetig und jedes Gleichgewicht auf %1 erfüllt.</translation>
+    </message>
+    <message>
+        <source>At %1, smallest at H = %2.</source>
+        <translation>Bei %1, am kleinsten für H = %2.</translation>
+    </message>
+    <message>
+        <source>At first the coefficient of friction increases linearly with velocity (region I)</source>
+        <translation>Zunächst wächst die Reibungszahl linear mit der Geschwindigkeit (Bereich I)</translation>
+    </message>
+    <message>
+        <source>At high forces the decreasing region IV is outside the scope of practical velocities</source>
+        <translation>Bei großen Kräften liegt der fallende Bereich IV jenseits praktischer Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>At low velocities mu = 4 L_cont eta grad_cont^2 v / F_N</source>
+        <translation>Bei kleinen Geschwindigkeiten ist mu = 4 L_cont eta grad_cont^2 v / F_N</translation>
+    </message>
+    <message>
+        <source>At low velocities the coefficient of friction is very accurately proportional to the squared rms gradient, varied by the spacing</source>
+        <translation>Bei kleinen Geschwindigkeiten ist die Reibungszahl sehr genau proportional zum Quadrat der RMS-Steigung, die über den Abstand variiert wird</translation>
+    </message>
+    <message>
+        <source>At small forces the contact length is a power of the force, L_cont ~ F_N^(1/(1+H))</source>
+        <translation>Bei kleinen Kräften ist die Kontaktlänge eine Potenz der Kraft, L_cont ~ F_N^(1/(1+H))</translation>
+    </message>
+    <message>
+        <source>At small velocities the coefficient of friction increases linearly with velocity, for six Hurst exponents</source>
+        <translation>Bei kleinen Geschwindigkeiten wächst die Reibungszahl linear mit der Geschwindigkeit, für sechs Hurst-Exponenten</translation>
+    </message>
+    <message>
+        <source>At the same number of elements; it is a third variable, by the spacing.</source>
+        <translation>Bei gleicher Anzahl der Elemente; sie ist über den Abstand eine dritte Variable.</translation>
+    </message>
+    <message>
+        <source>Before the shift it is %1 decades.</source>
+        <translation>Vor der Verschiebung sind es %1 Dekaden.</translation>
+    </message>
+    <message>
+        <source>Changing force, system size or relaxation time only shifts the curves in the double logarithmic presentation</source>
+        <translation>Eine Änderung von Kraft, Systemgröße oder Relaxationszeit verschiebt die Kurven in der doppeltlogarithmischen Darstellung nur</translation>
+    </message>
+    <message>
+        <source>Contact of a rough surface and a viscoelastic elastomer</source>
+        <translation>Kontakt einer rauen Oberfläche mit einem viskoelastischen Elastomer</translation>
+    </message>
+    <message>
+        <source>Curves are shifted by changes of temperature, which influences the relaxation time (the master curve procedure)</source>
+        <translation>Kurven werden durch Änderung der Temperatur verschoben, die die Relaxationszeit beeinflusst (Masterkurvenverfahren)</translation>
+    </message>
+    <message>
+        <source>Dependence on velocity for six Hurst exponents</source>
+        <translation>Geschwindigkeitsabhängigkeit für sechs Hurst-Exponenten</translation>
+    </message>
+    <message>
+        <source>Dependence on velocity for twenty normal forces</source>
+        <translation>Geschwindigkeitsabhängigkeit für zwanzig Normalkräfte</translation>
+    </message>
+    <message>
+        <source>Elements out of contact satisfy u &lt; z - d, those in contact f &gt; 0</source>
+        <translation>Elemente außer Kontakt erfüllen u &lt; z - d, solche in Kontakt f &gt; 0</translation>
+    </message>
+    <message>
+        <source>Eq. (11)</source>
+        <translation>Gl. (11)</translation>
+    </message>
+    <message>
+        <source>Eq. (11) can be rewritten as Eq. (12), in which beta does not appear</source>
+        <translation>Gl. (11) lässt sich als Gl. (12) schreiben, in der beta nicht vorkommt</translation>
+    </message>
+    <message>
+        <source>Eq. (11) interpolates between regions I, II and III; its quality can be seen in Fig. 3</source>
+        <translation>Gl. (11) interpoliert zwischen den Bereichen I, II und III; ihre Güte zeigt Abb. 3</translation>
+    </message>
+    <message>
+        <source>Eq. (12) sets beta = 1 without saying so and is low by that factor in region I.</source>
+        <translation>Gl. (12) setzt beta = 1, ohne es zu sagen, und ist im Bereich I um diesen Faktor zu klein.</translation>
+    </message>
+    <message>
+        <source>Eq. (15)'s exponents must read +2(1 - H).</source>
+        <translation>Die Exponenten in Gl. (15) müssen +2(1 - H) lauten.</translation>
+    </message>
+    <message>
+        <source>With them, and q_cont = 2 pi / L_cont for the whole contact taken as one piece, it gives the expected value; the real contact is in many pieces, which are shorter.</source>
+        <translation>Mit ihnen und q_cont = 2 pi / L_cont für den ganzen Kontakt als ein Stück ergibt sich der erwartete Wert; der wirkliche Kontakt besteht aus vielen kürzeren Stücken.</translation>
+    </message>
+    <message>
+        <source>F_N / G h L of about 1 gives the order of magnitude of the force of complete contact</source>
+        <translation>F_N / G h L von etwa 1 gibt die Größenordnung der Kraft für Vollkontakt an</translation>
+    </message>
+    <message>
+        <source>Fig. %1</source>
+        <translation>Abb. %1</translation>
+    </message>
+    <message>
+        <source>Master curve</source>
+        <translation>Masterkurve</translation>
+    </message>
+    <message>
+        <source>Influence of the spacing</source>
+        <translation>Einfluss des Elementabstands</translation>
+    </message>
+    <message>
+        <source>For 0.2 &lt; H &lt; 0.8 and not too small forces the plateau is almost constant, about sqrt(2) times the rms slope</source>
+        <translation>Für 0,2 &lt; H &lt; 0,8 und nicht zu kleine Kräfte ist das Plateau fast konstant, etwa sqrt(2) mal die RMS-Steigung</translation>
+    </message>
+    <message>
+        <source>For 0.2 &lt; H &lt; 0.8 the exponent alpha = H/(1+H) fits the numerical data very well</source>
+        <translation>Für 0,2 &lt; H &lt; 0,8 passt der Exponent alpha = H/(1+H) sehr gut zu den numerischen Daten</translation>
+    </message>
+    <message>
+        <source>For separate elements F_N(d) jumps where an element enters; see Fig. 2's claims.</source>
+        <translation>Bei getrennten Elementen springt F_N(d), wo ein Element eintritt; siehe die Aussagen zu Abb. 2.</translation>
+    </message>
+    <message>
+        <source>Friction finally drops to another constant level (region IV)</source>
+        <translation>Die Reibung fällt schließlich auf ein anderes konstantes Niveau (Bereich IV)</translation>
+    </message>
+    <message>
+        <source>Friction on the plateau over the normal force</source>
+        <translation>Reibung auf dem Plateau über der Normalkraft</translation>
+    </message>
+    <message>
+        <source>From %1 to %2.</source>
+        <translation>Von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>sqrt(2) assumes exponentially distributed slopes; random phases give Gaussian ones, for which Eq. (10) is 1.253 times the slope in contact, and 1.596 where the contact is weighted by the slope.</source>
+        <translation>sqrt(2) setzt exponentiell verteilte Steigungen voraus; Zufallsphasen ergeben normalverteilte, für die Gl. (10) das 1,253-Fache der Steigung im Kontakt ist und das 1,596-Fache, wo der Kontakt mit der Steigung gewichtet ist.</translation>
+    </message>
+    <message>
+        <source>Eq. (10)'s second line lacks a factor sqrt(L_cont).</source>
+        <translation>Der zweiten Zeile von Gl. (10) fehlt ein Faktor sqrt(L_cont).</translation>
+    </message>
+    <message>
+        <source>From %1 % of the line to %2 % of the maximum it is %3.</source>
+        <translation>Von %1 % der Geraden bis %2 % des Maximums ist er %3.</translation>
+    </message>
+    <message>
+        <source>Region II cannot both begin on the line of slope 1 and grow by two only within a decade.</source>
+        <translation>Bereich II kann nicht zugleich auf der Geraden der Steigung 1 beginnen und innerhalb einer Dekade nur um den Faktor zwei wachsen.</translation>
+    </message>
+    <message>
+        <source>F_N / G h L from 0.001 to 0.1.</source>
+        <translation>F_N / G h L von 0,001 bis 0,1.</translation>
+    </message>
+    <message>
+        <source>With the rms slope of the whole line for that in contact.</source>
+        <translation>Mit der RMS-Steigung der ganzen Linie anstelle der im Kontakt.</translation>
+    </message>
+    <message>
+        <source>Hurst exponent H</source>
+        <translation>Hurst-Exponent H</translation>
+    </message>
+    <message>
+        <source>In complete contact mu = 4 L eta grad^2 v / F_N, exactly confirmed</source>
+        <translation>Im Vollkontakt ist mu = 4 L eta grad^2 v / F_N, exakt bestätigt</translation>
+    </message>
+    <message>
+        <source>In the limit of low velocity.</source>
+        <translation>Im Grenzfall kleiner Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>β belongs to α = H/(1 + H).</source>
+        <translation>β gehört zu α = H/(1 + H).</translation>
+    </message>
+    <message>
+        <source>Bars: one standard error, smaller than most marks.</source>
+        <translation>Balken: ein Standardfehler, kleiner als die meisten Marken.</translation>
+    </message>
+    <message>
+        <source>In zone 1 the coefficient of friction is a power of the force, mu ~ F_N^(-H/(1+H))</source>
+        <translation>In Zone 1 ist die Reibungszahl eine Potenz der Kraft, mu ~ F_N^(-H/(1+H))</translation>
+    </message>
+    <message>
+        <source>Largest at H = %1.</source>
+        <translation>Am größten bei H = %1.</translation>
+    </message>
+    <message>
+        <source>N elements, fine steps (%1 line)</source>
+        <translation>N Elemente, feine Schritte (%1 Linie)</translation>
+    </message>
+    <message>
+        <source>N elements, fine steps (%1 lines)</source>
+        <translation>N Elemente, feine Schritte (%1 Linien)</translation>
+    </message>
+    <message>
+        <source>On the plateau (region III) mu is about sqrt(2) times the rms slope</source>
+        <translation>Auf dem Plateau (Bereich III) ist mu etwa sqrt(2) mal die RMS-Steigung</translation>
+    </message>
+    <message>
+        <source>On the plateau the coefficient of friction depends only weakly on the Hurst exponent</source>
+        <translation>Auf dem Plateau hängt die Reibungszahl nur schwach vom Hurst-Exponenten ab</translation>
+    </message>
+    <message>
+        <source>Points: averages with one standard error.</source>
+        <translation>Punkte: Mittelwerte mit einem Standardfehler.</translation>
+    </message>
+    <message>
+        <source>Lines: Eq. (11) with the rms slope of the whole line, α = H/(1 + H) and β as measured (Fig. 5).</source>
+        <translation>Linien: Gl. (11) mit der RMS-Steigung der ganzen Linie, α = H/(1 + H) und gemessenem β (Abb. 5).</translation>
+    </message>
+    <message>
+        <source>Region II covers one decade of velocities</source>
+        <translation>Bereich II umfasst eine Dekade der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Regions by 80 % of the line through region I and 95 % of the maximum.</source>
+        <translation>Bereichsgrenzen bei 80 % der Geraden durch Bereich I und 95 % des Maximums.</translation>
+    </message>
+    <message>
+        <source>In region IV the smallest scale decides: the constant level appears only where the line moves one spacing in each step.</source>
+        <translation>Im Bereich IV entscheidet die kleinste Skala: Das konstante Niveau erscheint nur, wo die Linie in jedem Schritt um einen Abstand weiterrückt.</translation>
+    </message>
+    <message>
+        <source>Shifted with the rms slope in contact at low velocity; f is where region I of Eq. (11) meets the plateau.</source>
+        <translation>Verschoben mit der RMS-Steigung im Kontakt bei kleiner Geschwindigkeit; f ist, wo Bereich I von Gl. (11) auf das Plateau trifft.</translation>
+    </message>
+    <message>
+        <source>Region IV is not part of Eq. (12) and does not collapse.</source>
+        <translation>Bereich IV gehört nicht zu Gl. (12) und fällt nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Simulations with different rms gradients, varied by the spacing, show mu very accurately proportional to the squared gradient</source>
+        <translation>Simulationen mit verschiedenen RMS-Steigungen, über den Abstand variiert, zeigen mu sehr genau proportional zum Quadrat der Steigung</translation>
+    </message>
+    <message>
+        <source>The algorithm is not iterative and there are no convergence problems</source>
+        <translation>Der Algorithmus ist nicht iterativ, und es gibt keine Konvergenzprobleme</translation>
+    </message>
+    <message>
+        <source>The coefficient of friction depends on force and shear modulus only over F_N / G</source>
+        <translation>Die Reibungszahl hängt von Kraft und Schubmodul nur über F_N / G ab</translation>
+    </message>
+    <message>
+        <source>The coefficient of friction depends on two dimensionless combinations of force, velocity, modulus, viscosity, roughness, slope, size and the Hurst exponent</source>
+        <translation>Die Reibungszahl hängt von zwei dimensionslosen Kombinationen aus Kraft, Geschwindigkeit, Modul, Viskosität, Rauheit, Steigung und Größe sowie vom Hurst-Exponenten ab</translation>
+    </message>
+    <message>
+        <source>The coefficient of friction increases in region II by a factor of two</source>
+        <translation>Die Reibungszahl wächst im Bereich II um den Faktor zwei</translation>
+    </message>
+    <message>
+        <source>The coefficient of friction on the plateau depends only weakly on the normal force</source>
+        <translation>Die Reibungszahl auf dem Plateau hängt nur schwach von der Normalkraft ab</translation>
+    </message>
+    <message>
+        <source>The dependence of the slope in contact on force is less pronounced for H near 0 and gets stronger for H near 1</source>
+        <translation>Die Abhängigkeit der Steigung im Kontakt von der Kraft ist für H nahe 0 schwächer und wird für H nahe 1 stärker</translation>
+    </message>
+    <message>
+        <source>The form of the dependence is approximately the same for different forces, only shifted along the axis of log v</source>
+        <translation>Die Form der Abhängigkeit ist für verschiedene Kräfte ungefähr dieselbe, nur längs der log-v-Achse verschoben</translation>
+    </message>
+    <message>
+        <source>The indentation depth is determined to satisfy the condition of constant normal force</source>
+        <translation>Die Eindringung wird so bestimmt, dass die Bedingung konstanter Normalkraft erfüllt ist</translation>
+    </message>
+    <message>
+        <source>The master curve of Eqs. (16) and (17)</source>
+        <translation>Die Masterkurve nach Gl. (16) und (17)</translation>
+    </message>
+    <message>
+        <source>The maximum of each averaged curve μ(v), with one standard error.</source>
+        <translation>Das Maximum jeder gemittelten Kurve μ(v), mit einem Standardfehler.</translation>
+    </message>
+    <message>
+        <source>√2 assumes exponentially distributed slopes; a line of random phases has Gaussian ones.</source>
+        <translation>√2 setzt exponentiell verteilte Steigungen voraus; eine Linie mit Zufallsphasen hat normalverteilte.</translation>
+    </message>
+    <message>
+        <source>The maximum of the coefficient of friction in the medium range of velocities is proportional to the rms gradient</source>
+        <translation>Das Maximum der Reibungszahl im mittleren Geschwindigkeitsbereich ist proportional zur RMS-Steigung</translation>
+    </message>
+    <message>
+        <source>The paper does not say where it reads the borders.</source>
+        <translation>Die Arbeit sagt nicht, wo sie die Grenzen abliest.</translation>
+    </message>
+    <message>
+        <source>From %1 % of the line to %2 % of the maximum it is %3 decades.</source>
+        <translation>Von %1 % der Geraden bis %2 % des Maximums sind es %3 Dekaden.</translation>
+    </message>
+    <message>
+        <source>The paper's own condition for leaving the contact is f &gt; 0, not u &lt; z - d alone.</source>
+        <translation>Die Bedingung der Arbeit selbst für das Verlassen des Kontakts ist f &gt; 0, nicht u &lt; z - d allein.</translation>
+    </message>
+    <message>
+        <source>With the detachment condition d - z + eta v z' = 0 a factor G is missing: G (d - z) + eta v z' = 0.</source>
+        <translation>In der Ablösebedingung d - z + eta v z' = 0 fehlt ein Faktor G: G (d - z) + eta v z' = 0.</translation>
+    </message>
+    <message>
+        <source>The plateau decreases at very small forces</source>
+        <translation>Das Plateau nimmt bei sehr kleinen Kräften ab</translation>
+    </message>
+    <message>
+        <source>The rms gradient is dominated by the short wavelengths</source>
+        <translation>Die RMS-Steigung wird von den kurzen Wellenlängen bestimmt</translation>
+    </message>
+    <message>
+        <source>The rms slope in contact increases with the indentation, weakly</source>
+        <translation>Die RMS-Steigung im Kontakt wächst schwach mit der Eindringung</translation>
+    </message>
+    <message>
+        <source>The slope in contact rises with the force, too, so that mu and L_cont need not have the same exponent up to 1.</source>
+        <translation>Auch die Steigung im Kontakt wächst mit der Kraft, daher müssen mu und L_cont nicht bis 1 denselben Exponenten haben.</translation>
+    </message>
+    <message>
+        <source>The spacing sets the shortest wave of the line and with it the rms slope: it acts as a parameter of the model.</source>
+        <translation>Der Abstand legt die kürzeste Welle der Linie und damit die RMS-Steigung fest: Er wirkt als Parameter des Modells.</translation>
+    </message>
+    <message>
+        <source>The third curve from the left is that of Fig. 2.</source>
+        <translation>Die dritte Kurve von links ist die aus Abb. 2.</translation>
+    </message>
+    <message>
+        <source>In zone 1 curves shift as Fₙ to the power H/(1 + H), in zone 2 as Fₙ.</source>
+        <translation>In Zone 1 verschieben sich die Kurven wie Fₙ hoch H/(1 + H), in Zone 2 wie Fₙ.</translation>
+    </message>
+    <message>
+        <source>Typical dependence of friction on velocity</source>
+        <translation>Typische Abhängigkeit der Reibung von der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Vertical and horizontal units differ.</source>
+        <translation>Senkrechte und waagerechte Einheiten sind verschieden.</translation>
+    </message>
+    <message>
+        <source>WLF shift of a filled rubber: C1 = 4.41, C2 = 137.64 K, T_r = 343.15 K.</source>
+        <translation>WLF-Verschiebung eines gefüllten Gummis: C1 = 4,41; C2 = 137,64 K; T_r = 343,15 K.</translation>
+    </message>
+    <message>
+        <source>What the spacing of the elements does</source>
+        <translation>Was der Abstand der Elemente bewirkt</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>as computed</source>
+        <translation>wie berechnet</translation>
+    </message>
+    <message>
+        <source>as given</source>
+        <translation>wie gegeben</translation>
+    </message>
+    <message>
+        <source>at most 1e-12, and no negative pressure</source>
+        <translation>höchstens 1e-12 und kein negativer Druck</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>below 0.02 at each</source>
+        <translation>jeweils unter 0,02</translation>
+    </message>
+    <message>
+        <source>below 0.05 decades (12 %)</source>
+        <translation>unter 0,05 Dekaden (12 %)</translation>
+    </message>
+    <message>
+        <source>below 0.1 (26 %)</source>
+        <translation>unter 0,1 (26 %)</translation>
+    </message>
+    <message>
+        <source>below 1 by more than three standard errors</source>
+        <translation>um mehr als drei Standardfehler unter 1</translation>
+    </message>
+    <message>
+        <source>below 1, and no force's slope falls by more than 0.5 %</source>
+        <translation>unter 1, und bei keiner Kraft fällt die Steigung um mehr als 0,5 %</translation>
+    </message>
+    <message>
+        <source>below 1e-9, on at least one point</source>
+        <translation>unter 1e-9, an mindestens einem Punkt</translation>
+    </message>
+    <message>
+        <source>between 0.1 and 10</source>
+        <translation>zwischen 0,1 und 10</translation>
+    </message>
+    <message>
+        <source>coefficient of friction</source>
+        <translation>Reibungszahl</translation>
+    </message>
+    <message>
+        <source>decades from 80 % of the line through region I to 95 % of the maximum</source>
+        <translation>Dekaden von 80 % der Geraden durch Bereich I bis 95 % des Maximums</translation>
+    </message>
+    <message>
+        <source>every beta within 0.1 of 1</source>
+        <translation>jedes beta höchstens 0,1 von 1 entfernt</translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>exponent n of mu ~ grad^n at F_N / G h L = 0.1</source>
+        <translation>Exponent n von mu ~ grad^n bei F_N / G h L = 0,1</translation>
+    </message>
+    <message>
+        <source>exponent n of mu ~ grad^n at the lowest velocity, twenty spacings</source>
+        <translation>Exponent n von mu ~ grad^n bei der kleinsten Geschwindigkeit, zwanzig Abstände</translation>
+    </message>
+    <message>
+        <source>exponent n of mu ~ v^n</source>
+        <translation>Exponent n von mu ~ v^n</translation>
+    </message>
+    <message>
+        <source>exponent n of mu ~ v^n over the last decade, by the paper's literal rule</source>
+        <translation>Exponent n von mu ~ v^n über die letzte Dekade, nach der wörtlichen Regel der Arbeit</translation>
+    </message>
+    <message>
+        <source>exponent n of the maximum ~ grad^n, twenty spacings</source>
+        <translation>Exponent n des Maximums ~ grad^n, zwanzig Abstände</translation>
+    </message>
+    <message>
+        <source>exponent of L_cont over F_N at the lowest velocity, F_N / G h L up to 1</source>
+        <translation>Exponent von L_cont über F_N bei der kleinsten Geschwindigkeit, F_N / G h L bis 1</translation>
+    </message>
+    <message>
+        <source>exponent of mu over F_N at the lowest velocity, F_N / G h L up to 1</source>
+        <translation>Exponent von mu über F_N bei der kleinsten Geschwindigkeit, F_N / G h L bis 1</translation>
+    </message>
+    <message>
+        <source>first F_N / G h L of the twenty with more than 90 % of the line in contact</source>
+        <translation>erstes F_N / G h L der zwanzig mit mehr als 90 % der Linie in Kontakt</translation>
+    </message>
+    <message>
+        <source>friction μ</source>
+        <translation>Reibungszahl μ</translation>
+    </message>
+    <message>
+        <source>h is dominated by the long wavelengths</source>
+        <translation>h wird von den langen Wellenlängen bestimmt</translation>
+    </message>
+    <message>
+        <source>largest beta of the eleven Hurst exponents</source>
+        <translation>größtes beta der elf Hurst-Exponenten</translation>
+    </message>
+    <message>
+        <source>largest change of mu / grad where h, L, G and tau change but F_N / G h L and tau v grad / h do not</source>
+        <translation>größte Änderung von mu / grad, wenn sich h, L, G und tau ändern, aber F_N / G h L und tau v grad / h nicht</translation>
+    </message>
+    <message>
+        <source>largest change of mu where both are tripled</source>
+        <translation>größte Änderung von mu, wenn beide verdreifacht werden</translation>
+    </message>
+    <message>
+        <source>largest distance of two curves (decades of mu), shifted together in region I, up to the plateau</source>
+        <translation>größter Abstand zweier Kurven (Dekaden von mu), im Bereich I aufeinandergeschoben, bis zum Plateau</translation>
+    </message>
+    <message>
+        <source>largest mu / rms slope of the line</source>
+        <translation>größtes mu / RMS-Steigung der Linie</translation>
+    </message>
+    <message>
+        <source>largest part of the steps in which no indentation meets the normal force</source>
+        <translation>größter Anteil der Schritte, in denen keine Eindringung die Normalkraft trifft</translation>
+    </message>
+    <message>
+        <source>largest penetration over the largest depth</source>
+        <translation>größte Durchdringung durch größte Tiefe</translation>
+    </message>
+    <message>
+        <source>largest |alpha - H/(1+H)| at the seven Hurst exponents from 0.2 to 0.8</source>
+        <translation>größtes |alpha - H/(1+H)| bei den sieben Hurst-Exponenten von 0,2 bis 0,8</translation>
+    </message>
+    <message>
+        <source>largest |mu / Eq. (11) - 1| up to the maximum, beta as measured</source>
+        <translation>größtes |mu / Gl. (11) - 1| bis zum Maximum, beta wie gemessen</translation>
+    </message>
+    <message>
+        <source>largest |mu / Eq. (6) - 1| at the lowest velocity, all forces</source>
+        <translation>größtes |mu / Gl. (6) - 1| bei der kleinsten Geschwindigkeit, alle Kräfte</translation>
+    </message>
+    <message>
+        <source>largest |mu / Eq. (8) - 1| in complete contact, with the slope of the line as resolved</source>
+        <translation>größtes |mu / Gl. (8) - 1| im Vollkontakt, mit der Steigung der aufgelösten Linie</translation>
+    </message>
+    <message>
+        <source>largest |mu(v, T) / mu(v a_T, T_r) - 1|, 10 to 100 degrees Celsius</source>
+        <translation>größtes |mu(v, T) / mu(v a_T, T_r) - 1|, 10 bis 100 Grad Celsius</translation>
+    </message>
+    <message>
+        <source>largest |n - 1| of mu ~ v^n over the five lowest velocities</source>
+        <translation>größtes |n - 1| von mu ~ v^n über die fünf kleinsten Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>linear or cubic (a resolved line)</source>
+        <translation>linear oder kubisch (aufgelöste Linie)</translation>
+    </message>
+    <message>
+        <source>literal (one spacing per step)</source>
+        <translation>wörtlich (ein Abstand je Schritt)</translation>
+    </message>
+    <message>
+        <source>measured, 0.001 ≤ Fₙ/GhL ≤ 0.1</source>
+        <translation>gemessen, 0,001 ≤ Fₙ/GhL ≤ 0,1</translation>
+    </message>
+    <message>
+        <source>measured, 0.001 ≤ Fₙ/GhL ≤ 1</source>
+        <translation>gemessen, 0,001 ≤ Fₙ/GhL ≤ 1</translation>
+    </message>
+    <message>
+        <source>more than half</source>
+        <translation>mehr als die Hälfte</translation>
+    </message>
+    <message>
+        <source>mu at the end of region II over mu at its start, borders as for its width</source>
+        <translation>mu am Ende von Bereich II durch mu an seinem Anfang, Grenzen wie für seine Breite</translation>
+    </message>
+    <message>
+        <source>n is %1 for the same N elements in fine steps and %2 on the resolved line, which falls on as v^(%3/%4).</source>
+        <translation>n ist %1 für dieselben N Elemente in feinen Schritten und %2 auf der aufgelösten Linie, die wie v^(%3/%4) weiter fällt.</translation>
+    </message>
+    <message>
+        <source>The level is one node's own slope: the line moves one spacing per step, so the last contact is a single node, and more power goes in than is dissipated.</source>
+        <translation>Das Niveau ist die Steigung eines einzelnen Knotens: Die Linie rückt je Schritt um einen Abstand weiter, daher ist der letzte Kontakt ein einziger Knoten, und es geht mehr Leistung hinein, als dissipiert wird.</translation>
+    </message>
+    <message>
+        <source>normal force Fₙ</source>
+        <translation>Normalkraft Fₙ</translation>
+    </message>
+    <message>
+        <source>normalized friction μ/∇z</source>
+        <translation>normierte Reibungszahl μ/∇z</translation>
+    </message>
+    <message>
+        <source>over the rms slope</source>
+        <translation>bezogen auf die RMS-Steigung</translation>
+    </message>
+    <message>
+        <source>p. %1, abstract</source>
+        <translation>S. %1, Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>p. %1, abstract; p. %2, conclusion</source>
+        <translation>S. %1, Zusammenfassung; S. %2, Schluss</translation>
+    </message>
+    <message>
+        <source>p. %1, definitions of h and of the rms gradient</source>
+        <translation>S. %1, Definitionen von h und der RMS-Steigung</translation>
+    </message>
+    <message>
+        <source>p. %1, Eq. (%2)</source>
+        <translation>S. %1, Gl. (%2)</translation>
+    </message>
+    <message>
+        <source>p. %1, Eqs. (%2) and (%3)</source>
+        <translation>S. %1, Gl. (%2) und (%3)</translation>
+    </message>
+    <message>
+        <source>p. %1, Fig. %2</source>
+        <translation>S. %1, Abb. %2</translation>
+    </message>
+    <message>
+        <source>p. %1, Fig. %2; abstract</source>
+        <translation>S. %1, Abb. %2; Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>p. %1, Figs. %2 and %3</source>
+        <translation>S. %1, Abb. %2 und %3</translation>
+    </message>
+    <message>
+        <source>p. %1, after Eq. (%2)</source>
+        <translation>S. %1, nach Gl. (%2)</translation>
+    </message>
+    <message>
+        <source>p. %1, before Eq. (%2)</source>
+        <translation>S. %1, vor Gl. (%2)</translation>
+    </message>
+    <message>
+        <source>p. %1, before Fig. %2</source>
+        <translation>S. %1, vor Abb. %2</translation>
+    </message>
+    <message>
+        <source>p. %1, Eq. (%2), Fig. %3</source>
+        <translation>S. %1, Gl. (%2), Abb. %3</translation>
+    </message>
+    <message>
+        <source>plateau at the smallest force over the largest plateau, mean over H</source>
+        <translation>Plateau bei der kleinsten Kraft durch größtes Plateau, Mittel über H</translation>
+    </message>
+    <message>
+        <source>plateau of mu / rms slope most distant from sqrt(2), F_N / G h L &gt;= 1</source>
+        <translation>Plateau von mu / RMS-Steigung mit dem größten Abstand von sqrt(2), F_N / G h L &gt;= 1</translation>
+    </message>
+    <message>
+        <source>plateau of μ/∇z</source>
+        <translation>Plateau von μ/∇z</translation>
+    </message>
+    <message>
+        <source>prefactor</source>
+        <translation>Vorfaktor</translation>
+    </message>
+    <message>
+        <source>relative residual of the force balance</source>
+        <translation>relativer Rest des Kräftegleichgewichts</translation>
+    </message>
+    <message>
+        <source>resolved line (%1 lines)</source>
+        <translation>aufgelöste Linie (%1 Linien)</translation>
+    </message>
+    <message>
+        <source>rms slope in contact at the smallest force over that at the largest</source>
+        <translation>RMS-Steigung im Kontakt bei der kleinsten Kraft durch die bei der größten</translation>
+    </message>
+    <message>
+        <source>rms spread of the shifted curves in decades of mu, up to the plateau</source>
+        <translation>RMS-Streuung der verschobenen Kurven in Dekaden von mu, bis zum Plateau</translation>
+    </message>
+    <message>
+        <source>share of h^2 from the longest decade of wavelengths</source>
+        <translation>Anteil der längsten Dekade der Wellenlängen an h^2</translation>
+    </message>
+    <message>
+        <source>share of the squared gradient from the shortest decade of wavelengths</source>
+        <translation>Anteil der kürzesten Dekade der Wellenlängen am Quadrat der Steigung</translation>
+    </message>
+    <message>
+        <source>shifted by Eq. (17)</source>
+        <translation>verschoben nach Gl. (17)</translation>
+    </message>
+    <message>
+        <source>sliding velocity v</source>
+        <translation>Gleitgeschwindigkeit v</translation>
+    </message>
+    <message>
+        <source>smallest mu at the highest velocity over the maximum</source>
+        <translation>kleinstes mu bei der höchsten Geschwindigkeit durch das Maximum</translation>
+    </message>
+    <message>
+        <source>smallest over largest plateau for 0.2 &lt;= H &lt;= 0.8, F_N / G h L near 10</source>
+        <translation>kleinstes durch größtes Plateau für 0,2 &lt;= H &lt;= 0,8, F_N / G h L nahe 10</translation>
+    </message>
+    <message>
+        <source>smallest over largest plateau, over five decades of force</source>
+        <translation>kleinstes durch größtes Plateau, über fünf Dekaden der Kraft</translation>
+    </message>
+    <message>
+        <source>spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>table used by Eq. (11) here</source>
+        <translation>hier für Gl. (11) benutzte Tabelle</translation>
+    </message>
+    <message>
+        <source>the paper's literal rule (%1 line)</source>
+        <translation>wörtliche Regel der Arbeit (%1 Linie)</translation>
+    </message>
+    <message>
+        <source>the paper's literal rule (%1 lines)</source>
+        <translation>wörtliche Regel der Arbeit (%1 Linien)</translation>
+    </message>
+    <message>
+        <source>velocity v (lines), v aₜ (circles)</source>
+        <translation>Geschwindigkeit v (Linien), v aₜ (Kreise)</translation>
+    </message>
+    <message>
+        <source>v̅ / f(F̅)</source>
+        <translation>v̅ / f(F̅)</translation>
+    </message>
+    <message>
+        <source>what is left of the plateau at the smallest force, for the largest H over that for the smallest</source>
+        <translation>was bei der kleinsten Kraft vom Plateau bleibt: für das größte H durch den Wert für das kleinste</translation>
+    </message>
+    <message>
+        <source>within 0.02 of 1, at velocities below a tenth of region I's end</source>
+        <translation>höchstens 0,02 von 1 entfernt, bei Geschwindigkeiten unter einem Zehntel des Endes von Bereich I</translation>
+    </message>
+    <message>
+        <source>within 0.03 of the expected</source>
+        <translation>höchstens 0,03 vom Erwarteten entfernt</translation>
+    </message>
+    <message>
+        <source>within 0.1 of 1</source>
+        <translation>höchstens 0,1 von 1 entfernt</translation>
+    </message>
+    <message>
+        <source>within 0.1 of 2</source>
+        <translation>höchstens 0,1 von 2 entfernt</translation>
+    </message>
+    <message>
+        <source>within 10 % of sqrt(2)</source>
+        <translation>höchstens 10 % von sqrt(2) entfernt</translation>
+    </message>
+    <message>
+        <source>zone 1: partial contact</source>
+        <translation>Zone 1: Teilkontakt</translation>
+    </message>
+    <message>
+        <source>zone 2: complete contact</source>
+        <translation>Zone 2: Vollkontakt</translation>
+    </message>
+    <message>
+        <source>|n| below 0.1; on a resolved line, too, for a plain yes</source>
+        <translation>|n| unter 0,1; für ein klares Ja auch auf einer aufgelösten Linie</translation>
+    </message>
+    <message>
+        <source>α = H/(1 + H), Eq. (7)</source>
+        <translation>α = H/(1 + H), Gl. (7)</translation>
+    </message>
+    <message>
+        <source>α and β of Eq. (5) over the Hurst exponent</source>
+        <translation>α und β aus Gl. (5) über dem Hurst-Exponenten</translation>
+    </message>
+    <message>
+        <source>β = 1, silently in Eq. (12)</source>
+        <translation>β = 1, stillschweigend in Gl. (12)</translation>
+    </message>
+    <message>
+        <source>μ/∇z in contact</source>
+        <translation>μ/∇z im Kontakt</translation>
+    </message>
+    <message>
+        <source>√2, Eq. (9)</source>
+        <translation>√2, Gl. (9)</translation>
+    </message>
+    <message>
+        <source>Circles: spread of the means over groups of so many lines.</source>
+        <translation>Kreise: Streuung der Mittel über Gruppen von so vielen Linien.</translation>
+    </message>
+    <message>
+        <source>Lines: one over the square root.</source>
+        <translation>Linien: eins durch die Wurzel.</translation>
+    </message>
+    <message>
+        <source>Errors against cubic at two high resolutions, extrapolated.</source>
+        <translation>Fehler gegen das kubische Verfahren bei zwei hohen Auflösungen, extrapoliert.</translation>
+    </message>
+    <message>
+        <source>The literal march and nodal are other models at the smallest scale: theirs is a difference, not an error.</source>
+        <translation>Die wörtlichen Zeitschritte und das nodale Verfahren sind auf der kleinsten Skala andere Modelle: Bei ihnen ist es ein Unterschied, kein Fehler.</translation>
+    </message>
+    <message>
+        <source>Processor time of one thread, medians of repeated runs; the line is given.</source>
+        <translation>Prozessorzeit eines Threads, Mediane wiederholter Läufe; die Linie ist gegeben.</translation>
+    </message>
+    <message>
+        <source>Friction over velocity</source>
+        <translation>Reibung über der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>What accuracy costs in time</source>
+        <translation>Was Genauigkeit an Zeit kostet</translation>
+    </message>
+    <message>
+        <source>What realizations cost in time</source>
+        <translation>Was Realisierungen an Zeit kosten</translation>
+    </message>
+    <message>
+        <source>against realizations</source>
+        <translation>über den Realisierungen</translation>
+    </message>
+    <message>
+        <source>against time</source>
+        <translation>über der Zeit</translation>
+    </message>
+    <message>
+        <source>best for the time</source>
+        <translation>das Beste für die Zeit</translation>
+    </message>
+    <message>
+        <source>coefficient of friction μ</source>
+        <translation>Reibungszahl μ</translation>
+    </message>
+    <message>
+        <source>cubic x1 to x16</source>
+        <translation>kubisch ×1 bis ×16</translation>
+    </message>
+    <message>
+        <source>indentation d</source>
+        <translation>Eindringung d</translation>
+    </message>
+    <message>
+        <source>linear x1 to x16</source>
+        <translation>linear ×1 bis ×16</translation>
+    </message>
+    <message>
+        <source>literal march (difference)</source>
+        <translation>wörtliche Schritte (Unterschied)</translation>
+    </message>
+    <message>
+        <source>literal march</source>
+        <translation>wörtliche Schritte</translation>
+    </message>
+    <message>
+        <source>nodal (difference)</source>
+        <translation>nodal (Unterschied)</translation>
+    </message>
+    <message>
+        <source>mean of %1 lines ± standard error</source>
+        <translation>Mittel über %1 Linien ± Standardfehler</translation>
+    </message>
+    <message>
+        <source>region I</source>
+        <translation>Bereich I</translation>
+    </message>
+    <message>
+        <source>region II</source>
+        <translation>Bereich II</translation>
+    </message>
+    <message>
+        <source>region III</source>
+        <translation>Bereich III</translation>
+    </message>
+    <message>
+        <source>region IV</source>
+        <translation>Bereich IV</translation>
+    </message>
+    <message>
+        <source>relative error of μ</source>
+        <translation>relativer Fehler von μ</translation>
+    </message>
+    <message>
+        <source>relative standard error of μ</source>
+        <translation>relativer Standardfehler von μ</translation>
+    </message>
+    <message>
+        <source>target %1</source>
+        <translation>Ziel %1</translation>
+    </message>
+    <message>
+        <source>this line</source>
+        <translation>diese Linie</translation>
+    </message>
+    <message>
+        <source>time of one simulation</source>
+        <translation>Zeit einer Simulation</translation>
+    </message>
+    <message>
+        <source>time of one velocity</source>
+        <translation>Zeit einer Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>time t</source>
+        <translation>Zeit t</translation>
+    </message>
+    <message>
+        <source>velocity v</source>
+        <translation>Geschwindigkeit v</translation>
+    </message>
+    <message>
+        <source>the force balance is not met in the comparison of methods</source>
+        <translation>das Kräftegleichgewicht ist beim Vergleich der Verfahren nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>no indentation carries the normal force to working accuracy</source>
+        <translation>keine Eindringung trägt die Normalkraft mit der nötigen Genauigkeit</translation>
+    </message>
+    <message>
+        <source>the force balance is not met</source>
+        <translation>das Kräftegleichgewicht ist nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>no steady state to begin from: the force balance is not met</source>
+        <translation>kein stationärer Zustand als Anfang: Das Kräftegleichgewicht ist nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>nodal is the paper's rule for Kelvin elements; arms need linear or cubic</source>
+        <translation>nodal ist die Regel der Arbeit für Kelvin-Elemente; Arme brauchen linear oder kubisch</translation>
+    </message>
+    <message>
+        <source>stands beside interface.friction_coefficient; only one of them may be above 0</source>
+        <translation>steht neben interface.friction_coefficient; nur eines von beiden darf über 0 liegen</translation>
+    </message>
+    <message>
+        <source>is 0: in steady sliding the elastomer sinks for ever; it needs more than 0</source>
+        <translation>ist 0: Beim stationären Gleiten sinkt das Elastomer ohne Ende ein; nötig ist mehr als 0</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 lines of %2 elements</source>
+        <translation>%1 Linien mit %2 Elementen</translation>
+    </message>
+    <message>
+        <source>%1 line of %2 elements</source>
+        <translation>%1 Linie mit %2 Elementen</translation>
+    </message>
+    <message>
+        <source>%1 velocities in each region</source>
+        <translation>%1 Geschwindigkeiten je Bereich</translation>
+    </message>
+    <message>
+        <source>this scene</source>
+        <translation>diese Szene</translation>
+    </message>
+    <message>
+        <source>cubic x%1</source>
+        <translation>kubisch ×%1</translation>
+    </message>
+    <message>
+        <source>linear x%1</source>
+        <translation>linear ×%1</translation>
+    </message>
+    <message>
+        <source>a predicted curve needs steady sliding, not start</source>
+        <translation>eine Vorhersage der Kurve braucht stationäres Gleiten, kein Anfahren</translation>
+    </message>
+    <message>
+        <source>a predicted curve needs steady sliding, not step</source>
+        <translation>eine Vorhersage der Kurve braucht stationäres Gleiten, keinen Sprung</translation>
+    </message>
+    <message>
+        <source>a predicted curve needs steady sliding, not oscillation</source>
+        <translation>eine Vorhersage der Kurve braucht stationäres Gleiten, keine Schwingung</translation>
+    </message>
+    <message>
+        <source>a predicted curve needs steady sliding, not reversal</source>
+        <translation>eine Vorhersage der Kurve braucht stationäres Gleiten, keine Umkehr</translation>
+    </message>
+    <message>
+        <source>dimensionless velocity v̄ = τ v ∇z / (√2 h)</source>
+        <translation>dimensionslose Geschwindigkeit v̄ = τ v ∇z / (√2 h)</translation>
+    </message>
+    <message>
+        <source>normalized friction μ / ∇z</source>
+        <translation>normierte Reibungszahl μ / ∇z</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>%1 lines less the curve above</source>
+        <translation>%1 Linien minus obere Kurve</translation>
+    </message>
+    <message>
+        <source>%1 line less the curve above</source>
+        <translation>%1 Linie minus obere Kurve</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 Linien</translation>
+    </message>
+    <message>
+        <source>%1 line</source>
+        <translation>%1 Linie</translation>
+    </message>
+    <message>
+        <source>Regions as read from the curve: I ends 20 % below its line, III lies above 95 % of the maximum.</source>
+        <translation>Bereiche aus der Kurve abgelesen: I endet 20 % unter seiner Geraden, III liegt über 95 % des Maximums.</translation>
+    </message>
+    <message>
+        <source>transition</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>plateau</source>
+        <translation>Plateau</translation>
+    </message>
+    <message>
+        <source>decrease</source>
+        <translation>Abfall</translation>
+    </message>
+    <message>
+        <source>Friction grows in proportion to velocity, Eqs. (5) to (8). Ends where the curve is 20 % below that line.</source>
+        <translation>Die Reibung wächst proportional zur Geschwindigkeit, Gl. (5) bis (8). Endet, wo die Kurve 20 % unter dieser Geraden liegt.</translation>
+    </message>
+    <message>
+        <source>From the line to the plateau. Ends where 95 % of the maximum is reached.</source>
+        <translation>Von der Geraden zum Plateau. Endet, wo 95 % des Maximums erreicht sind.</translation>
+    </message>
+    <message>
+        <source>Contacts carry on their leading sides only, Eq. (9). Ends where friction falls below 95 % of the maximum.</source>
+        <translation>Kontakte tragen nur an ihren Vorderseiten, Gl. (9). Endet, wo die Reibung unter 95 % des Maximums fällt.</translation>
+    </message>
+    <message>
+        <source>Contact is so small that the slope in contact falls, Eq. (15). Begins below 95 % of the maximum.</source>
+        <translation>Der Kontakt ist so klein, dass die Steigung im Kontakt fällt, Gl. (15). Beginnt unter 95 % des Maximums.</translation>
+    </message>
+    <message>
+        <source>other arms</source>
+        <translation>andere Arme</translation>
+    </message>
+    <message>
+        <source>I linear</source>
+        <translation>I linear</translation>
+    </message>
+    <message>
+        <source>II transition</source>
+        <translation>II Übergang</translation>
+    </message>
+    <message>
+        <source>III plateau</source>
+        <translation>III Plateau</translation>
+    </message>
+    <message>
+        <source>IV decrease</source>
+        <translation>IV Abfall</translation>
+    </message>
+    <message>
+        <source>One-sided contact</source>
+        <translation>Einseitiger Kontakt</translation>
+    </message>
+    <message>
+        <source>A single summit, seen closely: the rubber is pushed down in front of it and is still on its way up behind, so only the leading side is touched. Lower the velocity to 0.001 m/s: contact becomes even on both sides, and friction vanishes.</source>
+        <translation>Ein einzelner Gipfel, aus der Nähe: Vor ihm wird der Gummi hinabgedrückt, hinter ihm ist er noch auf dem Weg nach oben, daher wird nur die Vorderseite berührt. Die Geschwindigkeit auf 0,001 m/s senken: Der Kontakt wird auf beiden Seiten gleich, und die Reibung verschwindet.</translation>
+    </message>
+    <message>
+        <source>Pressed in and at rest</source>
+        <translation>Eingedrückt und in Ruhe</translation>
+    </message>
+    <message>
+        <source>contact pressure p</source>
+        <translation>Kontaktdruck p</translation>
+    </message>
+    <message>
+        <source>share of the contact</source>
+        <translation>Anteil am Kontakt</translation>
+    </message>
+    <message>
+        <source>elements in contact</source>
+        <translation>Elemente in Kontakt</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>slope z′ / rms slope</source>
+        <translation>Steigung z′ / RMS-Steigung</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>whole line</source>
+        <translation>ganze Linie</translation>
+    </message>
+    <message>
+        <source>in contact</source>
+        <translation>in Kontakt</translation>
+    </message>
+    <message>
+        <source>normal distribution</source>
+        <translation>Normalverteilung</translation>
+    </message>
+    <message>
+        <source>wave number q</source>
+        <translation>Wellenzahl q</translation>
+    </message>
+    <message>
+        <source>power spectral density C</source>
+        <translation>Leistungsspektraldichte C</translation>
+    </message>
+    <message>
+        <source>wanted, H = %1</source>
+        <translation>gewünscht, H = %1</translation>
+    </message>
+    <message>
+        <source>fitted, H = %1</source>
+        <translation>angepasst, H = %1</translation>
+    </message>
+    <message>
+        <source>C(q) ~ q^(−2H−1) is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing.</source>
+        <translation>C(q) ~ q^(−2H−1) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π durch Elementabstand.</translation>
+    </message>
+    <message>
+        <source>Points are means over equal stretches of log q.</source>
+        <translation>Punkte sind Mittel über gleiche Strecken von log q.</translation>
+    </message>
+    <message>
+        <source>No element is in contact.</source>
+        <translation>Kein Element ist in Kontakt.</translation>
+    </message>
+    <message>
+        <source>%1 % of the contact is on slopes that climb (%2 %: one-sided, %3 %: both sides alike); rms slope in contact %4 of the line's.</source>
+        <translation>%1 % des Kontakts liegt auf steigenden Flanken (%2 %: einseitig, %3 %: beide Seiten gleich); RMS-Steigung im Kontakt das %4-Fache der Linie.</translation>
+    </message>
+    <message>
+        <source>contact search</source>
+        <translation>Kontaktsuche</translation>
+    </message>
+    <message>
+        <source>whether an element touches is asked at each node</source>
+        <translation>ob ein Element berührt, wird an jedem Knoten gefragt</translation>
+    </message>
+    <message>
+        <source>edges of contact are found inside the segments wherever contact is not complete</source>
+        <translation>Kontaktränder werden innerhalb der Segmente gefunden, wo der Kontakt nicht vollständig ist</translation>
+    </message>
+    <message>
+        <source>the friction curve is of steady sliding</source>
+        <translation>die Reibungskurve gilt für stationäres Gleiten</translation>
+    </message>
+    <message>
+        <source>nothing slides steadily</source>
+        <translation>nichts gleitet stationär</translation>
+    </message>
+    <message>
+        <source>Nothing slides, so there is no friction: the line rests on the summits that reach deepest, and the rubber between them stays flat. Raise the force: contacts grow in number and in length.</source>
+        <translation>Nichts gleitet, daher gibt es keine Reibung: Die Linie ruht auf den Gipfeln, die am tiefsten reichen, und der Gummi dazwischen bleibt eben. Die Kraft erhöhen: Die Kontakte wachsen an Zahl und Länge.</translation>
+    </message>
+</context>
+</TS>

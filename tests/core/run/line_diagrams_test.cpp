@@ -1,0 +1,156 @@
+// The spectrum read back from lines, and statistics in contact.
+#include "core/run/line_diagrams.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/run/steady_frames.h"
+
+namespace asperity {
+namespace {
+
+Frame steadyFrame(double velocity, double force = 0.02) {
+  Scene scene;
+  scene.surface.elements = 2000;
+  scene.load.normalForce = force;
+  scene.sliding.velocity = velocity;
+  return SteadyFrames(std::make_shared<const Scene>(scene), {.lineSlope = true}).frame(0, 1, 25);
+}
+
+/// Amplitudes are not random, so the exponent comes back to rounding.
+TEST(Spectrum, GivesTheHurstExponentBack) {
+  for (const double hurst : {0.0, 0.3, 0.7, 1.0}) {
+    Scene scene;
+    scene.surface.hurst = hurst;
+    scene.surface.elements = 1000;
+    const SpectrumReading reading = readSpectrum(scene);
+    ASSERT_TRUE(reading.hasFit);
+    EXPECT_NEAR(reading.hurst(), hurst, 1e-9);
+  }
+}
+
+/// h^2 = 2 integral C dq: the fitted law carries the line's own height.
+TEST(Spectrum, HasTheScaleOfTheHeights) {
+  Scene scene;
+  scene.surface.elements = 1000;
+  const SpectrumReading reading = readSpectrum(scene);
+  const double lowest = 2 * std::numbers::pi / scene.surface.length;
+  double square = 0;
+  for (int k = 1; k < 500; ++k)
+    square +=
+        2 * lowest * std::exp(reading.fit.intercept + reading.fit.slope * std::log(lowest * k));
+  EXPECT_NEAR(std::sqrt(square), scene.surface.rmsHeight, 1e-6 * scene.surface.rmsHeight);
+}
+
+TEST(Spectrum, IsFittedAboveTheRollOff) {
+  Scene scene;
+  scene.surface.rollOffWavelength = 1e-3;
+  const SpectrumReading reading = readSpectrum(scene);
+  EXPECT_NEAR(reading.fitFrom, 2 * std::numbers::pi / 1e-3, 1e-6);
+  EXPECT_NEAR(reading.hurst(), scene.surface.hurst, 1e-9);
+}
+
+/// The corners of a wedge: c_k ~ 1/k^2 for odd k, so C ~ q^-4 and H = 1.5.
+TEST(Spectrum, OfAWedgeIsThatOfItsCorner) {
+  Scene scene;
+  scene.surface.kind = SurfaceKind::Wedge;
+  scene.surface.slope = 1e-3;
+  scene.surface.elements = 4096;
+  EXPECT_NEAR(readSpectrum(scene).hurst(), 1.5, 0.1);
+}
+
+TEST(Spectrum, OfASineIsOnePoint) {
+  Scene scene;
+  scene.surface.kind = SurfaceKind::Sine;
+  const SpectrumReading reading = readSpectrum(scene);
+  EXPECT_FALSE(reading.hasFit);
+  ASSERT_EQ(reading.waveNumber.size(), 1U);
+  EXPECT_NEAR(
+      reading.waveNumber[0],
+      static_cast<double>(scene.surface.waves) * 2 * std::numbers::pi / scene.surface.length, 1e-6);
+  EXPECT_EQ(spectrumSheet(scene).diagrams[0].series.size(), 1U);
+}
+
+TEST(Spectrum, SheetShowsWantedAndFitted) {
+  const DiagramSheet sheet = spectrumSheet({});
+  ASSERT_EQ(sheet.diagrams.size(), 1U);
+  ASSERT_EQ(sheet.diagrams[0].series.size(), 3U);
+  EXPECT_EQ(sheet.diagrams[0].series[0].name, "wanted, H = 0.7");
+  EXPECT_EQ(sheet.diagrams[0].series[2].name, "fitted, H = 0.700");
+  for (const DiagramSeries& series : sheet.diagrams[0].series)
+    EXPECT_LT(series.points.size(), 100U);
+}
+
+TEST(Histogram, SharesAddUpToWhatIsInside) {
+  const Histogram histogram = histogramOf({0, 0.1, 0.49, 0.5, 0.99, 1, -3}, 0, 1, 2);
+  EXPECT_NEAR(histogram.share[0], 3.0 / 7, 1e-12);
+  EXPECT_NEAR(histogram.share[1], 2.0 / 7, 1e-12);
+  EXPECT_EQ(histogramOf({}, 0, 1, 3).share, std::vector<double>(3));
+}
+
+/// Slopes of random phases are normally distributed.
+TEST(SlopeStatistics, OfTheWholeLineAreNormal) {
+  const SlopeStatistics slopes = slopeStatistics(steadyFrame(1));
+  double mean = 0, square = 0, whole = 0, x = slopes.whole.from + 0.5 * slopes.whole.width();
+  for (const double share : slopes.whole.share) {
+    whole += share;
+    mean += share * x;
+    square += share * x * x;
+    x += slopes.whole.width();
+  }
+  EXPECT_NEAR(whole, 1, 1e-3);
+  EXPECT_NEAR(mean, 0, 0.02);
+  EXPECT_NEAR(square - std::pow(slopes.whole.width(), 2) / 12, 1, 0.015);  // Sheppard's correction
+}
+
+/// At low velocity contact lies on both sides of its asperities; on the plateau the elastomer
+/// behaves like a fluid and all contacts are one-sided (Li et al. 2013, Eq. 10).
+TEST(SlopeStatistics, ContactBecomesOneSided) {
+  const double slow = slopeStatistics(steadyFrame(1e-4)).climbing;
+  const double middle = slopeStatistics(steadyFrame(1)).climbing;
+  const double plateau = slopeStatistics(steadyFrame(50)).climbing;
+  EXPECT_NEAR(slow, 0.5, 0.08);
+  EXPECT_GT(middle, slow + 0.05);
+  EXPECT_GT(plateau, 0.97);
+}
+
+/// rms slope in contact as the steady pass has it.
+TEST(SlopeStatistics, AgreeWithTheSteadyPass) {
+  Scene scene;
+  scene.surface.elements = 2000;
+  scene.load.normalForce = 0.5;
+  const SteadyFrames frames(std::make_shared<const Scene>(scene), {.lineSlope = true});
+  const Frame frame = frames.frame(0, 1, 25);
+  EXPECT_NEAR(slopeStatistics(frame).rmsContact, frames.result().rmsSlopeContact / frame.rmsSlope,
+              0.02);
+}
+
+TEST(SlopeStatistics, BackwardsTheOtherSideClimbs) {
+  Frame frame = steadyFrame(1);
+  const double forwards = slopeStatistics(frame).climbing;
+  frame.velocity = -1;
+  EXPECT_NEAR(slopeStatistics(frame).climbing, 1 - forwards, 1e-12);
+}
+
+TEST(Statistics, NothingBreaksWithoutContactOrPoints) {
+  EXPECT_EQ(statisticsSheet({}).diagrams.size(), 2U);
+  Frame frame = steadyFrame(1);
+  std::fill(frame.pressure.begin(), frame.pressure.end(), 0.0);
+  EXPECT_EQ(statisticsSheet(frame).note, "No element is in contact.");
+}
+
+/// The curve of pressures encloses all elements but the last percent.
+TEST(Statistics, PressuresAddUp) {
+  const DiagramSheet sheet = statisticsSheet(steadyFrame(1));
+  const std::vector<DiagramPoint>& steps = sheet.diagrams[0].series[0].points;
+  double whole = 0;
+  for (std::size_t i = 1; i + 1 < steps.size(); i += 2) whole += steps[i].y;
+  EXPECT_GT(whole, 98.5);
+  EXPECT_LE(whole, 100 + 1e-9);
+}
+
+}  // namespace
+}  // namespace asperity

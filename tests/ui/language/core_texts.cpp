@@ -1,0 +1,184 @@
+#include "tests/ui/language/core_texts.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "core/accuracy/work_precision_file.h"
+#include "core/friction/curve_diagram.h"
+#include "core/friction/curve_regions.h"
+#include "core/friction/curve_words.h"
+#include "core/friction/ensemble.h"
+#include "core/friction/figures/figure.h"
+#include "core/run/transient_diagram.h"
+#include "core/scene/input_error.h"
+#include "core/scene/parameters.h"
+#include "core/scene/plan.h"
+#include "core/scene/scene_file.h"
+
+namespace asperity {
+namespace {
+
+using Texts = std::set<std::string>;
+
+std::vector<Scene> shippedScenes() {
+  std::vector<Scene> scenes;
+  const std::filesystem::path folder = ASPERITY_RESOURCES_DIR "/scenes";
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".json") scenes.push_back(readSceneFile(entry.path()));
+  return scenes;
+}
+
+/// Effects that no shipped scene has, alone or together.
+std::vector<Scene> furtherScenes() {
+  const char* changes[] = {R"({"load": {"kind": "indentation", "depth": 1e-6}})",
+                           R"({"sliding": {"kind": "step", "velocity": 0, "velocity_after": 1}})",
+                           R"({"elastomer": {"rheology": "prony"}})",
+                           R"({"surface": {"kind": "profile", "file": "none.csv"}})",
+                           R"({"surface": {"roll_off_wavelength": 1000}})",
+                           R"({"ensemble": {"realizations": 1}, "sweep": {"points": 1}})"};
+  std::vector<Scene> scenes;
+  for (const char* change : changes) scenes.push_back(readScene(change, "test"));
+  return scenes;
+}
+
+void add(Texts& texts, const DiagramSheet& sheet) {
+  texts.insert({sheet.title, sheet.subtitle, sheet.note});
+  for (const Diagram& diagram : sheet.diagrams) {
+    texts.insert({diagram.title, diagram.x.title, diagram.y.title});
+    for (const DiagramSeries& series : diagram.series) texts.insert(series.name);
+    for (const DiagramSpan& span : diagram.spans) texts.insert(span.label);
+    for (const DiagramLabel& label : diagram.labels) texts.insert(label.text);
+    if (diagram.ramp) texts.insert({diagram.ramp->title, diagram.ramp->from, diagram.ramp->to});
+  }
+}
+
+std::vector<CurvePoint> pointsOf(std::int64_t realizations) {
+  CurvePoint point;
+  point.realizations = realizations;
+  return {point};
+}
+
+/// A curve that has all four regions.
+void addRegions(Texts& texts, Scene scene) {
+  scene.accuracy.targetRelativeError = 0;
+  scene.surface.elements = 400;
+  scene.sweep.points = 41;
+  scene.ensemble.realizations = 4;
+  const std::vector<CurvePoint> points = frictionCurve(scene).points;
+  add(texts, curveSheet(scene, points));
+  for (const char* name : {"I", "II", "III", "IV"})
+    texts.insert({std::string(wordOfRegion(name)), std::string(sentenceOfRegion(name))});
+}
+
+/// A curve pinned, one of another setting, and every parameter that may tell two curves apart.
+void addComparison(Texts& texts) {
+  CurveSet set;
+  set.present = {{}, {}, pointsOf(20)};
+  set.axes = CurveAxes::Dimensionless;
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Cubic})
+    for (const std::int64_t lines : {1, 20}) {
+      set.difference = CurveDifference{};
+      set.difference->setting = {scheme, 2, lines};
+      texts.insert(nameOf(set.difference->setting));
+      add(texts, curveSheet(set));
+    }
+  for (const Scene& scene : shippedScenes()) texts.insert(differencesInWords(scene, {}));
+}
+
+}  // namespace
+
+Texts tableTexts() {
+  Texts texts;
+  for (const Parameter& row : parameters()) {
+    texts.insert({std::string(row.label), std::string(row.sentence)});
+    if (const auto* choice = std::get_if<ChoiceField>(&row.field))
+      for (const std::string_view key : choice->choices) {
+        std::string word(key);
+        std::ranges::replace(word, '_', '-');
+        texts.insert(word);
+      }
+  }
+  return texts;
+}
+
+Texts sceneTexts() {
+  Texts texts;
+  for (const Scene& scene : shippedScenes())
+    texts.insert({scene.title, scene.chapter, scene.description});
+  return texts;
+}
+
+Texts planTexts() {
+  Texts texts;
+  std::vector<Scene> scenes = shippedScenes();
+  std::ranges::copy(furtherScenes(), std::back_inserter(scenes));
+  for (const Scene& scene : scenes)
+    for (const Purpose purpose :
+         {Purpose::Curve, Purpose::Picture, Purpose::Surface, Purpose::Window})
+      for (const PlanStage& stage : planOf(scene, purpose))
+        texts.insert({stage.name, stage.reason});
+  return texts;
+}
+
+Texts refusalTexts() {
+  Texts texts;
+  const auto refused = [&](const Parameter& row, const auto& give) {
+    Scene scene;
+    try {
+      give(row, scene);
+    } catch (const InputError& error) {
+      texts.insert(error.message());
+    }
+  };
+  for (const Parameter& row : parameters()) {
+    const bool isReal = std::holds_alternative<RealField>(row.field);
+    const bool isWhole = std::holds_alternative<IntegerField>(row.field);
+    if (!isReal && !isWhole) continue;
+    for (const char* text : {"some", "-1e40", "1e40", "1.5e15", "inf", "1e999", "0.5", ""})
+      refused(row, [&](const Parameter& p, Scene& scene) { setFromText(p, scene, text); });
+  }
+  return texts;
+}
+
+Texts figureTexts() {
+  Texts texts;
+  FigureOptions options;
+  options.realizations = 2;
+  for (const FigureEntry& entry : figureEntries()) {
+    const Figure figure = makeFigure(entry.name, options);
+    texts.insert({std::string(entry.headline), figure.scene.title});
+    add(texts, figure.sheet);
+    for (const Claim& claim : figure.claims)
+      texts.insert(
+          {claim.where, claim.claim, claim.quantity, claim.criterion, claim.note, claim.scheme});
+  }
+  return texts;
+}
+
+Texts diagramTexts() {
+  Texts texts;
+  for (Scene& scene : shippedScenes()) {
+    if (scene.sliding.kind == SlidingKind::Steady)
+      for (const std::int64_t realizations : {1, 20})
+        add(texts, curveSheet(scene, pointsOf(realizations)));
+    else
+      add(texts, transientSheet(scene, {}));
+  }
+  Scene scene;
+  scene.surface.elements = 64;
+  scene.sweep.points = 5;
+  scene.accuracy.targetRelativeError = 0.01;
+  WorkPrecisionOptions options;
+  options.lines = 2;
+  options.repeats = 1;
+  const WorkPrecision comparison = workPrecision(scene, options);
+  add(texts, workPrecisionSheet(comparison));
+  add(texts, standardErrorSheet(comparison));
+  add(texts, curveSheet(scene, pointsOf(20)));
+  addRegions(texts, scene);
+  addComparison(texts);
+  return texts;
+}
+
+}  // namespace asperity

@@ -1,0 +1,79 @@
+// How a text of core finds its translation: with numbers, as a list, sentence by sentence.
+#include "ui/language/translated.h"
+
+#include <gtest/gtest.h>
+
+#include "ui/language/language.h"
+#include "ui/language/words.h"
+
+namespace asperity {
+namespace {
+
+class Translated : public testing::Test {
+ protected:
+  Translated() { useLanguage("de"); }
+  ~Translated() override { useLanguage("en"); }
+};
+
+TEST_F(Translated, EnglishIsLeftAlone) {
+  useLanguage("en");
+  EXPECT_EQ(translated("mean of 200 lines \u00B1 standard error"),
+            "mean of 200 lines \u00B1 standard error");
+  EXPECT_EQ(inLanguage(std::string("0.5")), "0.5");
+}
+
+TEST_F(Translated, NumbersKeepTheirPlacesAndGetAComma) {
+  EXPECT_EQ(translated("mean of 200 lines \u00B1 standard error"),
+            "Mittel über 200 Linien \u00B1 Standardfehler");
+  EXPECT_EQ(translated("the indentation that carries 0.0034 N is sought"),
+            "die Eindringung, die 0,0034 N trägt, wird gesucht");
+}
+
+TEST_F(Translated, ListsOfValuesAreSetApartBySemicolons) {
+  EXPECT_EQ(translated("H = 0.7, h = 500 nm, \u03BB_r = 1.5e-3 m"),
+            "H = 0,7; h = 500 nm; \u03BB_r = 1,5e-3 m");
+}
+
+TEST_F(Translated, WhatNobodyTranslatedStaysAsItIs) {
+  EXPECT_EQ(translated("My tyre, 12.5 psi"), "My tyre, 12.5 psi");
+  EXPECT_FALSE(translationOf("My tyre, 12.5 psi"));
+}
+
+TEST_F(Translated, WhatFollowsANameIsTranslatedAlone) {
+  EXPECT_EQ(translated("My tyre; 6 lines of 200 elements, 8 velocities in each region"),
+            "My tyre; 6 Linien mit 200 Elementen; 8 Geschwindigkeiten je Bereich");
+}
+
+TEST_F(Translated, ASheetHasAllItsTexts) {
+  DiagramSheet sheet;
+  sheet.subtitle = "G = 10 MPa";
+  Diagram diagram;
+  diagram.x.title = "sliding velocity v";
+  diagram.series.push_back({"this line"});
+  sheet.diagrams = {diagram};
+  const DiagramSheet german = translated(sheet);
+  EXPECT_EQ(german.diagrams[0].x.title, "Gleitgeschwindigkeit v");
+  EXPECT_EQ(german.diagrams[0].series[0].name, "diese Linie");
+}
+
+TEST(Language, IsFoundFromTheNameOfALocale) {
+  EXPECT_EQ(languageFor("de"), "de");
+  EXPECT_EQ(languageFor("de_AT.UTF-8"), "de");
+  EXPECT_EQ(languageFor("en-GB"), "en");
+  EXPECT_EQ(languageFor("deutsch"), "");
+  EXPECT_EQ(languageFor("fr_FR"), "");
+  EXPECT_EQ(languageCodes(), "en, de");
+}
+
+TEST(Language, AnUnknownOneIsEnglish) {
+  useLanguage("fr");
+  EXPECT_EQ(presentLanguage(), "en");
+}
+
+TEST(Words, ValuesGoToTheirPlaces) {
+  EXPECT_EQ(filled("%2 of %1 %", {"a", "b"}), "b of a %");
+  EXPECT_EQ(filled("100 %", {}), "100 %");
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,126 @@
+// Whether German has every text: those of core, made by asking for them, and those of the sources,
+// as Qt's own tool finds them.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <map>
+
+#include "tests/ui/language/core_texts.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+
+namespace asperity {
+namespace {
+
+const QString kFolder = ASPERITY_RESOURCES_DIR "/translations/";
+
+/// Translations by context and source; unfinished ones are empty.
+using Messages = std::map<std::pair<QString, QString>, QString>;
+
+Messages messagesOf(const QString& path) {
+  Messages messages;
+  QFile file(path);
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+  QXmlStreamReader xml(&file);
+  QString context, source;
+  while (!xml.atEnd()) {
+    if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+    if (xml.name() == u"name") context = xml.readElementText();
+    if (xml.name() == u"source") source = xml.readElementText();
+    if (xml.name() != u"translation") continue;
+    const bool isDone = !xml.attributes().hasAttribute("type");
+    const QString text = xml.readElementText(QXmlStreamReader::IncludeChildElements);
+    messages[{context, source}] = isDone ? text : QString();
+  }
+  EXPECT_FALSE(xml.hasError()) << path.toStdString() << xml.errorString().toStdString();
+  return messages;
+}
+
+QStringList placesIn(const QString& text) {
+  static const QRegularExpression place(QStringLiteral("%\\d+|%n|%p"));
+  QStringList places;
+  for (auto it = place.globalMatch(text); it.hasNext();) places += it.next().captured();
+  places.sort();
+  places.removeDuplicates();  // forms of the plural stand side by side
+  return places;
+}
+
+class German : public testing::Test {
+ protected:
+  German() { useLanguage("de"); }
+  ~German() override { useLanguage("en"); }
+
+  /// Those that have no translation, one a line.
+  static std::string missing(const std::set<std::string>& texts) {
+    EXPECT_GT(texts.size(), 20U);
+    std::string lines;
+    for (const std::string& text : texts)
+      if (!translationOf(text)) lines += text + "\n";
+    return lines;
+  }
+};
+
+TEST_F(German, HasTheTableOfParameters) {
+  EXPECT_EQ(missing(tableTexts()), "");
+}
+
+TEST_F(German, HasTheShippedScenes) {
+  EXPECT_EQ(missing(sceneTexts()), "");
+}
+
+TEST_F(German, HasThePlans) {
+  EXPECT_EQ(missing(planTexts()), "");
+}
+
+TEST_F(German, HasTheRefusalsOfValues) {
+  EXPECT_EQ(missing(refusalTexts()), "");
+}
+
+TEST_F(German, HasTheFiguresAndTheirClaims) {
+  EXPECT_EQ(missing(figureTexts()), "");
+}
+
+TEST_F(German, HasTheDiagrams) {
+  EXPECT_EQ(missing(diagramTexts()), "");
+}
+
+TEST(Translations, AreFinishedAndKeepThePlacesOfValues) {
+  for (const char* name : {"asperity_de.ts", "core_de.ts"}) {
+    const Messages messages = messagesOf(kFolder + name);
+    EXPECT_FALSE(messages.empty()) << name;
+    for (const auto& [key, translation] : messages) {
+      EXPECT_FALSE(translation.isEmpty()) << key.second.toStdString();
+      EXPECT_EQ(placesIn(key.second), placesIn(translation)) << key.second.toStdString();
+    }
+  }
+}
+
+TEST(Translations, HaveEveryTextOfTheSources) {
+  const QString tool = ASPERITY_LUPDATE;
+  if (tool.isEmpty()) GTEST_SKIP() << "lupdate (Debian: qt6-l10n-tools) is not installed";
+  const QTemporaryDir folder;
+  const QString found = folder.filePath("found.ts");
+  QProcess process;
+  process.setWorkingDirectory(ASPERITY_SOURCE_DIR);
+  process.start(tool, {"-silent", "-I", ".", "ui", "app", "-ts", found});
+  ASSERT_TRUE(process.waitForFinished(60000));
+  ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+  const Messages messages = messagesOf(kFolder + "asperity_de.ts");
+  const Messages sources = messagesOf(found);
+  EXPECT_GT(sources.size(), 100U);
+  for (const auto& [key, text] : sources)
+    EXPECT_TRUE(key.first == "Words" || key.first.startsWith("asperity::"))
+        << "a tr() outside of a class is found in no context: " << key.second.toStdString();
+  for (const auto& [key, text] : sources)
+    EXPECT_TRUE(messages.contains(key))
+        << "not in asperity_de.ts: " << key.first.toStdString() << ": " << key.second.toStdString();
+  for (const auto& [key, text] : messages)
+    EXPECT_TRUE(sources.contains(key)) << "no longer shown: " << key.second.toStdString();
+}
+
+}  // namespace
+}  // namespace asperity

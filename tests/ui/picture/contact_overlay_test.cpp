@@ -1,0 +1,159 @@
+// Colour scales of the contact picture and its force arrows.
+#include "ui/picture/contact_overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sample_frame.h"
+#include "ui/picture/colours.h"
+#include "ui/picture/contact_forces.h"
+#include "ui/picture/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+double luminance(const Rgba& colour) {
+  return 0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b;
+}
+
+/// Readable with any colour vision: lightness alone orders the values.
+TEST(Overlay, MapsAreOrderedByLightness) {
+  for (int i = 0; i < 100; ++i) {
+    const float a = static_cast<float>(i) / 100, b = static_cast<float>(i + 1) / 100;
+    EXPECT_LT(luminance(pressureColour(a)), luminance(pressureColour(b))) << i;
+    EXPECT_GT(luminance(ageColour(a)), luminance(ageColour(b))) << i;
+  }
+}
+
+TEST(Overlay, ScalesAreLinearButForPower) {
+  const ColourScale pressure{ContactOverlay::Pressure, 200}, power{ContactOverlay::Power, 5};
+  EXPECT_FLOAT_EQ(pressure.share(50), 0.25F);
+  EXPECT_FLOAT_EQ(pressure.share(1000), 1);
+  EXPECT_FLOAT_EQ(power.share(5), 1);
+  EXPECT_FLOAT_EQ(power.share(5e-3), 0);
+  EXPECT_NEAR(power.share(0.05), 1.0 / 3, 1e-6);
+  EXPECT_EQ(power.share(0), 0);
+  EXPECT_EQ(pressure.share(NAN), 0);
+}
+
+/// Each tick stands where its value's colour is.
+TEST(Overlay, LegendSpansTheBar) {
+  for (const ContactOverlay overlay :
+       {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power}) {
+    const ColourScale scale{overlay, 4e-3};
+    const std::vector<LegendTick> ticks = scale.ticks(6);
+    ASSERT_GE(ticks.size(), 3U);
+    EXPECT_EQ(ticks.front().share, 0);
+    EXPECT_EQ(ticks.back().share, 1);
+    for (std::size_t i = 1; i < ticks.size(); ++i) EXPECT_GT(ticks[i].share, ticks[i - 1].share);
+  }
+  EXPECT_EQ((ColourScale{ContactOverlay::Relaxation, 4e-3}).ticks(6).back().label, "4 ms");
+  EXPECT_EQ((ColourScale{ContactOverlay::Power, 5}).ticks(6)[1].label, "50 mW/m");
+}
+
+TEST(Overlay, ScaleFitsTheFrameAndKeepsStill) {
+  Frame frame = *sampleFrame({});
+  frame.power.assign(frame.pressure.size(), 0.7);
+  const double end = scaleEnd(frame, ContactOverlay::Power, 0);
+  EXPECT_GE(end, 0.7);
+  EXPECT_LE(end, 1.5);
+  frame.power.assign(frame.pressure.size(), 0.6);
+  EXPECT_EQ(scaleEnd(frame, ContactOverlay::Power, end), end);
+  frame.power.assign(frame.pressure.size(), 70);
+  EXPECT_GE(scaleEnd(frame, ContactOverlay::Power, end), 70);
+  frame.power.clear();
+  EXPECT_EQ(scaleEnd(frame, ContactOverlay::Power, 0), 0);
+}
+
+/// After a few relaxation times nothing is to be seen; infinite ages have no say.
+TEST(Overlay, AgesEndWithTheRelaxation) {
+  Frame frame = *sampleFrame({});
+  frame.sinceContact.assign(frame.pressure.size(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(scaleEnd(frame, ContactOverlay::Relaxation, 0), 0);
+  frame.sinceContact[3] = 2e-3;
+  EXPECT_NEAR(scaleEnd(frame, ContactOverlay::Relaxation, 0), 2e-3, 1e-12);
+  frame.sinceContact[4] = 1;
+  EXPECT_NEAR(scaleEnd(frame, ContactOverlay::Relaxation, 0),
+              4 * frame.scene->elastomer.relaxationTime, 1e-12);
+}
+
+TEST(Overlay, AsksOnlyForWhatItShows) {
+  EXPECT_EQ(fieldsFor(ContactOverlay::Pressure), FrameFields{});
+  EXPECT_EQ(fieldsFor(ContactOverlay::None), FrameFields{});
+  EXPECT_TRUE(fieldsFor(ContactOverlay::Relaxation).sinceContact);
+  EXPECT_TRUE(fieldsFor(ContactOverlay::Power).power);
+}
+
+TEST(Overlay, WithoutItsFieldThereIsNoLegend) {
+  ContactPictureOptions options;
+  options.overlay = ContactOverlay::Power;
+  for (const DrawText& text : composeContact(*sampleFrame({}), options).texts)
+    EXPECT_EQ(text.utf8.find("power"), std::string::npos);
+}
+
+/// At most two vertices a pixel column and curve, whatever is coloured.
+TEST(Overlay, CostDoesNotGrowWithThePoints) {
+  for (const ContactOverlay overlay :
+       {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power}) {
+    SampleOptions sample;
+    sample.points = 200000;
+    sample.hurst = 2;  // few modes to sum up
+    Frame frame;
+    frame.length = 0.02;
+    frame.spacing = 1e-7;
+    for (int i = 0; i < 200000; ++i) {
+      frame.lineHeight.push_back(1e-6 * std::sin(0.01 * i) + 1e-7 * std::sin(3.0 * i));
+      frame.surfaceHeight.push_back(std::min(0.0, frame.lineHeight.back()));
+      frame.pressure.push_back(frame.lineHeight.back() < 0 ? 1 + (i % 7) : 0);
+      frame.sinceContact.push_back(i % 100 * 1e-6);
+      frame.power.push_back(0.1 * (i % 13));
+    }
+    ContactPictureOptions options;
+    options.overlay = overlay;
+    const Clip plot = contactPlotArea(frame, options);
+    for (const DrawLayer& layer : composeContact(frame, options).layers)
+      for (const DrawLine& line : layer.lines)
+        EXPECT_LE(line.vertices.size(), 2 * static_cast<std::size_t>(plot.width) + 8);
+  }
+}
+
+ForceArrows arrowsOf(const Frame& frame) {
+  return forceArrows(frame, layoutContact(frame, {}, 60));
+}
+
+/// One scale and a stated factor: their lengths are in the ratio of the forces times that.
+TEST(ForceArrows, AreInScale) {
+  Frame frame = *sampleFrame({});
+  const ForceArrows usual = arrowsOf(frame);
+  ASSERT_GT(usual.down, 20);
+  EXPECT_NEAR(usual.sideways / usual.down, usual.enlarged * frame.muSteady, 1e-5);
+  EXPECT_FALSE(usual.pointsRight);
+  frame.muSteady *= 0.5;  // slower: the arrow shrinks with its force, by the same factor
+  EXPECT_EQ(arrowsOf(frame).enlarged, usual.enlarged);
+  EXPECT_NEAR(arrowsOf(frame).sideways, 0.5F * usual.sideways, 1e-4);
+}
+
+TEST(ForceArrows, StayInThePlotWhateverTheForces) {
+  Frame frame = *sampleFrame({});
+  for (const double mu : {1e-9, 1e-3, 0.1, 7.0, 1e4}) {
+    frame.muSteady = mu;
+    const ForceArrows arrows = arrowsOf(frame);
+    EXPECT_LE(arrows.sideways, 0.31 * 1280);
+    EXPECT_NEAR(arrows.sideways, arrows.down * mu * arrows.enlarged, 1e-3 * arrows.sideways + 1e-9);
+    EXPECT_GE(arrows.enlarged, 1);
+  }
+}
+
+TEST(ForceArrows, NoForceNoArrow) {
+  Frame frame = *sampleFrame({});
+  frame.muSteady = kNotApplicable;
+  EXPECT_EQ(arrowsOf(frame).sideways, 0);
+  frame.normalForce = 0;
+  EXPECT_EQ(arrowsOf(frame).down, 0);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,159 @@
+// Everything that can be reached has a name, keys belong to one command each, and the sheet of
+// shortcuts says all of them.
+#include <gtest/gtest.h>
+
+#include <QAccessible>
+#include <QDialog>
+#include <QLabel>
+#include <QMap>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTabWidget>
+
+#include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/window/gallery_page.h"
+#include "ui/window/shortcut_sheet.h"
+
+namespace asperity {
+namespace {
+
+using AccessibilityTest = MainWindowTest;
+
+QString nameOf(QWidget* widget) {
+  QAccessibleInterface* face = QAccessible::queryAccessibleInterface(widget);
+  return face ? face->text(QAccessible::Name) : QString();
+}
+
+QString pathOf(const QWidget* widget) {
+  QString path;
+  for (; widget; widget = widget->parentWidget())
+    path = QStringLiteral("%1(%2)/").arg(widget->metaObject()->className(), widget->objectName()) +
+           path;
+  return path;
+}
+
+/// Parts of a control of Qt's that stand for it and speak through it.
+bool isInsideOfAControl(const QWidget* widget) {
+  const QString name = widget->objectName();
+  const bool isCorner = qstrcmp(widget->metaObject()->className(), "QTableCornerButton") == 0;
+  const QWidget* parent = widget->parentWidget();
+  const bool isList =
+      parent && qstrcmp(parent->metaObject()->className(), "QComboBoxPrivateContainer") == 0;
+  return isCorner || isList || name.startsWith("qt_") || name.startsWith("ScrollLeft") ||
+         name.startsWith("ScrollRight");
+}
+
+TEST_F(AccessibilityTest, WhatTakesTheFocusHasAName) {
+  window_.gallery();
+  int count = 0;
+  for (QWidget* widget : window_.findChildren<QWidget*>()) {
+    if (widget->focusPolicy() == Qt::NoFocus || isInsideOfAControl(widget)) continue;
+    const auto* label = qobject_cast<QLabel*>(widget);
+    if (label && !label->isVisible()) continue;  // its text is its name
+    ++count;
+    EXPECT_FALSE(nameOf(widget).isEmpty()) << pathOf(widget).toStdString();
+  }
+  EXPECT_GT(count, 80);
+}
+
+TEST_F(AccessibilityTest, ButtonsWithoutFocusHaveNamesToo) {
+  for (QAbstractButton* button : window_.findChildren<QAbstractButton*>()) {
+    if (isInsideOfAControl(button)) continue;
+    EXPECT_FALSE(nameOf(button).isEmpty()) << pathOf(button).toStdString();
+    EXPECT_NE(nameOf(button), QStringLiteral("✕"));
+  }
+}
+
+TEST_F(AccessibilityTest, EveryCommandHasAText) {
+  int count = 0;
+  for (const QAction* each : window_.findChildren<QAction*>()) {
+    if (each->isSeparator()) continue;
+    // A line edit's own, and what stands for a widget in a tool bar.
+    if (each->objectName().startsWith("_q_") || each->inherits("QWidgetAction")) continue;
+    // What does not fit into the bar goes into a menu of its own.
+    const auto* bar = each->menu() ? qobject_cast<QMenuBar*>(each->parent()->parent()) : nullptr;
+    if (bar && !bar->actions().contains(const_cast<QAction*>(each))) continue;
+    ++count;
+    EXPECT_FALSE(each->text().isEmpty())
+        << each->objectName().toStdString() << " of "
+        << pathOf(qobject_cast<QWidget*>(each->parent())).toStdString();
+  }
+  EXPECT_GT(count, 50);
+}
+
+TEST_F(AccessibilityTest, AKeyBelongsToOneCommand) {
+  QMap<QString, QString> owners;
+  for (const QAction* each : window_.actions())
+    for (const QKeySequence& key : each->shortcuts()) {
+      EXPECT_FALSE(owners.contains(key.toString()))
+          << key.toString().toStdString() << ": " << each->text().toStdString() << " and "
+          << owners[key.toString()].toStdString();
+      owners[key.toString()] = each->text();
+    }
+  EXPECT_GT(owners.size(), 20);
+}
+
+TEST_F(AccessibilityTest, TheSheetSaysEveryKey) {
+  QStringList said;
+  for (const ShortcutGroup& group : shortcutGroups(window_)) {
+    EXPECT_FALSE(group.title.isEmpty());
+    for (const ShortcutGroup::Entry& entry : group.entries) said += entry.keys;
+  }
+  for (const QAction* each : window_.findChildren<QAction*>())
+    for (const QKeySequence& key : each->shortcuts())
+      if (window_.actions().contains(const_cast<QAction*>(each))) {
+        const QString text = key.toString(QKeySequence::NativeText);
+        EXPECT_TRUE(std::ranges::any_of(said, [&](const QString& keys) {
+          return keys.split(" or ").contains(text);
+        })) << text.toStdString();
+      }
+  auto* extra = new QAction("Something new…", &window_);
+  extra->setShortcut(Qt::CTRL | Qt::ALT | Qt::Key_J);
+  window_.addAction(extra);
+  const QList<ShortcutGroup> groups = shortcutGroups(window_);
+  const auto more = std::ranges::find(groups, "More", &ShortcutGroup::title);
+  ASSERT_NE(more, groups.end());
+  EXPECT_EQ(more->entries.last().text, "Something new");
+  EXPECT_EQ(more->entries.last().keys, "Ctrl+Alt+J");
+}
+
+TEST_F(AccessibilityTest, TheSheetOpensByItsKeysAndClosesByEscape) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  for (const Qt::Key key : {Qt::Key_F1, Qt::Key_Question}) {
+    QTest::keyClick(&window_, key);
+    auto* sheet = window_.findChild<QDialog*>("shortcutSheet");
+    ASSERT_TRUE(sheet);
+    EXPECT_TRUE(sheet->isVisible());
+    bool hasUndo = false;
+    for (const QLabel* label : sheet->findChildren<QLabel*>())
+      hasUndo = hasUndo || label->text() == "Ctrl+Z";
+    EXPECT_TRUE(hasUndo);
+    QTest::keyClick(sheet, Qt::Key_Escape);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_FALSE(window_.findChild<QDialog*>("shortcutSheet"));
+  }
+}
+
+/// From the first parameter down, slider and entry of each row in turn.
+TEST_F(AccessibilityTest, TabGoesThroughThePanelFromTopToBottom) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  auto& first = control<ValueSlider>("slider:sliding.velocity");
+  first.setFocus();
+  int row = 0;
+  for (int i = 0; i < 12; ++i) {
+    QWidget* before = QApplication::focusWidget();
+    ASSERT_TRUE(before);
+    QTest::keyClick(before, Qt::Key_Tab);
+    QWidget* now = QApplication::focusWidget();
+    ASSERT_TRUE(now && window_.panel().isAncestorOf(now)) << pathOf(now).toStdString();
+    const int y = now->mapTo(&window_.panel(), QPoint(0, now->height() / 2)).y();
+    const int was = before->mapTo(&window_.panel(), QPoint(0, before->height() / 2)).y();
+    EXPECT_GE(y, was - 2) << pathOf(now).toStdString();
+    row += y > was + 2;
+  }
+  EXPECT_GE(row, 5);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,216 @@
+// The contact view driven as by hands: wheel, drag, pinch, keys, menu.
+#include "ui/window/contact_canvas.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "core/run/steady_frames.h"
+#include "qt_application.h"
+#include "ui/window/contact_view_actions.h"
+
+namespace asperity {
+namespace {
+
+std::shared_ptr<const Frame> frameOf(std::int64_t index = 0) {
+  Scene scene;
+  scene.surface.elements = 500;
+  scene.load.normalForce = 0.1;
+  static const SteadyFrames frames(std::make_shared<const Scene>(scene));
+  return std::make_shared<const Frame>(frames.frame(index, 60, 25));
+}
+
+class ContactCanvasTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    canvas_.resize(900, 500);
+    addContactViewActions(canvas_, menu_);
+    canvas_.setFrame(frameOf());
+    canvas_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&canvas_));
+  }
+
+  ContactView view() const { return canvas_.viewer().options().view; }
+
+  QPointF place(double along, double up) const {
+    const QRectF plot = canvas_.plotArea();
+    return {plot.left() + along * plot.width(), plot.bottom() - up * plot.height()};
+  }
+
+  void turnWheel(QPointF at, int steps, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWheelEvent event(at, canvas_.mapToGlobal(at), {}, {0, 120 * steps}, Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&canvas_, &event);
+  }
+
+  QAction& action(const char* name) { return *canvas_.findChild<QAction*>(name); }
+
+  ContactCanvas canvas_;
+  QMenu menu_;
+};
+
+TEST_F(ContactCanvasTest, PlotAreaIsInsideTheWidget) {
+  EXPECT_TRUE(QRectF(canvas_.rect()).contains(canvas_.plotArea()));
+  EXPECT_GT(canvas_.plotArea().width(), 600);
+}
+
+/// With large texts the plot is elsewhere, and the cursor with it.
+TEST_F(ContactCanvasTest, CursorMeetsThePlotAtAnyTextSize) {
+  canvas_.setTextScale(1.6);
+  QTest::mouseMove(&canvas_, place(0.25, 0.5).toPoint());
+  ASSERT_TRUE(canvas_.viewer().reading());
+  EXPECT_NEAR(*canvas_.viewer().pointer(), 0.25 * frameOf()->length, 0.003 * frameOf()->length);
+  ContactPictureOptions options = canvas_.viewer().options();
+  options.width = canvas_.width();
+  options.height = canvas_.height();
+  options.scale = 1.6F;
+  EXPECT_EQ(contactPlotArea(*canvas_.frame(), options).x, canvas_.plotArea().x());
+}
+
+TEST_F(ContactCanvasTest, WheelZoomsAtTheCursor) {
+  const QPointF at = place(0.7, 0.4);
+  const double x = view().left + 0.7 * view().width;
+  turnWheel(at, 4);
+  EXPECT_NEAR(view().width, frameOf()->length / std::pow(1.25, 4), 1e-9);
+  // The axis' labels may have moved the plot by some pixels.
+  EXPECT_NEAR(view().left + 0.7 * view().width, x, 0.02 * view().width);
+  turnWheel(at, -20);
+  EXPECT_TRUE(canvas_.viewer().navigation().isFitted());
+}
+
+TEST_F(ContactCanvasTest, WheelWithControlExaggeratesAndWithShiftMoves) {
+  const ContactView before = view();
+  turnWheel(place(0.5, 0.5), 2, Qt::ControlModifier);
+  EXPECT_EQ(view().width, before.width);
+  EXPECT_NEAR((before.top - before.bottom) / (view().top - view().bottom), 1.5625, 1e-6);
+  turnWheel(place(0.5, 0.5), 6);
+  const double left = view().left, width = view().width;
+  turnWheel(place(0.5, 0.5), 1, Qt::ShiftModifier);
+  EXPECT_NEAR(std::remainder(view().left - left + 0.1 * width, frameOf()->length), 0, 1e-9);
+  EXPECT_EQ(view().width, width);
+}
+
+TEST_F(ContactCanvasTest, DraggingMovesWhatIsUnderTheCursor) {
+  turnWheel(place(0.5, 0.5), 6);
+  const ContactView before = view();
+  const QPoint from = place(0.5, 0.5).toPoint(), to = from + QPoint(100, 0);
+  QTest::mousePress(&canvas_, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&canvas_, to);
+  QTest::mouseRelease(&canvas_, Qt::LeftButton, {}, to);
+  const double moved = 100 / canvas_.plotArea().width() * before.width;
+  EXPECT_NEAR(std::remainder(view().left - before.left + moved, frameOf()->length), 0,
+              0.02 * moved);
+  QTest::mouseMove(&canvas_, from);  // no longer held
+  EXPECT_NEAR(std::remainder(view().left - before.left + moved, frameOf()->length), 0,
+              0.02 * moved);
+}
+
+TEST_F(ContactCanvasTest, DoubleClickShowsAll) {
+  turnWheel(place(0.5, 0.5), 6);
+  QTest::mouseDClick(&canvas_, Qt::LeftButton, {}, place(0.4, 0.5).toPoint());
+  EXPECT_TRUE(canvas_.viewer().navigation().isFitted());
+}
+
+TEST_F(ContactCanvasTest, CursorReadsAndLeavingEndsIt) {
+  QSignalSpy wanted(&canvas_, &ContactCanvas::fieldsWanted);
+  QTest::mouseMove(&canvas_, place(0.25, 0.5).toPoint());
+  ASSERT_TRUE(canvas_.viewer().reading());
+  EXPECT_NEAR(*canvas_.viewer().pointer(), 0.25 * frameOf()->length, 0.002 * frameOf()->length);
+  ASSERT_EQ(wanted.count(), 1);  // the slopes, once
+  EXPECT_TRUE(canvas_.fields().lineSlope);
+  QTest::mouseMove(&canvas_, {2, 2});  // in the header
+  EXPECT_FALSE(canvas_.viewer().reading());
+  EXPECT_EQ(wanted.count(), 2);
+}
+
+TEST_F(ContactCanvasTest, KeysMoveZoomAndRead) {
+  const ContactView whole = view();
+  for (int i = 0; i < 3; ++i) action("zoomIn").trigger();
+  EXPECT_NEAR(view().width, whole.width / std::pow(1.25, 3), 1e-9);
+  const double left = view().left;
+  QTest::keyClick(&canvas_, Qt::Key_Right);
+  EXPECT_NEAR(std::remainder(view().left - left - 0.1 * view().width, whole.width), 0, 1e-9);
+  const double size = view().top - view().bottom;
+  QTest::keyClick(&canvas_, Qt::Key_Up, Qt::ShiftModifier);
+  EXPECT_NEAR(view().top - view().bottom, size / 1.25, 1e-12);
+  QTest::keyClick(&canvas_, Qt::Key_Right, Qt::ControlModifier);
+  ASSERT_TRUE(canvas_.viewer().reading());
+  const std::size_t point = canvas_.viewer().reading()->point;
+  QTest::keyClick(&canvas_, Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(canvas_.viewer().reading()->point + 10, point);
+  EXPECT_TRUE(canvas_.accessibleDescription().contains("slope"));
+  QTest::keyClick(&canvas_, Qt::Key_Escape);
+  EXPECT_FALSE(canvas_.viewer().reading());
+  action("zoomFit").trigger();
+  EXPECT_TRUE(canvas_.viewer().navigation().isFitted());
+}
+
+TEST_F(ContactCanvasTest, CommandsSwitchAndShowWhatIsOn) {
+  action("magnify").trigger();
+  EXPECT_TRUE(canvas_.viewer().magnifies());
+  EXPECT_TRUE(action("magnify").isChecked());
+  action("followLine").trigger();
+  EXPECT_TRUE(canvas_.viewer().navigation().followsLine());
+  canvas_.magnify(false);
+  EXPECT_FALSE(action("magnify").isChecked());
+  action("steeper").trigger();
+  EXPECT_FALSE(canvas_.viewer().navigation().isFittedUp());
+  action("fitHeights").trigger();
+  EXPECT_TRUE(canvas_.viewer().navigation().isFittedUp());
+}
+
+TEST_F(ContactCanvasTest, ColoursAskForTheirFields) {
+  QSignalSpy wanted(&canvas_, &ContactCanvas::fieldsWanted);
+  menu_.findChild<QAction*>();
+  const auto trigger = [this](const char* name) {
+    for (QAction* one : canvas_.findChildren<QAction*>(name)) one->trigger();
+  };
+  trigger("overlay:power");
+  EXPECT_EQ(canvas_.viewer().overlay(), ContactOverlay::Power);
+  ASSERT_EQ(wanted.count(), 1);
+  EXPECT_TRUE(wanted.back()[0].value<FrameFields>().power);
+  action("nextOverlay").trigger();
+  EXPECT_EQ(canvas_.viewer().overlay(), ContactOverlay::None);
+  action("nextOverlay").trigger();
+  EXPECT_EQ(canvas_.viewer().overlay(), ContactOverlay::Pressure);
+  EXPECT_EQ(canvas_.fields(), FrameFields{});
+}
+
+TEST_F(ContactCanvasTest, EveryCommandSaysWhatItDoesAndKeysAreTheirOwn) {
+  QStringList keys;
+  for (const QAction* one : canvas_.findChildren<QAction*>()) {
+    if (one->isSeparator()) continue;
+    EXPECT_FALSE(one->text().isEmpty());
+    EXPECT_FALSE(one->toolTip().isEmpty());
+    for (const QKeySequence& key : one->shortcuts()) keys += key.toString();
+  }
+  const auto count = keys.size();
+  EXPECT_EQ(keys.removeDuplicates(), 0) << count;
+}
+
+/// Every change is drawn: the picture is another one.
+TEST_F(ContactCanvasTest, DrawsWhatIsChosen) {
+  ASSERT_FALSE(canvas_.backendName().isEmpty());
+  QSignalSpy painted(&canvas_, &ContactCanvas::painted);
+  const auto picture = [&] {
+    painted.clear();
+    canvas_.setFrame(frameOf());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !painted.empty(); }, 20000));
+    return canvas_.grab().toImage();
+  };
+  const QImage plain = picture();
+  action("magnify").trigger();
+  const QImage magnified = picture();
+  EXPECT_NE(plain, magnified);
+  turnWheel(place(0.5, 0.4), 5);
+  EXPECT_NE(magnified, picture());
+}
+
+}  // namespace
+}  // namespace asperity

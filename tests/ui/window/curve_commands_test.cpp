@@ -1,0 +1,262 @@
+// The friction diagram in the window: velocity from the marker and from points, pins, axes, files,
+// and how soon a new curve is there.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <cmath>
+
+#include "core/friction/ensemble.h"
+#include "core/scene/provenance.h"
+#include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/charts/plot_view.h"
+#include "ui/panels/value_slider.h"
+#include "ui/window/curve_commands.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/session.h"
+
+namespace asperity {
+namespace {
+
+class CurveCommandsTest : public MainWindowTest {
+ protected:
+  bool waitForCurve() {
+    return waitFor([this] {
+      return !session().friction().isStale() && plot().plot().progress >= 1 &&
+             !plot().plot().series.empty() && !plot().plot().series.back().faded &&
+             plot().plot().marker.has_value();
+    });
+  }
+  PlotView& plot() { return window_.plotView(); }
+  double velocity() { return session().scene().sliding.velocity; }
+  QPoint at(double x, double y) { return plot().positionOf(x, y).toPoint(); }
+  double middle() { return std::pow(10, 0.5 * (plot().window().y.from + plot().window().y.to)); }
+  void drag(QPoint from, QPoint to) {
+    QTest::mousePress(&plot(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 6; ++i) QTest::mouseMove(&plot(), from + (to - from) * i / 6);
+    QTest::mouseRelease(&plot(), Qt::LeftButton, {}, to);
+  }
+};
+
+TEST_F(CurveCommandsTest, DraggingTheMarkerSetsTheVelocityAndIsOneStepBack) {
+  ASSERT_TRUE(waitForCurve());
+  const double before = velocity();
+  drag(at(before, middle()), at(before / 37, middle()));
+  EXPECT_NEAR(velocity() / (before / 37), 1, 0.05);
+  EXPECT_EQ(window_.panel().scene().sliding.velocity, velocity());
+  ASSERT_TRUE(waitFor([this] { return plot().plot().marker->x == velocity(); }));
+  EXPECT_FALSE(session().friction().isStale()) << "the curve is the same";
+  action("undo").trigger();
+  EXPECT_EQ(velocity(), before);
+}
+
+TEST_F(CurveCommandsTest, ClickingAPointLoadsExactlyItsVelocity) {
+  ASSERT_TRUE(waitForCurve());
+  const std::vector<double> velocities = sweepVelocities(session().scene().sweep);
+  const PlotSeries series = plot().plot().series.back();
+  ASSERT_GT(series.points.size(), 3U);
+  const PlotPoint& point = series.points[1];
+  QTest::mouseClick(&plot(), Qt::LeftButton, {}, at(point.x, point.y));
+  EXPECT_EQ(velocity(), velocities[static_cast<std::size_t>(point.row)]);
+}
+
+TEST_F(CurveCommandsTest, ArrowKeysMoveTheVelocityWhereTheChartHasTheFocus) {
+  ASSERT_TRUE(waitForCurve());
+  const double before = velocity();
+  plot().setFocus();
+  QTest::keyClick(&plot(), Qt::Key_Left);
+  EXPECT_NEAR(velocity() / before, std::pow(10, -0.05), 1e-9);
+}
+
+TEST_F(CurveCommandsTest, PinsAreKeptComparedAndLetGo) {
+  ASSERT_TRUE(waitForCurve());
+  action("pinCurve").trigger();
+  Scene scene = session().scene();
+  scene.elastomer.shearModulus *= 2;
+  window_.editScene(scene);
+  ASSERT_TRUE(waitForCurve());
+  action("pinCurve").trigger();
+  ASSERT_EQ(session().friction().pinned().size(), 2U);
+  ASSERT_TRUE(waitFor([this] { return plot().plot().series.size() == 4; }));
+  EXPECT_EQ(plot().plot().series[1].name, QStringLiteral("G = 10 MPa"));
+
+  auto* menu = window_.findChild<QMenu*>("unpinMenu");
+  ASSERT_TRUE(menu);
+  emit menu->aboutToShow();
+  ASSERT_EQ(menu->actions().size(), 2);
+  EXPECT_EQ(menu->actions()[0]->text(), QStringLiteral("G = 10 MPa"));
+  menu->actions()[0]->trigger();
+  EXPECT_EQ(session().friction().pinned().size(), 1U);
+  action("unpinAll").trigger();
+  EXPECT_TRUE(session().friction().pinned().empty());
+  EXPECT_FALSE(action("unpinAll").isEnabled());
+}
+
+TEST_F(CurveCommandsTest, DimensionlessAxesStayWhileScenesChange) {
+  ASSERT_TRUE(waitForCurve());
+  action("dimensionlessAxes").trigger();
+  Scene scene = session().scene();
+  scene.load.normalForce *= 3;
+  window_.editScene(scene);
+  ASSERT_TRUE(waitForCurve());
+  EXPECT_TRUE(plot().plot().x.title.contains("∇z"));
+  const double from = velocity();
+  const double x = plot().plot().marker->x;
+  EXPECT_NE(x, from);
+  drag(at(x, middle()), at(x / 10, middle()));
+  EXPECT_NEAR(velocity() / (from / 10), 1, 0.05) << "the marker moves in the axis' own numbers";
+  action("dimensionlessAxes").trigger();
+  ASSERT_TRUE(waitFor([this] { return plot().plot().marker->x == velocity(); }));
+}
+
+TEST_F(CurveCommandsTest, WhatIsShownIsSavedInEveryFormatAndOpensAgain) {
+  ASSERT_TRUE(waitForCurve());
+  action("pinCurve").trigger();
+  Scene scene = session().scene();
+  scene.elastomer.shearModulus *= 2;
+  window_.editScene(scene);
+  ASSERT_TRUE(waitForCurve());
+  const QTemporaryDir folder;
+  for (const char* name : {"curve.png", "curve.svg", "curve.pdf", "curve.csv"}) {
+    QSignalSpy exported(&window_.curveCommands(), &CurveCommands::exported);
+    const QString file = folder.filePath(name);
+    window_.curveCommands().save(file);
+    ASSERT_TRUE(waitFor([&] { return exported.count() == 1; })) << name;
+    EXPECT_EQ(readProvenance(file.toStdString()).elastomer, scene.elastomer) << name;
+    QFile written(file);
+    ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+    const QByteArray bytes = written.readAll();
+    EXPECT_GT(bytes.size(), 1000);
+    const bool isTable = QString(name).endsWith("csv"), isText = QString(name).endsWith("svg");
+    EXPECT_EQ(bytes.contains("\npinned 1: G = 10 MPa,"), isTable) << name;
+    EXPECT_EQ(bytes.contains("linear") && bytes.contains("G = 10 MPa"), isText) << name;
+  }
+}
+
+TEST_F(CurveCommandsTest, AnUnknownFormatIsRefusedInTheBar) {
+  ASSERT_TRUE(waitForCurve());
+  const QTemporaryDir folder;
+  window_.curveCommands().save(folder.filePath("curve.xyz"));
+  ASSERT_TRUE(waitFor([this] { return window_.messages().isVisible(); }));
+  EXPECT_FALSE(QFile::exists(folder.filePath("curve.xyz")));
+}
+
+TEST_F(CurveCommandsTest, ThePictureGoesToTheClipboard) {
+  ASSERT_TRUE(waitForCurve());
+  QGuiApplication::clipboard()->clear();
+  QSignalSpy exported(&window_.curveCommands(), &CurveCommands::exported);
+  action("copyCurvePicture").trigger();
+  ASSERT_TRUE(waitFor([&] { return exported.count() == 1; }));
+  EXPECT_GE(QGuiApplication::clipboard()->image().width(), 900);
+}
+
+TEST_F(CurveCommandsTest, ASettingChosenInTheAccuracyPanelIsComparedBelowTheCurve) {
+  ASSERT_TRUE(waitForCurve());
+  control<QComboBox>("comparisonScheme").setCurrentIndex(static_cast<int>(Scheme::Linear));
+  control<QSpinBox>("comparisonOversampling").setValue(3);
+  control<QSpinBox>("comparisonLines").setValue(5);
+  EXPECT_FALSE(plot().plot().strip);
+  control<QCheckBox>("comparisonWanted").setChecked(true);
+  const auto isComplete = [this] {
+    const auto strip = session().plot().strip;
+    return strip && !strip->faded && strip->note.isEmpty();
+  };
+  ASSERT_TRUE(waitFor(isComplete));
+  EXPECT_TRUE(session().plot().strip->name.startsWith("linear x3, 5 lines"));
+  const auto own = frictionCurve(session().scene()).points;
+  const auto other = frictionCurve(withSetting(session().scene(), {Scheme::Linear, 3, 5})).points;
+  const PlotPoint shown = session().plot().strip->points[2];
+  EXPECT_NEAR(shown.y, 100 * (other[2].mu / own[2].mu - 1), 1e-6);
+  EXPECT_GT(shown.error, 0);
+
+  Scene scene = session().scene();
+  scene.load.normalForce *= 5;
+  window_.editScene(scene);
+  EXPECT_TRUE(session().plot().strip->faded) << "until that of the new scene is there";
+  ASSERT_TRUE(waitForCurve());
+  ASSERT_TRUE(waitFor(isComplete));
+  EXPECT_NE(session().plot().strip->points[2].y, shown.y);
+  ASSERT_TRUE(waitFor([this] { return plot().plot().strip == session().plot().strip; }));
+
+  control<QCheckBox>("comparisonWanted").setChecked(false);
+  ASSERT_TRUE(waitFor([this] { return !plot().plot().strip; }));
+}
+
+TEST_F(CurveCommandsTest, ATargetLeavesNothingToCompare) {
+  ASSERT_TRUE(waitForCurve());
+  control<QCheckBox>("comparisonWanted").setChecked(true);
+  ASSERT_TRUE(waitFor([this] { return plot().plot().strip.has_value(); }));
+  Scene scene = session().scene();
+  scene.accuracy.targetRelativeError = 0.1;
+  window_.editScene(scene);
+  EXPECT_FALSE(control<QWidget>("comparisonBox").isEnabled());
+  ASSERT_TRUE(waitFor([this] { return !plot().plot().strip; }));
+}
+
+/// Counts what is painted of the diagram while a fresh curve is the one to paint.
+class FreshPaints : public QObject {
+ public:
+  FreshPaints(Session& session, PlotView& view) : session_(session), view_(view) {
+    for (QWidget* part : view.findChildren<QWidget*>()) part->installEventFilter(this);
+  }
+  void start() {
+    fresh = 0;
+    clock.start();
+  }
+  int fresh = 0, mixed = 0;
+  double milliseconds = 0;  // from the start to the first of them
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() != QEvent::Paint) return false;
+    const bool isStale = session_.friction().isStale();
+    const Plot& plot = view_.plot();
+    if (plot.series.empty()) return false;
+    const bool fades = plot.series.back().faded;
+    for (const PlotSeries& series : plot.series)
+      if (!series.isPinned() && series.faded != fades) ++mixed;
+    if (isStale || fades) return false;
+    if (fresh == 0) milliseconds = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+    ++fresh;
+    return false;
+  }
+
+ private:
+  Session& session_;
+  PlotView& view_;
+  QElapsedTimer clock;
+};
+
+TEST_F(CurveCommandsTest, ASliderBringsANewCurveAtOnceAndNeverMixesItWithTheOld) {
+  window_.showScene(Scene{});  // the paper's size
+  ASSERT_TRUE(waitForCurve());
+  auto& slider = control<ValueSlider>("slider:elastomer.shear_modulus");
+  std::vector<double> milliseconds;
+  FreshPaints paints(session(), plot());
+  for (int i = 0; i < 20; ++i) {
+    QTest::qWait(20);
+    paints.start();
+    QTest::keyClick(&slider, i % 2 == 0 ? Qt::Key_Right : Qt::Key_Left);
+    ASSERT_TRUE(session().friction().isStale());
+    ASSERT_TRUE(waitFor([&] { return paints.fresh > 0; }));
+    milliseconds.push_back(paints.milliseconds);
+    EXPECT_EQ(*session().curve()->scene, session().scene());
+  }
+  EXPECT_EQ(paints.mixed, 0);
+  std::sort(milliseconds.begin(), milliseconds.end());
+  std::printf("from a slider to the first new curve painted: median %.1f ms, fastest %.1f ms\n",
+              milliseconds[milliseconds.size() / 2], milliseconds.front());
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,90 @@
+// Diagrams made in the background for the window's tabs.
+#include "ui/window/diagram_view.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTest>
+#include <atomic>
+#include <stdexcept>
+
+#include "core/run/line_diagrams.h"
+#include "qt_application.h"
+#include "ui/window/main_window.h"
+#include "ui/window/session.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kWait = 20000;  // ms, at most
+
+TEST(DiagramView, MakesNothingUntilItIsSeen) {
+  DiagramView view;
+  view.resize(600, 300);
+  std::atomic<int> made = 0;
+  view.show([&made] {
+    ++made;
+    return spectrumSheet({});
+  });
+  EXPECT_EQ(made, 0);
+  QSignalSpy seen(&view, &DiagramView::visibilityChanged);
+  view.QWidget::show();
+  EXPECT_EQ(seen.count(), 1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.isPainted(); }, kWait));
+  EXPECT_GE(made, 1);
+  EXPECT_EQ(view.image().size(), view.size());
+}
+
+TEST(DiagramView, ShowsTheNewestOfManyWishes) {
+  DiagramView view;
+  view.resize(500, 260);
+  view.QWidget::show();
+  std::atomic<int> last = -1, made = 0;
+  for (int i = 0; i < 50; ++i)
+    view.show([&, i] {
+      ++made;
+      last = i;
+      return spectrumSheet({});
+    });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.isPainted() && last == 49; }, kWait));
+  EXPECT_LT(made, 10);
+}
+
+TEST(DiagramView, SaysWhatCannotBeMade) {
+  DiagramView view;
+  view.resize(500, 260);
+  view.QWidget::show();
+  view.show([]() -> DiagramSheet { throw std::runtime_error("no such profile"); });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.isPainted(); }, kWait));
+  const QImage complaint = view.image();
+  view.show([] { return spectrumSheet({}); });  // and goes on
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.isPainted(); }, kWait));
+  EXPECT_NE(complaint, view.image());
+}
+
+TEST(DiagramView, TabsShowSpectrumAndStatisticsOfTheScene) {
+  Scene scene;
+  scene.surface.elements = 300;
+  scene.ensemble.realizations = 2;
+  MainWindow window(scene);
+  window.show();
+  auto* tabs = window.findChild<QTabWidget*>("tabs");
+  for (const char* name : {"spectrumView", "statisticsView"}) {
+    auto* view = window.findChild<DiagramView*>(name);
+    ASSERT_TRUE(view);
+    tabs->setCurrentWidget(view);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view->image().width() > 0; }, kWait)) << name;
+  }
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        const auto frame = window.session().frame();
+        return frame && !frame->lineSlope.empty();
+      },
+      kWait));
+  tabs->setCurrentIndex(0);  // slopes are no longer wanted
+  EXPECT_TRUE(QTest::qWaitFor([&] { return window.session().frame()->lineSlope.empty(); }, kWait));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,117 @@
+// The status bar: what it says of the curve at the present velocity, and the button that stops the
+// averaging.
+#include <gtest/gtest.h>
+
+#include <QProgressBar>
+#include <QToolButton>
+#include <cmath>
+
+#include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/window/curve_reading.h"
+#include "ui/window/status_line.h"
+
+namespace asperity {
+namespace {
+
+using StatusTest = MainWindowTest;
+
+Frame frameAt(double velocity, double contactFraction = 0.1) {
+  Scene scene;
+  scene.sliding.velocity = velocity;
+  Frame frame;
+  frame.scene = std::make_shared<const Scene>(scene);
+  frame.contactFraction = contactFraction;
+  return frame;
+}
+
+/// mu = v up to 1 m/s, then 1.
+CurveUpdate bentCurve() {
+  CurveUpdate curve;
+  curve.scene = std::make_shared<const Scene>();
+  curve.realizationsDone = curve.realizationsTotal = 10;
+  for (int i = -20; i <= 20; ++i) {
+    CurvePoint point;
+    point.velocity = std::pow(10, 0.2 * i);
+    point.mu = point.velocity / std::sqrt(1 + point.velocity * point.velocity);
+    point.muStandardError = 0.01 * point.mu;
+    point.realizations = 10;
+    curve.points.push_back(point);
+  }
+  return curve;
+}
+
+TEST(CurveReading, IsTheCurvesAtItsPointsAndBetweenThem) {
+  const CurveUpdate curve = bentCurve();
+  const CurvePoint& point = curve.points[7];
+  const CurveReading at = readCurve(frameAt(point.velocity), &curve);
+  EXPECT_EQ(at.mu, point.mu);
+  EXPECT_EQ(at.error, point.muStandardError);
+  const CurveReading between = readCurve(frameAt(1.2e-3), &curve);
+  EXPECT_NEAR(between.mu, 1.2e-3, 1e-8);
+  EXPECT_NEAR(between.error, 1.2e-5, 1e-6);
+}
+
+TEST(CurveReading, SaysNothingOutsideOfTheCurveOrWithoutOne) {
+  const CurveUpdate curve = bentCurve();
+  for (const double velocity : {0.0, 1e-9, 1e9})
+    EXPECT_FALSE(std::isfinite(readCurve(frameAt(velocity), &curve).mu));
+  EXPECT_FALSE(std::isfinite(readCurve(frameAt(1), nullptr).mu));
+}
+
+TEST(CurveReading, NamesTheRegime) {
+  const CurveUpdate curve = bentCurve();
+  EXPECT_EQ(readCurve(frameAt(1e-3), &curve).regime, "region I, linear");
+  EXPECT_EQ(readCurve(frameAt(1e3), &curve).regime, "region III, plateau");
+  EXPECT_EQ(readCurve(frameAt(0), &curve).regime, "at rest");
+  EXPECT_EQ(readCurve(frameAt(1e-3, 1), &curve).regime, "full contact");
+  CurveUpdate half = curve;
+  half.realizationsDone = 5;
+  EXPECT_EQ(readCurve(frameAt(1e-3), &half).regime, "");
+}
+
+TEST_F(StatusTest, SaysRegimeMeanAndRateOfTheCurve) {
+  ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+  ASSERT_TRUE(waitForFrame());
+  ASSERT_TRUE(waitFor([&] { return fact("factMu").contains(QStringLiteral("±")); }));
+  EXPECT_TRUE(fact("factMu").contains("mean"));
+  ASSERT_TRUE(waitFor([&] { return fact("factSimulations").endsWith(" simulations/s"); }));
+  EXPECT_GT(session().simulationsPerSecond(), 0);
+  ASSERT_TRUE(waitFor([&] { return !control<QProgressBar>("workProgress").isVisible(); }));
+  EXPECT_FALSE(control<QToolButton>("workStop").isVisible());
+}
+
+TEST_F(StatusTest, ALongCurveIsStoppedAndBegunAnew) {
+  Scene endless = smallScene();
+  endless.surface.elements = 5000;
+  endless.ensemble.realizations = 1000000;
+  window_.showScene(endless);
+  auto& button = control<QToolButton>("workStop");
+  auto& progress = control<QProgressBar>("workProgress");
+  ASSERT_TRUE(waitFor([&] { return session().curve() && button.isVisible(); }));
+  EXPECT_TRUE(progress.isVisible());
+  QTest::mouseClick(&button, Qt::LeftButton);
+  EXPECT_EQ(session().averaging(), Session::Averaging::Stopped);
+  ASSERT_TRUE(waitFor([&] { return button.text() == QStringLiteral("↻"); }));
+  EXPECT_TRUE(session().curve());  // what is there stays
+  QTest::mouseClick(&button, Qt::LeftButton);
+  EXPECT_EQ(session().averaging(), Session::Averaging::Running);
+  ASSERT_TRUE(waitFor([&] { return session().curve() != nullptr; }));
+}
+
+TEST(StatusLine, WaitingCanBeLeft) {
+  StatusLine line;
+  int back = 0;
+  QObject::connect(&line, &StatusLine::backWanted, [&] { ++back; });
+  line.showWork({Work::State::Waiting, 0, 0});
+  auto* button = line.findChild<QToolButton*>("workStop");
+  EXPECT_FALSE(button->isHidden());
+  EXPECT_TRUE(button->toolTip().contains("Making the line"));
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(back, 1);
+  line.showWork({});
+  EXPECT_TRUE(button->isHidden());
+}
+
+}  // namespace
+}  // namespace asperity

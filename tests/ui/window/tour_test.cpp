@@ -1,0 +1,135 @@
+// The guided tour: every step runs, what is tried in it is play, and it is offered once.
+#include "ui/window/tour.h"
+
+#include <gtest/gtest.h>
+
+#include <QDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QToolButton>
+#include <cmath>
+
+#include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/scene_document.h"
+#include "ui/window/scene_library.h"
+#include "ui/window/tour_bar.h"
+
+namespace asperity {
+namespace {
+
+class TourTest : public MainWindowTest {
+ protected:
+  TourTest() { QSettings().clear(); }
+
+  QWidget& bar() { return control<QWidget>("tourBar"); }
+  QPushButton& button(const char* name) { return control<QPushButton>(name); }
+  QString said() { return control<QLabel>("tourText").text(); }
+  void click(const char* name) { QTest::mouseClick(&button(name), Qt::LeftButton); }
+};
+
+TEST_F(TourTest, SixStepsEachWithASceneThatRuns) {
+  ASSERT_EQ(tourSteps().size(), 6U);
+  EXPECT_FALSE(bar().isVisible());
+  action("tour").trigger();
+  EXPECT_TRUE(bar().isVisible());
+  for (std::size_t i = 0; i < tourSteps().size(); ++i) {
+    const TourStep& step = tourSteps()[i];
+    EXPECT_EQ(window_.document().origin().shipped, step.scene);
+    EXPECT_TRUE(said().contains(QStringLiteral("%1 of 6").arg(i + 1)));
+    EXPECT_TRUE(said().contains(tourText(step.title)));
+    ASSERT_TRUE(waitForFrame()) << step.scene;
+    EXPECT_EQ(troubleOf(*frame()), QString()) << step.scene;
+    EXPECT_EQ(button("tourBack").isEnabled(), i > 0);
+    EXPECT_EQ(button("tourNext").isEnabled(), i + 1 < tourSteps().size());
+    if (i + 1 < tourSteps().size()) click("tourNext");
+  }
+  click("tourEnd");
+  EXPECT_FALSE(bar().isVisible());
+  EXPECT_FALSE(window_.isTouring());
+}
+
+TEST_F(TourTest, GoesForwardAndBackByKeys) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  EXPECT_FALSE(action("tourStepNext").isEnabled());
+  action("tour").trigger();
+  QTest::keyClick(&window_, Qt::Key_Right, Qt::AltModifier);
+  QTest::keyClick(&window_, Qt::Key_Right, Qt::AltModifier);
+  EXPECT_TRUE(said().contains("3 of 6"));
+  QTest::keyClick(&window_, Qt::Key_Left, Qt::AltModifier);
+  EXPECT_TRUE(said().contains("2 of 6"));
+}
+
+TEST_F(TourTest, WhatIsTriedIsNotAskedAbout) {
+  action("tour").trigger();
+  answer(QMessageBox::Cancel);
+  press("load.normal_force");
+  click("tourNext");
+  EXPECT_TRUE(said().contains("2 of 6"));
+  EXPECT_FALSE(window_.isWindowModified());
+  press("load.normal_force");
+  action("scene:figure_2").trigger();
+  EXPECT_EQ(asked_, 0);
+  EXPECT_FALSE(window_.isTouring());
+  EXPECT_FALSE(bar().isVisible());
+}
+
+TEST_F(TourTest, AnOwnSceneIsAskedAboutBeforeTheTour) {
+  press("load.normal_force");
+  const Scene own = session().scene();
+  answer(QMessageBox::Cancel);
+  action("tour").trigger();
+  EXPECT_EQ(asked_, 1);
+  EXPECT_FALSE(window_.isTouring());
+  EXPECT_EQ(session().scene(), own);
+}
+
+TEST_F(TourTest, IsOfferedUntilTaken) {
+  auto& hint = control<MessageBar>("hintBar");
+  EXPECT_FALSE(hint.isVisible());
+  window_.offerTour();
+  EXPECT_TRUE(hint.isVisible());
+  EXPECT_FALSE(window_.isTouring());  // offered, not forced
+  QTest::mouseClick(hint.findChild<QPushButton*>("acceptOffer"), Qt::LeftButton);
+  EXPECT_TRUE(window_.isTouring());
+  EXPECT_FALSE(hint.isVisible());
+  window_.offerTour();
+  EXPECT_FALSE(hint.isVisible());
+}
+
+TEST_F(TourTest, IsOfferedUntilPutAway) {
+  auto& hint = control<MessageBar>("hintBar");
+  window_.offerTour();
+  QTest::mouseClick(hint.findChild<QToolButton*>("closeMessage"), Qt::LeftButton);
+  EXPECT_FALSE(hint.isVisible());
+  window_.offerTour();
+  EXPECT_FALSE(hint.isVisible());
+}
+
+/// What the sentences promise.
+TEST_F(TourTest, TheScenesShowWhatTheTourSays) {
+  const auto mu = [&](const char* name, double velocity) {
+    Scene scene;
+    for (const LibraryScene& entry : libraryScenes())
+      if (entry.name == name) scene = entry.scene;
+    if (velocity >= 0) scene.sliding.velocity = velocity;
+    window_.showScene(scene);
+    EXPECT_TRUE(waitForFrame());
+    return frame()->muSteady;
+  };
+  EXPECT_EQ(mu("pressed", -1), 0);
+  EXPECT_LT(frame()->contactFraction, 0.1);
+  const double slow = mu("region_1", 0.003);
+  EXPECT_NEAR(mu("region_1", 0.006) / slow, 2, 0.1);
+  EXPECT_NEAR(mu("region_3", 2) / mu("region_3", 1), 1, 0.1);
+  const double summit = mu("one_sided", -1);
+  EXPECT_LT(mu("one_sided", 0.001), 0.05 * summit);
+  EXPECT_LT(mu("region_4", -1), 0.8 * mu("region_4", 3));
+  EXPECT_GE(mu("full_contact", -1), 0);
+  EXPECT_EQ(frame()->contactFraction, 1);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,135 @@
+#include "ui/charts/plot_items.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPolygonF>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/charts/plot_marks.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kRadius = 4;        // of a point, where there is room
+constexpr double kFineGridGap = 24;  // pixels a decade needs for a fine grid
+
+/// Of the points of one curve, so that they do not touch.
+double radiusOf(const PlotSeries& series, const PlotGeometry& geometry) {
+  if (series.points.size() < 2) return kRadius;
+  const double apart = (geometry.xOf(series.points.back().x) - geometry.xOf(series.points[0].x)) /
+                       static_cast<double>(series.points.size() - 1);
+  return std::clamp(0.42 * apart, 1.5, kRadius);
+}
+
+}  // namespace
+
+void PlotItem::update(const PlotGeometry& geometry, const Plot& plot, const PlotColours& colours) {
+  if (geometry.area != geometry_.area || geometry.strip != geometry_.strip) prepareGeometryChange();
+  geometry_ = geometry;
+  plot_ = plot;
+  colours_ = colours;
+  QGraphicsItem::update();
+}
+
+QRectF PlotItem::boundingRect() const {
+  return geometry_.area.adjusted(-8, -kSpanNames - 2, 8, 8);
+}
+
+void SpanItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  const QRectF& area = geometry_.area;
+  const QFontMetricsF metrics(painter->font());
+  bool shaded = true;
+  for (const PlotSpan& span : plot_.spans) {
+    const double left = std::clamp(geometry_.xOf(span.from), area.left(), area.right());
+    const double right = std::clamp(geometry_.xOf(span.to), area.left(), area.right());
+    const QRectF box(left, area.top() - kSpanNames, right - left, area.height() + kSpanNames);
+    painter->setOpacity(span.faded ? kFadedOpacity : 1);
+    if (shaded) painter->fillRect(box, colours_.span);
+    shaded = !shaded;
+    const QString whole = span.name + "  " + span.word;
+    const bool fits = metrics.horizontalAdvance(whole) + 8 < box.width();
+    const QString& text = fits ? whole : span.name;
+    if (metrics.horizontalAdvance(text) + 4 > box.width()) continue;
+    painter->setPen(colours_.faintText);
+    painter->drawText(QRectF(box.left(), box.top(), box.width(), kSpanNames), Qt::AlignCenter,
+                      text);
+  }
+  painter->setOpacity(1);
+}
+
+void FineGridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  QColor colour = colours_.grid;
+  colour.setAlphaF(static_cast<float>(colour.alphaF() * 0.45));
+  painter->setPen(QPen(colour, 1));
+  const QRectF& area = geometry_.area;
+  const auto each = [](const DecadeRange& range, double size, auto&& draw) {
+    if (range.isEmpty() || size / range.size() < kFineGridGap) return;
+    for (double decade = std::floor(range.from); decade < range.to; ++decade)
+      for (int digit = 2; digit <= 9; ++digit) {
+        const double place = decade + std::log10(digit);
+        if (place > range.from && place < range.to) draw(std::pow(10.0, place));
+      }
+  };
+  each(geometry_.x, area.width(), [&](double value) {
+    const double x = geometry_.xOf(value);
+    painter->drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+  });
+  each(geometry_.y, area.height(), [&](double value) {
+    const double y = geometry_.yOf(value);
+    painter->drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+  });
+}
+
+void PointsItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->save();
+  painter->setClipRect(geometry_.area.adjusted(-6, -6, 6, 0));
+  for (const PlotSeries& series : plot_.series)
+    if (series.style == PlotStyle::Points) {
+      painter->setOpacity(series.faded ? kFadedOpacity : 1);
+      paintErrorBars(*painter, series);
+      paintPoints(*painter, series);
+    }
+  painter->restore();
+  if (!plot_.blank.isEmpty()) paintBlank(*painter);
+}
+
+void PointsItem::paintBlank(QPainter& painter) const {
+  const int flags = Qt::AlignCenter | Qt::TextWordWrap;
+  const QRectF room = geometry_.area.adjusted(12, 8, -12, -8);
+  const QRectF text = painter.boundingRect(room, flags, plot_.blank);
+  painter.fillRect(text.adjusted(-10, -6, 10, 6), colours_.background);
+  painter.setPen(colours_.text);
+  painter.drawText(room, flags, plot_.blank);
+}
+
+void PointsItem::paintErrorBars(QPainter& painter, const PlotSeries& series) const {
+  painter.setPen(QPen(colourOf(series, colours_), 1.3));
+  for (const PlotPoint& point : plottable(series.points)) {
+    if (!(std::isfinite(point.error) && point.error > 0)) continue;
+    const double low = point.y - point.error;  // may have no place: then down to the axis
+    paintErrorBar(painter, geometry_.xOf(point.x), geometry_.yOf(point.y + point.error),
+                  low > 0 ? geometry_.yOf(low) : geometry_.area.bottom() + kRadius);
+  }
+}
+
+/// Marks; those of a pinned curve on a thin line, which keeps them together among others.
+void PointsItem::paintPoints(QPainter& painter, const PlotSeries& series) const {
+  const QColor colour = colourOf(series, colours_);
+  const std::vector<PlotPoint> points = plottable(series.points);
+  QPolygonF places;
+  for (const PlotPoint& point : points)
+    places += QPointF(geometry_.xOf(point.x), geometry_.yOf(point.y));
+  if (series.isPinned()) {
+    painter.setPen(QPen(colour, 1.2));
+    painter.drawPolyline(places);
+  }
+  painter.setPen(QPen(colours_.background, 1));
+  painter.setBrush(colour);
+  const double radius = radiusOf(series, geometry_);
+  for (const QPointF& place : places) paintMark(painter, series.mark, place, radius);
+}
+
+}  // namespace asperity

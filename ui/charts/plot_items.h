@@ -1,0 +1,109 @@
+// What Qt Charts does not draw on logarithmic axes, or not where it belongs (its points sit a pixel
+// or two beside their values): names and shades of regions, the fine grid, points with error bars,
+// the strip below, the marker and the reading at the pointer. Graphics items that share one
+// geometry; owned by the chart, GUI thread.
+#pragma once
+
+#include <QGraphicsItem>
+#include <QRectF>
+#include <QString>
+
+#include "ui/charts/plot.h"
+#include "ui/charts/plot_geometry.h"
+#include "ui/charts/plot_view.h"
+
+namespace asperity {
+
+class PlotItem : public QGraphicsItem {
+ public:
+  using QGraphicsItem::QGraphicsItem;
+
+  void update(const PlotGeometry& geometry, const Plot& plot, const PlotColours& colours);
+  QRectF boundingRect() const override;
+
+ protected:
+  PlotGeometry geometry_;
+  Plot plot_;
+  PlotColours colours_;
+};
+
+class SpanItem : public PlotItem {
+ public:
+  using PlotItem::PlotItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+};
+
+class FineGridItem : public PlotItem {
+ public:
+  using PlotItem::PlotItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+};
+
+class PointsItem : public PlotItem {
+ public:
+  using PlotItem::PlotItem;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+ private:
+  void paintErrorBars(QPainter& painter, const PlotSeries& series) const;
+  void paintPoints(QPainter& painter, const PlotSeries& series) const;
+  void paintBlank(QPainter& painter) const;
+};
+
+/// The slim plot below; labels and title of the common axis stand under it.
+class StripItem : public PlotItem {
+ public:
+  using PlotItem::PlotItem;
+  QRectF boundingRect() const override;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+ private:
+  double yOf(double value) const;
+  void paintAxis(QPainter& painter) const;
+  void paintAlong(QPainter& painter) const;
+  void paintPoints(QPainter& painter) const;
+  void paintName(QPainter& painter) const;
+};
+
+/// Apart from the rest, so that dragging it paints little.
+class MarkerItem : public QGraphicsItem {
+ public:
+  using QGraphicsItem::QGraphicsItem;
+
+  /// lineX: where the line stands while it is dragged, ahead of its dot; NaN: at the marker.
+  void update(const PlotGeometry& geometry, const std::optional<PlotMarker>& marker, double lineX,
+              const PlotColours& colours, const QFont& font);
+  QRectF boundingRect() const override { return bounds_; }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+ private:
+  PlotGeometry geometry_;
+  std::optional<PlotMarker> marker_;
+  double lineX_ = 0;
+  PlotColours colours_;
+  QFont font_;
+  QRectF bounds_, label_;
+};
+
+/// A few lines of text beside a place, which gets a ring where it is a point.
+class TipItem : public QGraphicsItem {
+ public:
+  using QGraphicsItem::QGraphicsItem;
+
+  void show(const QString& text, QPointF place, bool ringed, const QRectF& room,
+            const PlotColours& colours, const QFont& font);
+  void clear();
+  QString text() const { return text_; }
+  QRectF boundingRect() const override { return bounds_; }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+ private:
+  QString text_;
+  QPointF place_;
+  bool isRinged_ = false;
+  PlotColours colours_;
+  QFont font_;
+  QRectF bounds_, box_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,25 @@
+// The marks of a plot's curves, drawn alike in the plot and in its legend. GUI thread.
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+
+#include "ui/charts/plot.h"
+#include "ui/charts/plot_view.h"
+
+class QPainter;
+
+namespace asperity {
+
+/// Opacity of what belongs to an older scene.
+inline constexpr double kFadedOpacity = 0.3;
+
+QColor colourOf(const PlotSeries& series, const PlotColours& colours);
+
+/// Filled with the painter's brush, as large to the eye as a circle of this radius.
+void paintMark(QPainter& painter, PlotMark mark, QPointF centre, double radius);
+
+/// From `top` to `bottom` with caps, with the painter's pen.
+void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap = 3.5);
+
+}  // namespace asperity

@@ -1,0 +1,121 @@
+// The slim plot below another one: a difference over the same axis.
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/charts/plot_items.h"
+#include "ui/charts/plot_marks.h"
+#include "ui/picture/log_ticks.h"
+#include "ui/picture/ticks.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kRadius = 3.6;    // of a point
+constexpr double kTickRoom = 18;   // height that a tick's label needs
+constexpr double kLabelRoom = 44;  // width that a label along needs
+
+}  // namespace
+
+QRectF StripItem::boundingRect() const {
+  if (geometry_.strip.isEmpty()) return {};
+  return geometry_.strip.adjusted(-geometry_.strip.left(), -6, 20, 60);
+}
+
+void StripItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  if (!plot_.strip || geometry_.strip.isEmpty()) return;
+  painter->setRenderHint(QPainter::Antialiasing);
+  paintAxis(*painter);
+  paintAlong(*painter);
+  painter->setOpacity(plot_.strip->faded ? kFadedOpacity : 1);
+  paintPoints(*painter);
+  painter->setOpacity(1);
+  paintName(*painter);
+}
+
+double StripItem::yOf(double value) const {
+  const PlotStrip& strip = *plot_.strip;
+  const double part = (value - strip.from) / (strip.to - strip.from);
+  return geometry_.strip.bottom() - part * geometry_.strip.height();
+}
+
+void StripItem::paintAxis(QPainter& painter) const {
+  const QRectF& box = geometry_.strip;
+  const int most = std::max(2, static_cast<int>(box.height() / kTickRoom));
+  const AxisTicks axis = linearTicks(plot_.strip->from, plot_.strip->to, most, "%");
+  const std::string gap = axis.unit.starts_with("10") ? "\u00B7" : " ";
+  for (const Tick& tick : axis.ticks) {
+    const double y = std::floor(yOf(tick.value)) + 0.5;
+    painter.setPen(QPen(tick.value == 0 ? colours_.axis : colours_.grid, 1));
+    painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
+    painter.setPen(colours_.text);
+    painter.drawText(QRectF(0, y - 10, box.left() - 7, 20), Qt::AlignRight | Qt::AlignVCenter,
+                     QString::fromStdString(tick.label + gap + axis.unit));
+  }
+  painter.setPen(QPen(colours_.axis, 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(box);
+}
+
+void StripItem::paintAlong(QPainter& painter) const {
+  const QRectF& box = geometry_.strip;
+  const int most = std::max(2, static_cast<int>(box.width() / kLabelRoom));
+  for (const LogTick& tick : logTicks(geometry_.x.from, geometry_.x.to, most)) {
+    const double x = geometry_.xOf(std::pow(10, tick.decade));
+    painter.setPen(QPen(colours_.grid, 1));
+    painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
+    painter.setPen(colours_.text);
+    painter.drawText(QRectF(x - 40, box.bottom() + 5, 80, 18), Qt::AlignCenter,
+                     QString::fromStdString(tick.label));
+  }
+  painter.setPen(colours_.text);
+  painter.drawText(QRectF(box.left(), box.bottom() + 25, box.width(), 20), Qt::AlignCenter,
+                   plot_.x.title);
+}
+
+/// What lies beyond the range stands as an arrowhead at its edge.
+void StripItem::paintPoints(QPainter& painter) const {
+  const QRectF& box = geometry_.strip;
+  const PlotStrip& strip = *plot_.strip;
+  painter.save();
+  painter.setClipRect(box.adjusted(-6, -6, 6, 6));
+  for (const PlotPoint& point : strip.points) {
+    if (!isPlottable(point.x, 1) || !std::isfinite(point.y)) continue;
+    const double x = geometry_.xOf(point.x);
+    const bool above = point.y > strip.to, below = point.y < strip.from;
+    painter.setBrush(colours_.difference);
+    if (above || below) {
+      painter.setPen(Qt::NoPen);
+      const double edge = above ? box.top() + 1 : box.bottom() - 1, way = above ? 7 : -7;
+      painter.drawPolygon(QPolygonF({{x, edge}, {x - 5, edge + way}, {x + 5, edge + way}}));
+      continue;
+    }
+    if (std::isfinite(point.error)) {
+      painter.setPen(QPen(colours_.difference, 1.3));
+      paintErrorBar(painter, x, std::max(yOf(point.y + point.error), box.top()),
+                    std::min(yOf(point.y - point.error), box.bottom()), 3);
+    }
+    painter.setPen(QPen(colours_.background, 1));
+    paintMark(painter, PlotMark::Diamond, {x, yOf(point.y)}, kRadius);
+  }
+  painter.restore();
+}
+
+/// In the corner, on the background, so that it can be read over points.
+void StripItem::paintName(QPainter& painter) const {
+  const QFontMetricsF metrics(painter.font());
+  const PlotStrip& strip = *plot_.strip;
+  QString text = strip.note.isEmpty() ? strip.name : strip.name + "  ·  " + strip.note;
+  text = metrics.elidedText(text, Qt::ElideRight, geometry_.strip.width() - 16);
+  const QRectF place(geometry_.strip.left() + 6, geometry_.strip.top() + 3,
+                     metrics.horizontalAdvance(text) + 8, metrics.height());
+  QColor halo = colours_.background;
+  halo.setAlphaF(0.85F);
+  painter.fillRect(place, halo);
+  painter.setPen(colours_.text);
+  painter.drawText(place, Qt::AlignCenter, text);
+}
+
+}  // namespace asperity

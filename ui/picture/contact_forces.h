@@ -1,0 +1,30 @@
+// The forces on the rigid line as two arrows from one point, in scale. Private to ui/picture; pure.
+#pragma once
+
+#include "ui/picture/contact_layout.h"
+
+namespace asperity {
+
+/// Pixels. The normal force points down; friction points against the motion and is drawn
+/// `enlarged` times as long for its force: coefficients of friction are as small as the slopes, so
+/// that in one scale it would be a dot. The factor belongs to the line's slopes, not to the moment:
+/// while friction changes, so does its arrow. sideways / down = mu * enlarged.
+struct ForceArrows {
+  float down = 0;      // 0: no force, or no room for arrows
+  float sideways = 0;  // 0: no friction
+  double enlarged = 1;
+  bool pointsRight = false;
+};
+ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout);
+
+/// From `from`, over the rigid body.
+void addForceArrows(DrawLayer& layer, const ForceArrows& arrows, Place from,
+                    const ContactLayout& layout);
+
+/// m/s, now; 0 without a scene.
+double velocityOf(const Frame& frame);
+
+/// The friction coefficient that the frame stands for.
+double frictionOf(const Frame& frame);
+
+}  // namespace asperity

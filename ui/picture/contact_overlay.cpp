@@ -1,0 +1,144 @@
+#include "ui/picture/contact_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/contact/retardation.h"
+#include "core/scene/element_law.h"
+#include "ui/language/words.h"
+#include "ui/picture/colours.h"
+#include "ui/picture/narrow_contact.h"
+#include "ui/picture/ticks.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kPowerDecades = 3;
+// A free surface has come back after so many of its longest relaxation times.
+constexpr double kRelaxationTimes = 4;
+
+std::string_view unitOf(ContactOverlay overlay) {
+  if (overlay == ContactOverlay::Relaxation) return "s";
+  return overlay == ContactOverlay::Power ? "W/m" : "N/m";
+}
+
+double greatestOf(const std::vector<double>& values) {
+  double greatest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) greatest = std::max(greatest, value);
+  return greatest;
+}
+
+/// s; infinite where nothing relaxes to rest.
+double longestRelaxation(const Frame& frame) {
+  if (!frame.scene) return std::numeric_limits<double>::infinity();
+  const RetardationModes modes = retardationModes(lawOf(frame.scene->elastomer));
+  return modes.modes() > 0 ? 1 / modes.rate.front() : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+FrameFields fieldsFor(ContactOverlay overlay) {
+  FrameFields fields;
+  fields.sinceContact = overlay == ContactOverlay::Relaxation;
+  fields.power = overlay == ContactOverlay::Power;
+  return fields;
+}
+
+std::string_view wordFor(ContactOverlay overlay) {
+  switch (overlay) {
+    case ContactOverlay::Pressure:
+      return "pressure";
+    case ContactOverlay::Relaxation:
+      return "relaxation";
+    case ContactOverlay::Power:
+      return "power";
+    default:
+      return "none";
+  }
+}
+
+float ColourScale::share(double value) const {
+  if (!(end > 0) || std::isnan(value)) return 0;
+  double share = value / end;
+  if (overlay == ContactOverlay::Power)
+    share = share > 0 ? 1 + std::log10(share) / kPowerDecades : 0;
+  return static_cast<float>(std::clamp(share, 0.0, 1.0));
+}
+
+double ColourScale::leastShown() const {
+  return overlay == ContactOverlay::Power ? end * std::pow(10, -kPowerDecades) : 0;
+}
+
+Rgba ColourScale::colourAt(float share) const {
+  return overlay == ContactOverlay::Relaxation ? ageColour(share) : pressureColour(share);
+}
+
+std::string ColourScale::title() const {
+  switch (overlay) {
+    case ContactOverlay::Relaxation:
+      return Words::tr("time since contact");
+    case ContactOverlay::Power:
+      return Words::tr("dissipated power (log scale)");
+    default:
+      return Words::tr("contact pressure (line load)");
+  }
+}
+
+std::vector<LegendTick> ColourScale::ticks(int most) const {
+  const std::string last = quantity(end, unitOf(overlay));
+  std::vector<LegendTick> ticks;
+  if (overlay == ContactOverlay::Power) {
+    for (int decade = kPowerDecades; decade > 0; --decade) {
+      const double value = end * std::pow(10, -decade);
+      ticks.push_back({share(value), quantity(value, unitOf(overlay))});
+    }
+  } else {
+    const AxisTicks round = linearTicks(0, end, most, unitOf(overlay));
+    for (const Tick& tick : round.ticks)
+      if (tick.value < end * (1 - 1e-9))
+        ticks.push_back({share(tick.value), tick.value == 0 ? "0" : tick.label});
+  }
+  ticks.push_back({1, last});
+  return ticks;
+}
+
+const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay) {
+  static const std::vector<double> none;
+  switch (overlay) {
+    case ContactOverlay::Pressure:
+      return frame.pressure;
+    case ContactOverlay::Relaxation:
+      return frame.sinceContact;
+    case ContactOverlay::Power:
+      return frame.power;
+    default:
+      return none;
+  }
+}
+
+double scaleEnd(const Frame& frame, ContactOverlay overlay, double last) {
+  double greatest = greatestOf(valuesOf(frame, overlay));
+  if (overlay == ContactOverlay::Relaxation && greatest > 0)
+    greatest = std::min(greatest, kRelaxationTimes * longestRelaxation(frame));
+  if (!(greatest > 0) || (greatest <= last && greatest > 0.4 * last)) return last;
+  return roundUp(overlay == ContactOverlay::Relaxation
+                     ? greatest
+                     : 1.1 * greatest);  // a tenth in hand, or it would change often
+}
+
+double endIn(const ContactView& view, ContactOverlay overlay) {
+  switch (overlay) {
+    case ContactOverlay::Pressure:
+      return view.pressure;
+    case ContactOverlay::Relaxation:
+      return view.age;
+    case ContactOverlay::Power:
+      return view.power;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,35 @@
+// What is to be read at one element of a contact picture. Pure; any thread.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/run/frame.h"
+
+namespace asperity {
+
+struct ProbeReading {
+  std::size_t point = 0;        // of the frame
+  double position = 0;          // m, of the point, in the first period
+  double line = 0;              // m, z - d
+  double surface = 0;           // m, u
+  double gap = 0;               // m, 0 in contact
+  double pressure = 0;          // N/m
+  double slope = 0;             // dz/dx; where the frame has none a central difference
+  std::optional<double> age;    // s since contact, where the frame knows it
+  std::optional<double> power;  // W/m, likewise
+};
+
+/// At the element nearest to x (m, any period); nothing where the frame cannot be drawn.
+std::optional<ProbeReading> probeReading(const Frame& frame, double x);
+
+struct ProbeLine {
+  std::string label, value;
+};
+
+/// "gap" "12 nm" and so on, for a readout or to be spoken.
+std::vector<ProbeLine> probeLines(const ProbeReading& reading);
+
+}  // namespace asperity

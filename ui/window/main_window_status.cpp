@@ -1,0 +1,54 @@
+// The main window's status bar: how it follows the session.
+#include <QStatusBar>
+#include <QTimer>
+#include <QUndoStack>
+#include <algorithm>
+
+#include "ui/window/contact_canvas.h"
+#include "ui/window/main_window.h"
+#include "ui/window/scene_document.h"
+#include "ui/window/session.h"
+#include "ui/window/status_line.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kDrawingInterval = 500;  // ms
+constexpr int kWorkInterval = 100;
+
+}  // namespace
+
+void MainWindow::buildStatus() {
+  status_ = new StatusLine;
+  statusBar()->addWidget(status_, 1);
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->setContentsMargins(0, 0, 0, 0);
+  auto* drawing = new QTimer(this);
+  connect(drawing, &QTimer::timeout, this,
+          [this] { status_->showDrawing(canvas_->framesPerSecond(), canvas_->backendName()); });
+  drawing->start(kDrawingInterval);
+  auto* work = new QTimer(this);
+  connect(work, &QTimer::timeout, this, &MainWindow::showWork);
+  work->start(kWorkInterval);
+  connect(status_, &StatusLine::stopWanted, session_, &Session::stopCurve);
+  connect(status_, &StatusLine::againWanted, session_, &Session::startCurve);
+  connect(status_, &StatusLine::backWanted, this, [this] { document_->history().undo(); });
+}
+
+void MainWindow::showWork() {
+  Work work;
+  work.simulationsPerSecond = session_->simulationsPerSecond();
+  if (const CurveUpdate* curve = session_->curve())
+    work.progress = static_cast<double>(curve->realizationsDone) /
+                    static_cast<double>(std::max<std::int64_t>(1, curve->realizationsTotal));
+  if (session_->isWaiting())
+    work.state = Work::State::Waiting;
+  else if (session_->averaging() == Session::Averaging::Running)
+    work.state = Work::State::Running;
+  else if (session_->averaging() == Session::Averaging::Stopped)
+    work.state = Work::State::Stopped;
+  status_->showWork(work);
+}
+
+}  // namespace asperity
