@@ -13,7 +13,8 @@ struct DiagramOptions {
   int width = 1200, height = 800;  // pixels
   float scale = 1;                 // of fonts and line widths; 2 at twice the pixels
   Theme theme = lightTheme();
-  float leastText = 0;  // texts keep this size (1: usual) where a low picture would make them smaller
+  float leastText =
+      0;  // texts keep this size (1: usual) where a low picture would make them smaller
 };
 
 /// A size fit for print: 2400 x 1600 pixels at scale 2 for one diagram, wider where there are
