@@ -39,7 +39,7 @@ class LanguageTest : public ProgramTest {
     std::set<std::string> shared;
     for (const std::string& text : wordsIn(english))
       if (all.contains(text)) shared.insert(text);
-    shared.erase("A scene");  // what somebody called it
+    for (const char* same : {"A scene", "I linear"}) shared.erase(same);
     return shared;
   }
 };
