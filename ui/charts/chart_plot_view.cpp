@@ -181,7 +181,13 @@ void ChartPlotView::placeArea(double strip) {
   // The strip and the labels of the common axis stand below the chart.
   const double below = 2 * line + 20 + (plot_.strip ? strip + kStripGap : 0);
   const QRectF area(left, above, view_->width() - left - 18, view_->height() - above - below);
-  chart_->setPlotArea(area.width() > 20 && area.height() > 20 ? area : QRectF(left, above, 20, 20));
+  const QRectF wanted =
+      area.width() > 20 && area.height() > 20 ? area : QRectF(left, above, 20, 20);
+  if (chart_->plotArea() == wanted) return;
+  chart_->setPlotArea(wanted);
+  // The library leaves its axes behind until something else makes it lay them out.
+  chart_->layout()->invalidate();
+  chart_->layout()->activate();
 }
 
 /// Upright the long title needs more room than the plot may have.

@@ -206,5 +206,20 @@ TEST_F(PlotViewTest, AnEmptyPlotIsHarmless) {
   EXPECT_FALSE(image().isNull());
 }
 
+/// Names of regions take room from the plot: a view that had none then shows what a new one shows.
+TEST_F(PlotViewTest, AxesGoWithThePlotArea) {
+  image();
+  Plot plot = samplePlot();
+  plot.spans = {{"I", "linear", {}, 1e-3, 0.1, false}};
+  view_->setPlot(plot);
+  const std::unique_ptr<PlotView> fresh(makePlotView());
+  fresh->resize(view_->size());
+  fresh->setColours(kColours);
+  fresh->setPlot(plot);
+  fresh->show();
+  QTest::qWait(1);
+  EXPECT_EQ(image(), fresh->grab().toImage());
+}
+
 }  // namespace
 }  // namespace asperity
