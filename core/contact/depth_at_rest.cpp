@@ -36,14 +36,16 @@ ForceSums forceAtRest(const TravelLine& line, double depth) {
 
 }  // namespace
 
-double depthAtRest(const TravelLine& line, double load) {
+double depthAtRest(const TravelLine& line, double load, const std::stop_token& stop) {
   constexpr int kMostSteps = 12;
   constexpr double kCloseEnough = 1e-3;
   double depth = load / line.length + line.meanRise;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostSteps && !stop.stop_requested(); ++step) {
     const ForceSums sums = forceAtRest(line, depth);
-    if (!(sums.stiffness > 0)) break;
-    const double next = depth - (sums.depth - load) / sums.stiffness;
+    if (!(sums.depth > 0)) break;
+    // Newton's step in the logarithms, in which the force is nearly straight.
+    const double next =
+        depth * std::exp(std::log(load / sums.depth) * sums.depth / (sums.stiffness * depth));
     const bool close = std::abs(next - depth) <= kCloseEnough * depth;
     depth = next;
     if (close) break;

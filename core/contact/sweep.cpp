@@ -106,7 +106,7 @@ class SweepQueue final : public PassQueue {
     one.load = table_.forces[one.row] / stiffness_;
     double& rest = table_.rests[one.row % DepthTable::kRests];
     if (one.row != restRow_) {
-      rest = depthAtRest(line_, one.load);
+      rest = depthAtRest(line_, one.load, stop_);
       restRow_ = one.row;
     }
     one.rest = rest;

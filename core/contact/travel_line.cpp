@@ -115,14 +115,16 @@ std::size_t setWholeSegments(TravelLine& travel, const Line& line, const Travell
 }
 
 /// Blocks of 4, 16, ... segments over those of one, as far as whole ones go.
-void addBlocks(TravelLine& travel) {
+bool addBlocks(TravelLine& travel, const std::stop_token& stop) {
   std::size_t level = 0;
   while (travel.blocks[level].size() >= 4) {
+    if (stop.stop_requested()) return false;
     if (travel.blocks.size() == level + 1) travel.blocks.emplace_back();
     travel.blocks[level + 1].merge(travel.blocks[level]);
     ++level;
   }
   travel.blocks.resize(level + 1);
+  return true;
 }
 
 /// Finds a cut in each of equal parts of the line but the first, at its lowest node.
@@ -147,7 +149,7 @@ void resizeFor(TravelLine& travel, std::size_t segments) {
   travel.slopeOut.resize(segments);
 }
 
-void addBounds(TravelLine& travel) {
+bool addBounds(TravelLine& travel, const std::stop_token& stop) {
   const std::size_t last = travel.segments() - 1;
   const auto bounds = [&travel](std::size_t i) {
     return boundSegment(&travel.rise[i], travel.slopeIn[i], travel.slopeOut[i],
@@ -158,7 +160,7 @@ void addBounds(TravelLine& travel) {
   travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
   boundSegments(&travel.rise[1], &travel.slopeIn[1], &travel.slopeOut[1], last - 1, travel.spacing,
                 travel.blocks[0]);
-  addBlocks(travel);
+  if (!addBlocks(travel, stop)) return false;
   double integral = travel.firstBounds.riseIntegral + travel.lastBounds.riseIntegral;
   // By fours as far as they go.
   const BlockLevel& inner = travel.blocks[0];
@@ -166,11 +168,13 @@ void addBounds(TravelLine& travel) {
   for (std::size_t i = 0; i < fours; ++i) integral += travel.blocks[1].riseIntegral[i];
   for (std::size_t i = 4 * fours; i < inner.size(); ++i) integral += inner.riseIntegral[i];
   travel.meanRise = integral / travel.length;
+  if (stop.stop_requested()) return false;
   addCuts(travel);
+  return true;
 }
 
-void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
-                         const Lowest& lowest) {
+bool addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
+                         const Lowest& lowest, const std::stop_token& stop) {
   const double h = line.spacing, t = lowest.fraction;
   const std::size_t count = line.nodes(), split = t > 0 ? 1 : 0;
   travel.startsInsideSegment = t > 0;
@@ -190,16 +194,17 @@ void addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
     travel.rise[1] = level(1 - t);
   }
   travel.rise.back() = 0;
+  if (stop.stop_requested()) return false;
   const auto last = static_cast<int>(travel.segments());  // counted so, several fit in a vector
   for (int i = 0; i <= last; ++i)
     travel.position[static_cast<std::size_t>(i)] = (static_cast<double>(i) - t) * h;
   travel.position.front() = 0;
   travel.position.back() = travel.length;
-  addBounds(travel);
+  return !stop.stop_requested() && addBounds(travel, stop);
 }
 
-void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
-              const Lowest& lowest) {
+bool addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
+              const Lowest& lowest, const std::stop_token& stop) {
   const std::size_t count = line.nodes();
   travel.position.resize(count + 1);
   travel.rise.resize(count + 1);
@@ -223,7 +228,7 @@ void addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
   travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
   travel.blocks[0].resizeForNodal(count - 1);
   std::copy_n(travel.rise.begin() + 1, count - 1, travel.blocks[0].lowest.begin());
-  addBlocks(travel);
+  return addBlocks(travel, stop);
 }
 
 }  // namespace
@@ -253,7 +258,8 @@ std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<doub
   return ordered;
 }
 
-void prepareTravelInto(TravelLine& travel, const Line& line, Scheme scheme, Direction direction) {
+bool prepareTravelInto(TravelLine& travel, const Line& line, Scheme scheme, Direction direction,
+                       const std::stop_token& stop) {
   travel.scheme = scheme;
   travel.length = line.length;
   travel.spacing = line.spacing;
@@ -263,10 +269,9 @@ void prepareTravelInto(TravelLine& travel, const Line& line, Scheme scheme, Dire
   const Lowest lowest = findLowest(line, traveller, scheme);
   travel.firstNode = lowest.node;
   travel.lowestHeight = lowest.height;
-  if (scheme == Scheme::Nodal)
-    addNodes(travel, line, traveller, lowest);
-  else
-    addResolvedSegments(travel, line, traveller, lowest);
+  if (stop.stop_requested()) return false;
+  return scheme == Scheme::Nodal ? addNodes(travel, line, traveller, lowest, stop)
+                                 : addResolvedSegments(travel, line, traveller, lowest, stop);
 }
 
 TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 #include "core/contact/block_level.h"
@@ -70,8 +71,9 @@ std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<doub
 
 TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction = Direction::Forward);
 
-/// The same into one whose memory is used again.
-void prepareTravelInto(TravelLine& travel, const Line& line, Scheme scheme,
-                       Direction direction = Direction::Forward);
+/// The same into one whose memory is used again. Returns false where `stop` was requested, which is
+/// looked at between steps of about ten numbers a node; it is then not whole.
+bool prepareTravelInto(TravelLine& travel, const Line& line, Scheme scheme,
+                       Direction direction = Direction::Forward, const std::stop_token& stop = {});
 
 }  // namespace asperity

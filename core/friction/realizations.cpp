@@ -52,10 +52,11 @@ class Realizations {
   Results slide(std::int64_t realization) {
     Memory& memory = memory_.local();
     const Scheme scheme = task_.scene.accuracy.scheme;
-    task_.source.makeInto(memory.line, realization,
-                          scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
-    if (stop_.stop_requested()) return {};  // a long line takes as long as all the rest
-    prepareTravelInto(memory.travel, memory.line, scheme);
+    // A long line takes as long as all the rest.
+    const Slopes slopes = scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted;
+    if (!task_.source.makeInto(memory.line, realization, slopes, stop_) ||
+        !prepareTravelInto(memory.travel, memory.line, scheme, Direction::Forward, stop_))
+      return {};
     std::size_t count = 0;
     for (const LoadCase& one : task_.cases) count += one.velocities.size();
     Results results(count);

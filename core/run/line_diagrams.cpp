@@ -119,7 +119,7 @@ Diagram pressureDiagram(const Frame& frame) {
     if (p > 0) pressures.push_back(p);
   Diagram diagram;
   diagram.x = {"contact pressure p", "N/m", AxisScale::Linear};
-  diagram.y = {"share of the contact", "%", AxisScale::Linear};
+  diagram.y = {"share", "%", AxisScale::Linear};
   if (pressures.empty()) return diagram;
   // The few elements at the edges of contact that carry most stand apart by far.
   std::vector<double> sorted = pressures;
@@ -144,8 +144,7 @@ Diagram slopeDiagram(const SlopeStatistics& slopes) {
   diagram.series = {stepsOf(slopes.whole, "whole line", 1)};
   if (!slopes.contact.share.empty())
     diagram.series.push_back(stepsOf(slopes.contact, "in contact", 0));
-  DiagramSeries normal{
-      .name = "normal distribution", .stroke = SeriesStroke::Dashed, .isTheory = true};
+  DiagramSeries normal{.name = "normal", .stroke = SeriesStroke::Dashed, .isTheory = true};
   for (double x = -kMostSlopes; x <= kMostSlopes; x += 0.1)
     normal.points.push_back(
         {x, 100 * slopes.whole.width() * std::exp(-0.5 * x * x) / std::sqrt(2 * std::numbers::pi)});
@@ -179,7 +178,7 @@ DiagramSheet spectrumSheet(const Scene& scene) {
   const SpectrumReading reading = readSpectrum(scene);
   Diagram diagram;
   diagram.x = {"wave number q", "1/m", AxisScale::Logarithmic};
-  diagram.y = {"power spectral density C", "m\u00B3", AxisScale::Logarithmic};
+  diagram.y = {"spectral density C", "m\u00B3", AxisScale::Logarithmic};
   DiagramSheet sheet;
   DiagramSeries line = seriesOf({reading.waveNumber, reading.density}, "this line");
   line.mark = SeriesMark::Circle;

@@ -88,16 +88,22 @@ void AtomicFile::replace(std::string_view bytes) {
 }
 
 void AtomicFile::commit() {
+  bool isLinked = false;  // under its final name already
   if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail();
   if (!hasName_) {
-    // A link cannot replace a file, a renaming can.
+    // A link cannot replace a file, a renaming can; a new file needs no name in between, which a
+    // kill would leave behind.
     const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
-    if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name_.c_str(), AT_SYMLINK_FOLLOW) != 0) fail();
-    hasName_ = true;
+    const auto linkAs = [&self](const char* name) {
+      return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+    };
+    isLinked = linkAs(target_.c_str());
+    if (!isLinked && (errno != EEXIST || !linkAs(name_.c_str()))) fail();
+    hasName_ = !isLinked;
   }
   const int closed = ::close(descriptor_);
   descriptor_ = -1;
-  if (closed != 0 || ::rename(name_.c_str(), target_.c_str()) != 0) fail();
+  if (closed != 0 || (!isLinked && ::rename(name_.c_str(), target_.c_str()) != 0)) fail();
   hasName_ = false;
 }
 

@@ -42,7 +42,7 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
     statistics_ = {rmsHeightOf(modes), rmsSlopeOf(modes)};
   } else {
     if (transform_)
-      setFromSpectrum(profile_, Slopes::Wanted, only_);
+      setFromSpectrum(profile_, Slopes::Wanted, only_, {});
     else
       only_ = makeShape();
     statistics_ = {only_.rmsHeight, only_.rmsSlope};
@@ -114,26 +114,31 @@ Line LineSource::makeShape() const {
   }
 }
 
-void LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line) const {
+bool LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line,
+                                 const std::stop_token& stop) const {
   line.length = length_;
   line.spacing = length_ / static_cast<double>(nodes_);
-  transform_->evaluate(modes, line.height);
   line.slopeAfter.clear();
+  if (stop.stop_requested()) return false;
+  transform_->evaluate(modes, line.height);
+  if (stop.stop_requested()) return false;
   if (slopes == Slopes::Wanted) transform_->evaluateSlope(modes, line.slopeAfter);
   // Amplitudes are not random, but where waves are multiplied.
   const bool isKnown = isRandom() && !summits_ && statistics_.rmsHeight > 0;
   line.rmsHeight = isKnown ? statistics_.rmsHeight : rmsHeightOf(modes);
   line.rmsSlope = isKnown ? statistics_.rmsSlope : rmsSlopeOf(modes);
+  return true;
 }
 
-void LineSource::makeInto(Line& line, std::int64_t number, Slopes slopes) const {
+bool LineSource::makeInto(Line& line, std::int64_t number, Slopes slopes,
+                          const std::stop_token& stop) const {
   if (!isRandom()) {
     line = only_;
-    return;
+    return true;
   }
   static thread_local FourierLine modes;  // fresh pages cost more than a transform
   spectrumInto(modes, number);
-  setFromSpectrum(modes, slopes, line);
+  return setFromSpectrum(modes, slopes, line, stop);
 }
 
 Line LineSource::make(std::int64_t number) const {

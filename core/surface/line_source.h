@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "core/scene/scene.h"
 #include "core/surface/fourier.h"
@@ -31,8 +32,11 @@ class LineSource {
   /// Realization 0, 1, ... ; the same line for the same scene and number, always.
   Line make(std::int64_t realization) const;
 
-  /// The same into a line whose memory is used again. Straight segments need no slopes.
-  void makeInto(Line& line, std::int64_t realization, Slopes slopes = Slopes::Wanted) const;
+  /// The same into a line whose memory is used again. Straight segments need no slopes. Returns
+  /// false where `stop` was requested, which is looked at before each transform; the line is then
+  /// not whole.
+  bool makeInto(Line& line, std::int64_t realization, Slopes slopes = Slopes::Wanted,
+                const std::stop_token& stop = {}) const;
 
   /// Whether realizations differ at all.
   bool isRandom() const { return surface_.kind == SurfaceKind::SelfAffine; }
@@ -49,7 +53,8 @@ class LineSource {
   void readProfileOf(const Scene& scene);
   Line makeShape() const;
   void spectrumInto(FourierLine& line, std::int64_t number) const;
-  void setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line) const;
+  bool setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line,
+                       const std::stop_token& stop) const;
 
   Surface surface_;
   double length_;

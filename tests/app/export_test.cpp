@@ -41,6 +41,23 @@ class ExportTest : public ProgramTest {
   }
 };
 
+TEST_F(ExportTest, OverlaysSayWhatTheirColoursMean) {
+  for (const auto& [overlay, title] : {std::pair{"pressure", "contact pressure"},
+                                       {"relaxation", "time since contact"},
+                                       {"power", "dissipated power"}}) {
+    const std::string file = std::string(overlay) + ".svg";
+    run("render s.json --size 960x540 --set surface.elements=64 --overlay " + std::string(overlay) +
+        " -o " + file);
+    EXPECT_THAT(read(file), HasSubstr(title));
+  }
+  run("render s.json --size 960x540 --set surface.elements=64 --overlay none -o none.svg");
+  EXPECT_THAT(read("none.svg"), Not(HasSubstr("contact pressure")));
+  const Said said = program.run("render s.json -o x.svg --overlay heat");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_THAT(said.err, HasSubstr("--overlay"));
+  EXPECT_FALSE(has("x.svg"));
+}
+
 TEST_F(ExportTest, VectorPicturesAreVectorsWithTheirFonts) {
   run(std::string("render s.json -o a.svg") + kSmall);
   run("curve s.json -o c.svg -o c.pdf -o c.png --scale 192dpi --size 1200x800");

@@ -30,12 +30,15 @@ double presentFriction(const Frame& frame) {
   return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
 }
 
-/// " (mean 0.001198 ± 0.4 %)", with the digits that the error leaves.
+/// " (mean 0.001198 ± 0.4 %)", with the digits that the error leaves; nothing where all lines agree
+/// but for rounding.
 QString meanText(const CurveReading& reading) {
+  constexpr double kRounding = 1e-5;
   const double share = std::abs(reading.error / reading.mu);
-  const double digits = share > 0 ? std::ceil(-std::log10(share)) + 1 : 4;
+  if (!(share > kRounding)) return {};
+  const double digits = std::clamp(std::ceil(-std::log10(share)) + 1, 2.0, 5.0);
   return StatusLine::tr(" (mean %1 ± %2 %)")
-      .arg(shownNumber(roundedToDigits(reading.mu, static_cast<int>(std::clamp(digits, 2.0, 5.0)))),
+      .arg(readingLabel(reading.mu, static_cast<int>(digits)),
            shownNumber(roundedToDigits(100 * share, 1)));
 }
 

@@ -65,5 +65,19 @@ TEST(TravelLine, ValuesReturnToTheNodesTheyCameFrom) {
     }
 }
 
+/// Nothing but the search for the lowest point is done after it is told to stop.
+TEST(TravelLine, StopsWhenAsked) {
+  std::stop_source stop;
+  stop.request_stop();
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
+    TravelLine travel;
+    EXPECT_FALSE(
+        prepareTravelInto(travel, roughLine(100), scheme, Direction::Forward, stop.get_token()));
+    EXPECT_TRUE(travel.rise.empty());
+    EXPECT_TRUE(prepareTravelInto(travel, roughLine(100), scheme));
+    EXPECT_FALSE(travel.rise.empty());
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -108,6 +108,19 @@ TEST(LineSource, EveryModeHasItsOwnPhase) {
   }
 }
 
+/// The longest steps of a line are its transforms: none begins after it is told to stop.
+TEST(LineSource, StopsBeforeItsTransforms) {
+  const LineSource source(roughScene(500), 1);
+  std::stop_source stop;
+  Line line;
+  EXPECT_TRUE(source.makeInto(line, 0, Slopes::Wanted, stop.get_token()));
+  EXPECT_EQ(line.height, source.make(0).height);
+  stop.request_stop();
+  Line none;
+  EXPECT_FALSE(source.makeInto(none, 0, Slopes::Wanted, stop.get_token()));
+  EXPECT_TRUE(none.height.empty());
+}
+
 TEST(LineSource, SmallAndOddNumbersOfElementsWork) {
   for (const std::int64_t elements : {3, 4, 7, 4999}) {
     const Line line = LineSource(roughScene(elements), 1).make(0);

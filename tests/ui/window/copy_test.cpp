@@ -109,6 +109,15 @@ TEST_F(CopyTest, EveryShippedSceneComesBack) {
   }
 }
 
+TEST_F(CopyTest, ColoursAreSaidWhereTheyAreNotTheUsualOnes) {
+  action("copyCommand").trigger();
+  EXPECT_FALSE(wordsOf(clipboardText()).contains("--overlay"));
+  window_.canvas().setOverlay(ContactOverlay::Power);
+  action("copyCommand").trigger();
+  const QStringList words = wordsOf(clipboardText());
+  EXPECT_EQ(words.value(words.indexOf("--overlay") + 1), "power");
+}
+
 TEST_F(CopyTest, ThePictureIsSaidAsItIsShown) {
   window_.setDark(true);
   window_.resize(1000, 700);
