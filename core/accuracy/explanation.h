@@ -26,8 +26,8 @@ struct Explanation {
   std::optional<Measurement> measured;
 };
 
-/// The plan of `curve` for steady sliding, else of `render`, with the prediction of a curve; that of
-/// a motion is added by core/run/motion_accuracy.h.
+/// The plan of `curve` for steady sliding, else of `render`, with the prediction of a curve; that
+/// of a motion is added by core/run/motion_accuracy.h.
 Explanation explain(const Scene& scene, int threads = 0);
 
 /// Runs the curve and fills `measured`. Nothing for a motion that is not steady.

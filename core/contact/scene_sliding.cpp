@@ -83,9 +83,8 @@ SteadyState SceneSliding::at(const TravelLine& line, double velocity) const {
 }
 
 bool SceneSliding::isComplete(const TravelLine& line, double depth, double velocity) const {
-  return hasArmsAt(velocity)
-             ? ArmSolver(line, law_, modes_, velocity).isContactComplete(depth)
-             : isContactComplete(line, depth, velocity * law_.relaxationTime);
+  return hasArmsAt(velocity) ? ArmSolver(line, law_, modes_, velocity).isContactComplete(depth)
+                             : isContactComplete(line, depth, velocity * law_.relaxationTime);
 }
 
 double SceneSliding::completeAbove(const TravelLine& line, double velocity) const {

@@ -1,5 +1,6 @@
 // The plan with one of the scene's lines at hand: only then is it known whether contact is complete
-// and the search for its edges is left out. Pure function; any thread. Cost: a line and a few passes.
+// and the search for its edges is left out. Pure function; any thread. Cost: a line and a few
+// passes.
 #pragma once
 
 #include <vector>

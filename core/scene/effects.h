@@ -11,8 +11,9 @@ namespace asperity {
 void checkEffects(const Scene& scene);
 
 /// Throws InputError where the elastomer has no equilibrium. Over a steady period an arm's strain
-/// has the mean 0, for what it yields must come back, and so has the rate of the depth: what is left
-/// is F_N = 4G integral of y, nothing at G = 0, at any velocity. Under a force it sinks for ever.
+/// has the mean 0, for what it yields must come back, and so has the rate of the depth: what is
+/// left is F_N = 4G integral of y, nothing at G = 0, at any velocity. Under a force it sinks for
+/// ever.
 void needEquilibrium(const Scene& scene);
 
 /// Throws InputError (sliding.kind) in one sentence where the motion is not steady or the

@@ -24,9 +24,8 @@ constexpr double kSpanDepth = 1, kFineGridDepth = 1.5;  // between background an
 constexpr double kOverlayDepth = 100;                   // over everything in it
 constexpr double kLabelWidth = 44;                      // a label needs this much of its axis
 constexpr double kLabelHeight = 24;
-constexpr double kStripGap = 18;      // between the plot and the strip below
-constexpr double kSlim = 0.32;        // height of the strip, of the whole
-constexpr double kTitleHeight = 150;  // of an upright title, pixels
+constexpr double kStripGap = 18;  // between the plot and the strip below
+constexpr double kSlim = 0.32;    // height of the strip, of the whole
 
 }  // namespace
 
@@ -187,8 +186,8 @@ void ChartPlotView::placeArea(double strip) {
 
 /// Upright the long title needs more room than the plot may have.
 void ChartPlotView::showTitles() {
-  const bool isLow =
-      height() - legend_->height() - (plot_.strip ? kSlim * height() : 0) < kTitleHeight + 60;
+  const bool isLow = QFontMetricsF(y_->titleFont()).horizontalAdvance(plot_.y.title) + 4 >
+                     chart_->plotArea().height();
   const auto set = [](QCategoryAxis& axis, const QString& title) {
     if (axis.titleText() != title) axis.setTitleText(title);
   };

@@ -100,8 +100,8 @@ TEST_F(AccuracyPanelTest, WhatCannotBePredictedIsExplained) {
   missing.surface.kind = SurfaceKind::Profile;
   missing.surface.file = "nowhere.csv";
   panel_.showScene(missing);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return text("accuracyPredicted").contains("nowhere.csv"); },
-                              kPatience))
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return text("accuracyPredicted").contains("nowhere.csv"); }, kPatience))
       << text("accuracyPredicted").toStdString();
 }
 
