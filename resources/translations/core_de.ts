@@ -2002,10 +2002,6 @@
         <translation>Kontaktdruck p</translation>
     </message>
     <message>
-        <source>share of the contact</source>
-        <translation>Anteil am Kontakt</translation>
-    </message>
-    <message>
         <source>elements in contact</source>
         <translation>Elemente in Kontakt</translation>
     </message>
@@ -2030,16 +2026,16 @@
         <translation>in Kontakt</translation>
     </message>
     <message>
-        <source>normal distribution</source>
-        <translation>Normalverteilung</translation>
+        <source>normal</source>
+        <translation>normalverteilt</translation>
     </message>
     <message>
         <source>wave number q</source>
         <translation>Wellenzahl q</translation>
     </message>
     <message>
-        <source>power spectral density C</source>
-        <translation>Leistungsspektraldichte C</translation>
+        <source>spectral density C</source>
+        <translation>Spektraldichte C</translation>
     </message>
     <message>
         <source>wanted, H = %1</source>
