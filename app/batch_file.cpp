@@ -11,6 +11,7 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
 #include "core/scene/scene_file.h"
+#include "ui/window/scene_library.h"
 
 namespace asperity {
 namespace {
@@ -159,10 +160,19 @@ class Entry {
     return std::max<std::size_t>(2, std::to_string(count).size());
   }
 
+  /// A file beside the batch's, or a shipped scene.
+  Scene sceneNamed(const std::string& name, const std::vector<std::string>& assignments) const {
+    const std::filesystem::path file = folder_ / name;
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+      if (const auto shipped = libraryFile(name)) return readScene(*shipped, name, {}, assignments);
+    return readSceneFile(file, assignments);
+  }
+
   Scene sceneWith(const std::vector<std::string>& assignments) const {
     const auto scene = json_.find("scene");
     if (scene == json_.end()) return readScene("{}", "scene", folder_, assignments);
-    if (scene->is_string()) return readSceneFile(folder_ / scene->get<std::string>(), assignments);
+    if (scene->is_string()) return sceneNamed(scene->get<std::string>(), assignments);
     return readScene(scene->dump(), "scene", folder_, assignments);
   }
 
@@ -202,7 +212,7 @@ const char* const kBatchFormat =
       "set": {"ensemble.realizations": 20},
       "sweep": {"load.normal_force": {"from": 1e-3, "to": 10, "points": 5},
                 "surface.hurst": [0.3, 0.7, 1]}}]}
-An entry's scene is a file (relative to the batch's) or a scene itself; set and sweep take any scene
+An entry's scene is a file (relative to the batch's), the name of a shipped scene, or a scene itself; set and sweep take any scene
 key. A sweep is a list, or a range, logarithmic unless "spacing": "linear"; several keys make a
 grid. show: contact, curve, both, or transient. DIR gets index.html, contact_sheet.png, results.csv
 and for each scene NAME.png, NAME.csv (its curve) and NAME.json (the scene).)";

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kContactPart = 0.54;  // of the height, where a diagram stands below
 
-constexpr float kStripScale = 1.5F;  // strips are low, which would make their texts small
+constexpr float kStripText = 0.8F;  // strips are low, which would make their texts small
 
 }  // namespace
 
@@ -57,7 +57,7 @@ DrawList PictureComposer::compose(const Frame& frame) {
   const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
   return stacked(contact(frame, above),
                  diagram(transientSheet(*frame.scene, samples, frame.spacing, frame.length),
-                         style_.height - above, kStripScale));
+                         style_.height - above, kStripText));
 }
 
 DrawList PictureComposer::contact(const Frame& frame, int height) {
@@ -72,12 +72,13 @@ DrawList PictureComposer::contact(const Frame& frame, int height) {
   return composeContact(frame, options);
 }
 
-DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float scale) const {
+DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float leastText) const {
   DiagramOptions options;
   options.width = style_.width;
   options.height = height;
-  options.scale = style_.scale * scale;
+  options.scale = style_.scale;
   options.theme = style_.theme;
+  options.leastText = leastText;
   return composeDiagrams(sheet, options);
 }
 
@@ -88,6 +89,7 @@ DiagramSheet PictureComposer::curveWithPresent(const Frame& frame) const {
   present.name = Words::tr("the line shown, at its velocity");
   present.mark = SeriesMark::Diamond;
   present.stroke = SeriesStroke::None;
+  present.colour = 1;  // told from the means, in front of which it may stand
   present.points = {{frame.scene->sliding.velocity, frame.muSteady}};
   sheet.diagrams.front().series.push_back(std::move(present));
   return sheet;

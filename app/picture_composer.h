@@ -32,7 +32,7 @@ class PictureComposer {
 
  private:
   DrawList contact(const Frame& frame, int height);
-  DrawList diagram(const DiagramSheet& sheet, int height, float scale = 1) const;
+  DrawList diagram(const DiagramSheet& sheet, int height, float leastText = 0) const;
   DiagramSheet curveWithPresent(const Frame& frame) const;
 
   PictureStyle style_;

@@ -87,6 +87,7 @@ SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& condi
   const StateSums sums = stateAt(line, balance.depth, memory);
   if (isComplete) balance.residual = std::abs(sums.depth / load - 1);
   SteadyResult result = steadyResultOf(line, conditions, balance.depth, sums);
+  if (isComplete) result.contactFraction = 1;  // the sum of a million lengths falls short of it
   addBalance(result, balance);
   result.status = statusOf(result);
   return result;
@@ -95,9 +96,10 @@ SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& condi
 SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& conditions,
                           double depth) {
   const double memory = memoryOf(conditions);
-  if (line.scheme == Scheme::Nodal || !isContactComplete(line, depth, memory))
-    countStage(Stage::ContactSearch);
+  const bool isComplete = line.scheme != Scheme::Nodal && isContactComplete(line, depth, memory);
+  if (!isComplete) countStage(Stage::ContactSearch);
   SteadyResult result = steadyResultOf(line, conditions, depth, sumsAt(line, depth, memory));
+  if (isComplete) result.contactFraction = 1;
   result.passes = 1;
   return result;
 }

@@ -39,6 +39,7 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
   const StripFloors floors = stripFloors(samples, spacing, period);
   DiagramSheet sheet;
   sheet.columns = 1;
+  sheet.sharesAxis = true;
   sheet.diagrams = {strip(scene, samples, {"velocity v", "m/s", AxisScale::Linear},
                           &TransientSample::velocity, 0),
                     strip(scene, samples, {"friction \u03BC", "", AxisScale::Linear},

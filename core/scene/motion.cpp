@@ -6,6 +6,12 @@
 
 namespace asperity {
 
+namespace {
+
+constexpr double kTurning = 1e-12;  // of the amplitude of the velocity: rounding
+
+}  // namespace
+
 bool Motion::jumps() const {
   return sliding_.kind == SlidingKind::Step || sliding_.kind == SlidingKind::Reversal;
 }
@@ -19,9 +25,13 @@ double Motion::jump() const {
 }
 
 double Motion::velocityAt(double time) const {
-  if (sliding_.kind == SlidingKind::Oscillation)
-    return sliding_.velocity +
-           sliding_.amplitude * std::sin(2 * std::numbers::pi * sliding_.frequency * time);
+  if (sliding_.kind == SlidingKind::Oscillation) {
+    const double velocity =
+        sliding_.velocity +
+        sliding_.amplitude * std::sin(2 * std::numbers::pi * sliding_.frequency * time);
+    // Where the line turns only the last digits of the time would be left.
+    return std::abs(velocity) > kTurning * sliding_.amplitude ? velocity : 0;
+  }
   return jumps() && time >= jump() ? secondVelocity() : sliding_.velocity;
 }
 

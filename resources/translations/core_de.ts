@@ -662,8 +662,8 @@
         <translation>Die Oberfläche ist längst zurückgekehrt, wo der nächste Gipfel auf sie trifft, und jeder Kontakt ist vorn und hinten fast gleich. Die Geschwindigkeit verdoppeln: Die Reibung verdoppelt sich mit.</translation>
     </message>
     <message>
-        <source>The velocity swings through zero and back, and friction draws a loop over it instead of a curve: the rubber remembers where it came from. Slow the oscillation and the loop closes onto the steady curve.</source>
-        <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung zeichnet darüber eine Schleife statt einer Kurve: Der Gummi erinnert sich, woher er kommt. Bei langsamerer Schwingung schließt sich die Schleife zur stationären Kurve.</translation>
+        <source>The velocity swings through zero and back, and friction lags behind it: at the same velocity it is another on the way up than on the way down, as the rubber remembers where it came from. Slow the oscillation and both ways come together.</source>
+        <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung hinkt hinterher: Bei gleicher Geschwindigkeit ist sie auf dem Hinweg eine andere als auf dem Rückweg, denn der Gummi erinnert sich, woher er kommt. Bei langsamerer Schwingung kommen beide Wege zusammen.</translation>
     </message>
     <message>
         <source>Transients</source>

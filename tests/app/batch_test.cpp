@@ -105,5 +105,13 @@ TEST_F(BatchTest, HelpShowsTheFormat) {
   EXPECT_THAT(program.run("batch --help").out, HasSubstr("asperity-batch/1"));
 }
 
+TEST_F(BatchTest, ShippedScenesAreFoundByName) {
+  write(R"({"name": "shipped", "scene": "wedge.json", "show": "contact"})");
+  EXPECT_EQ(program.run("batch b.json -o out").status, 0);
+  program.folder.write("wedge.json", R"({"title": "our own"})");
+  ASSERT_EQ(program.run("batch b.json -o out").status, 0);
+  EXPECT_THAT(read("out/shipped.json"), HasSubstr("our own"));
+}
+
 }  // namespace
 }  // namespace asperity

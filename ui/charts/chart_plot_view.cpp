@@ -107,6 +107,7 @@ void ChartPlotView::setColours(const PlotColours& colours) {
   paintAxis(*x_);
   paintAxis(*y_);
   for (QLineSeries* line : lines_) line->setPen(QPen(colours_.line, 2));
+  legend_->show(plot_, colours_);
   updateItems();
 }
 

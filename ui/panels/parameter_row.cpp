@@ -207,6 +207,12 @@ void ParameterRow::addLabel(QHBoxLayout& line, const QString& heading) {
   line.addWidget(label);
 }
 
+void ParameterRow::addEntry() {
+  entry_ = new ValueEntry;
+  describe(*entry_, "entry");
+  connect(entry_, &ValueEntry::takenBack, this, [this] { showError({}); });
+}
+
 void ParameterRow::addNumber(QHBoxLayout& line) {
   slider_ = new ValueSlider(SliderScale(parameter_));
   describe(*slider_, "slider");
@@ -214,8 +220,7 @@ void ParameterRow::addNumber(QHBoxLayout& line) {
           [this](double value) { emit valueGiven(sliderValue(parameter_, value)); });
   line.addWidget(slider_, 1);
 
-  entry_ = new ValueEntry;
-  describe(*entry_, "entry");
+  addEntry();
   connect(entry_, &ValueEntry::textCommitted, this, [this](const QString& text) {
     emit textGiven(inShownUnit(withPoint(text.trimmed()), entry_->unit()));
   });
@@ -243,8 +248,7 @@ void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
 }
 
 void ParameterRow::addText(QHBoxLayout& line) {
-  entry_ = new ValueEntry;
-  describe(*entry_, "entry");
+  addEntry();
   connect(entry_, &ValueEntry::textCommitted, this, &ParameterRow::textGiven);
   line.addWidget(entry_, 1);
   if (isFile(parameter_)) addBrowse(line);

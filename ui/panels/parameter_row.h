@@ -53,6 +53,7 @@ class ParameterRow : public QWidget {
 
  private:
   void addLabel(QHBoxLayout& line, const QString& heading);
+  void addEntry();
   void addNumber(QHBoxLayout& line);
   void addChoice(QHBoxLayout& line, const ChoiceField& field);
   void addText(QHBoxLayout& line);

@@ -43,6 +43,7 @@ void ValueEntry::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && (hasError() || isModified())) {
     replaceText(accepted_, acceptedUnit_);
     selectAll();
+    emit takenBack();
     return;
   }
   QLineEdit::keyPressEvent(event);

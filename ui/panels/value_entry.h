@@ -33,6 +33,8 @@ class ValueEntry : public QLineEdit {
  signals:
   void textCommitted(const QString& text);
   void unitShown(const QString& unit);
+  /// Escape: what was typed is gone.
+  void takenBack();
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

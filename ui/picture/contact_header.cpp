@@ -100,9 +100,11 @@ std::string titleOf(const Frame& frame) {
 /// "t = 3.2 ms, slid 1.5 mm", or nothing before the first step.
 std::string progressOf(const Frame& frame) {
   if (!(frame.time > 0)) return {};
+  constexpr double kRounding = 1e-12;  // of the period: a motion that came back
+  const double slid = std::abs(frame.distance);
   return filled(Words::tr("t = %1, slid %2"),
                 {quantity(frame.time, "s", 3, Zeros::Keep),
-                 quantity(std::abs(frame.distance), "m", 3, Zeros::Keep)});
+                 quantity(slid > kRounding * frame.length ? slid : 0, "m", 3, Zeros::Keep)});
 }
 
 float addTitle(DrawList& list, const Frame& frame, const Sizes& s, const Theme& theme, float side) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/accuracy/work_precision_file.h"
+#include "ui/charts/friction_series.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/picture/ticks.h"
@@ -109,7 +110,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), slider_(new QSl
 
   picture_ = new FigurePicture;
   picture_->setMinimumSize(200, 120);
-  picture_->showText(tr("“Compare methods” measures what accuracy costs for this scene."));
+  showInvitation();
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(0, 0, 0, 0);
   line->addWidget(controls);
@@ -125,6 +126,8 @@ void AccuracyPanel::showScene(const Scene& scene) {
                               : tr("no target: as scheme and realizations say"));
   free_->setEnabled(target > 0);
   comparisonBox_->allow(!choosesAccuracy(scene));
+  comparisonBox_->suggestLines(scene.ensemble.realizations);
+  dropOldPicture();
   measured_->clear();
   predict();
 }
@@ -188,6 +191,21 @@ void AccuracyPanel::takePrediction(const PredictionAnswer& answer) {
                                percent(prediction.error.standardError)));
 }
 
+/// Another scene has another diagram; how the curve is computed does not matter to it.
+void AccuracyPanel::dropOldPicture() {
+  if (!pictured_ || isComparing_) return;
+  Scene same = *pictured_;
+  same.accuracy = scene_.accuracy;
+  same.ensemble = scene_.ensemble;
+  if (haveSameCurve(same, scene_)) return;
+  pictured_.reset();
+  showInvitation();
+}
+
+void AccuracyPanel::showInvitation() {
+  picture_->showText(tr("“Compare methods” measures what accuracy costs for this scene."));
+}
+
 /// Starts, or cancels what was started.
 void AccuracyPanel::compareMethods() {
   if (isComparing_) return comparison_->stop();
@@ -202,6 +220,7 @@ void AccuracyPanel::compareMethods() {
     later([this, made] {
       endComparison({});
       picture_->showFigure(made);
+      dropOldPicture();  // the scene may have changed meanwhile
     });
   };
   events.failed = [this, later](FigureName, const QString& reason) {
@@ -211,6 +230,7 @@ void AccuracyPanel::compareMethods() {
   comparison_ = std::make_unique<FigureWorker>(std::move(events), comparisonOf(scene_));
   isComparing_ = true;
   compare_->setText(tr("Cancel"));
+  pictured_ = scene_;
   picture_->showText(tr("measuring every method on this scene's lines …"));
   comparison_->start({});
 }

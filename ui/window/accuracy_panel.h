@@ -59,6 +59,8 @@ class AccuracyPanel : public QWidget {
   void predict();
   void takePrediction(const PredictionAnswer& answer);
   void compareMethods();
+  void dropOldPicture();
+  void showInvitation();
   void endComparison(const QString& text);
 
   Scene scene_;
@@ -71,6 +73,7 @@ class AccuracyPanel : public QWidget {
   QPushButton* compare_;  // starts and cancels
   FigurePicture* picture_;
   bool isComparing_ = false;
+  std::optional<Scene> pictured_;  // whose methods are compared on the picture
   std::uint64_t asked_ = 0;
   // Last: their threads end before anything else here goes.
   std::unique_ptr<FigureWorker> comparison_;

@@ -46,8 +46,8 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   oversampling_ = spin("comparisonOversampling", static_cast<int>(usual.oversampling),
                        kMostOversampling, tr("points per element to compare with"));
   oversampling_->setPrefix(QStringLiteral("×"));
-  lines_ = spin("comparisonLines", static_cast<int>(usual.realizations), kMostLines,
-                tr("lines to compare with"));
+  suggested_ = static_cast<int>(usual.realizations);
+  lines_ = spin("comparisonLines", suggested_, kMostLines, tr("lines to compare with"));
   lines_->setSuffix(tr(" lines"));
 
   auto* choice = new QHBoxLayout;
@@ -78,6 +78,12 @@ std::optional<CurveSetting> ComparisonBox::setting() const {
   setting.oversampling = setting.scheme == Scheme::Nodal ? 1 : oversampling_->value();
   setting.realizations = lines_->value();
   return setting;
+}
+
+void ComparisonBox::suggestLines(std::int64_t lines) {
+  if (lines_->value() != suggested_) return;
+  suggested_ = static_cast<int>(std::min<std::int64_t>(lines, kMostLines));
+  lines_->setValue(suggested_);
 }
 
 void ComparisonBox::allow(bool allowed) {

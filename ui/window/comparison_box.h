@@ -23,6 +23,9 @@ class ComparisonBox : public QWidget {
   std::optional<CurveSetting> setting() const;
   /// A target accuracy leaves nothing to compare at one resolution.
   void allow(bool allowed);
+  /// As many lines as the scene has, unless somebody chose another number: fewer would add their
+  /// own scatter to the difference.
+  void suggestLines(std::int64_t lines);
 
  signals:
   void settingChanged();
@@ -32,6 +35,7 @@ class ComparisonBox : public QWidget {
   QComboBox* scheme_;
   QSpinBox* oversampling_;
   QSpinBox* lines_;
+  int suggested_ = 0;  // number of lines that nobody chose
 };
 
 }  // namespace asperity

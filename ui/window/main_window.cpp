@@ -156,6 +156,8 @@ void MainWindow::connectSession() {
 
 void MainWindow::showDescription() {
   const QString text = translatedText(session_->scene().description);
+  if (text == described_) return;  // closed by hand it stays closed
+  described_ = text;
   text.isEmpty() || isTouring_ ? description_->hide() : description_->showMessage(text);
 }
 

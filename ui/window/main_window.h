@@ -217,6 +217,7 @@ class MainWindow : public QMainWindow {
   QElapsedTimer curveTime_;  // since the present curve was wanted
   MessageBar* messages_ = nullptr;
   MessageBar* description_ = nullptr;  // what to look for in the scene that was opened
+  std::optional<QString> described_;   // and what it said last
   MessageBar* hint_ = nullptr;         // at the tour
   TourBar* tourBar_ = nullptr;
   bool isTouring_ = false;

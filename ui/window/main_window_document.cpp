@@ -104,6 +104,7 @@ void MainWindow::showScene(const Scene& scene) {
 
 void MainWindow::showScene(const SceneOrigin& origin) {
   endTour();
+  described_.reset();
   document_->open(origin);
   panel_->setScene(origin.scene);
   session_->setScene(origin.scene);

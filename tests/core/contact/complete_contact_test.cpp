@@ -128,5 +128,13 @@ TEST(CompleteContact, OfElementsWithArmsNeedsNoSearch) {
   }
 }
 
+/// Also where a sum over all segments is off in its last digits.
+TEST(CompleteContact, IsTheWholeLine) {
+  const TravelLine line = prepareTravel(roughLine(100000, 3), Scheme::Linear);
+  const SteadyResult deep = slideAtDepth(line, {1e7, 1e-3, 1}, 1);
+  EXPECT_EQ(deep.contactFraction, 1);
+  EXPECT_EQ(slideAtForce(line, {1e7, 1e-3, 1}, deep.normalForce, 0).contactFraction, 1);
+}
+
 }  // namespace
 }  // namespace asperity

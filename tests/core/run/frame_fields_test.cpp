@@ -247,5 +247,10 @@ TEST(Fields, ArriveWhileTheRunnerIsPaused) {
   EXPECT_EQ(runner.newestFrame()->sinceContact.size(), runner.newestFrame()->power.size());
 }
 
+TEST(SteadyFields, NothingIsDissipatedAtRest) {
+  const SteadyFrames frames(shared(rough(0)), kEverything);
+  for (const double power : frames.frame(0, 1, 25).power) EXPECT_EQ(power, 0);
+}
+
 }  // namespace
 }  // namespace asperity

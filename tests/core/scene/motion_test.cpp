@@ -52,5 +52,16 @@ TEST(Motion, JumpsAtHalfOfItsDuration) {
   EXPECT_NEAR(oscillation.distanceAt(0.04), 0.3 * 0.04, 1e-15);
 }
 
+TEST(Motion, AnOscillationStandsStillWhereItTurns) {
+  Sliding sliding;
+  sliding.kind = SlidingKind::Oscillation;
+  sliding.velocity = 0;
+  sliding.amplitude = 0.3;
+  sliding.frequency = 100;
+  const Motion motion(sliding);
+  for (int half = 0; half <= 8; ++half) EXPECT_EQ(motion.velocityAt(0.005 * half), 0) << half;
+  EXPECT_NEAR(motion.velocityAt(0.0025), 0.3, 1e-12);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -365,5 +365,15 @@ TEST_F(ParameterPanelTest, ShowsComplaintsOfTheRunner) {
   EXPECT_TRUE(entry("surface.length").hasError());  // still what someone typed
 }
 
+TEST_F(ParameterPanelTest, EscapeTakesTheComplaintBackToo) {
+  type("surface.hurst", "abc");
+  ASSERT_TRUE(isShown("error:surface.hurst"));
+  ValueEntry& hurst = entry("surface.hurst");
+  hurst.setFocus();
+  QTest::keyClick(&hurst, Qt::Key_Escape);
+  EXPECT_FALSE(isShown("error:surface.hurst"));
+  EXPECT_EQ(hurst.text(), numberText(panel_.scene().surface.hurst));
+}
+
 }  // namespace
 }  // namespace asperity

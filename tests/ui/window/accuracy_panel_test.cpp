@@ -74,13 +74,19 @@ TEST_F(AccuracyPanelTest, TheBoxSaysWithWhatTheCurveIsCompared) {
   QSignalSpy changed(&panel_, &AccuracyPanel::comparisonChanged);
   EXPECT_FALSE(panel_.comparison());
   control<QCheckBox>("comparisonWanted").setChecked(true);
-  EXPECT_EQ(panel_.comparison(), CurveSetting());
+  CurveSetting usual;
+  usual.realizations = smallScene().ensemble.realizations;  // the same lines, unless told
+  EXPECT_EQ(panel_.comparison(), usual);
   control<QComboBox>("comparisonScheme").setCurrentIndex(static_cast<int>(Scheme::Nodal));
   EXPECT_EQ(panel_.comparison()->oversampling, 1);
   EXPECT_FALSE(control<QSpinBox>("comparisonOversampling").isEnabled());
   control<QSpinBox>("comparisonLines").setValue(7);
   EXPECT_EQ(panel_.comparison()->realizations, 7);
   EXPECT_EQ(changed.count(), 3);
+  Scene another = smallScene();
+  another.ensemble.realizations += 5;
+  panel_.showScene(another);
+  EXPECT_EQ(panel_.comparison()->realizations, 7);
 }
 
 TEST_F(AccuracyPanelTest, TheSliderSetsTheTargetAndTheButtonTakesItAway) {

@@ -352,6 +352,16 @@ TEST_F(MainWindowTest, AnOpenedSceneSaysWhatToLookFor) {
   EXPECT_FALSE(window_.description().isVisible());
 }
 
+TEST_F(MainWindowTest, ADescriptionThatWasClosedStaysClosed) {
+  window_.findChild<QAction*>("scene:region_2")->trigger();
+  window_.description().hide();
+  type("load.normal_force", "5 mN");
+  window_.findChild<QAction*>("undo")->trigger();
+  EXPECT_FALSE(window_.description().isVisible());
+  window_.findChild<QAction*>("scene:region_2")->trigger();
+  EXPECT_TRUE(window_.description().isVisible());
+}
+
 TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
   auto& tabs = control<QTabWidget>("tabs");
   auto& strips = control<TransientStrips>("transientStrips");
