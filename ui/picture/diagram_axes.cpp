@@ -105,11 +105,20 @@ PlotAxis logarithmic(const DiagramAxis& axis, const AxisRange& range, int most, 
   return plot;
 }
 
-/// The name is cut, the unit stays.
+/// The symbol that ends a name, "v" of "velocity v"; empty where none does.
+std::string symbolOf(const std::string& name) {
+  constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
+  const std::size_t space = name.rfind(' ');
+  return space != name.npos && name.size() - space - 1 <= kLongest ? name.substr(space + 1) : "";
+}
+
+/// The name is left to its symbol or cut, the unit stays.
 std::string shortened(const std::string& title, float size, float pixels) {
   if (textWidth(title, size) <= pixels) return title;
   const std::size_t unit = title.rfind(" (");
   const std::string last = unit == title.npos ? "" : title.substr(unit);
+  const std::string symbol = symbolOf(title.substr(0, unit));
+  if (!symbol.empty() && textWidth(symbol + last, size) <= pixels) return symbol + last;
   const std::string cut =
       elided(title.substr(0, unit), size, false, pixels - textWidth(last, size));
   return cut.empty() ? elided(title, size, false, pixels) : cut + last;

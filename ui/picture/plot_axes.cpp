@@ -50,7 +50,15 @@ PlotAxis linearAxisAlong(double from, double to, float pixels, float size, const
 
 PlotAxis linearAxisUp(double from, double to, float pixels, float size, const std::string& name,
                       std::string_view unit) {
-  return axisOf(from, to, linearTicks(from, to, tickCount(pixels, 4 * size), unit), name);
+  int most = tickCount(pixels, 4 * size);
+  AxisTicks axis = linearTicks(from, to, most, unit);
+  // A low axis has closer ticks rather than a single one, which says nothing of the scale.
+  const auto fitting = static_cast<std::size_t>(std::max(pixels / (1.5F * size), 0.0F));
+  while (axis.ticks.size() < 2 && most < 6) {
+    AxisTicks closer = linearTicks(from, to, ++most, unit);
+    if (closer.ticks.size() <= fitting) axis = std::move(closer);
+  }
+  return axisOf(from, to, axis, name);
 }
 
 PlotAxis logarithmicAxis(double from, double to, int most, std::string title,

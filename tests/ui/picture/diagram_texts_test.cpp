@@ -112,5 +112,34 @@ TEST(DiagramTexts, StayReadableInLowTabs) {
     }
 }
 
+/// Of strips over time: the symbol and the unit are left of a name, and more than one tick.
+TEST(DiagramTexts, OfLowStripsSayWhatAndHowMuch) {
+  DiagramSheet sheet;
+  sheet.columns = 1;
+  for (const char* name : {"velocity v", "friction \u03BC", "indentation d"}) {
+    Diagram strip;
+    strip.x = {"time t", "s", AxisScale::Linear};
+    strip.y = {name, "m/s", AxisScale::Linear};
+    DiagramSeries series;
+    series.points = {{0, -0.31}, {0.01, 0.29}, {0.02, -0.3}};
+    strip.series = {series};
+    sheet.diagrams.push_back(strip);
+  }
+  DiagramOptions options;
+  options.width = 1280;
+  options.height = 331;
+  options.leastText = 0.8F;
+  const DrawList list = composeDiagrams(sheet, options);
+  std::string texts;
+  int marks = 0;
+  for (const DrawText& text : list.texts) {
+    texts += text.utf8 + "|";
+    marks += text.utf8 == "200" || text.utf8 == "\u2212200";
+  }
+  for (const char* title : {"|v (mm/s)|", "|\u03BC (mm/s)|", "|d (mm/s)|"})
+    EXPECT_NE(texts.find(title), texts.npos) << texts;
+  EXPECT_EQ(marks, 6) << texts;
+}
+
 }  // namespace
 }  // namespace asperity
