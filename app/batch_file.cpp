@@ -160,19 +160,10 @@ class Entry {
     return std::max<std::size_t>(2, std::to_string(count).size());
   }
 
-  /// A file beside the batch's, or a shipped scene.
-  Scene sceneNamed(const std::string& name, const std::vector<std::string>& assignments) const {
-    const std::filesystem::path file = folder_ / name;
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
-      if (const auto shipped = libraryFile(name)) return readScene(*shipped, name, {}, assignments);
-    return readSceneFile(file, assignments);
-  }
-
   Scene sceneWith(const std::vector<std::string>& assignments) const {
     const auto scene = json_.find("scene");
     if (scene == json_.end()) return readScene("{}", "scene", folder_, assignments);
-    if (scene->is_string()) return sceneNamed(scene->get<std::string>(), assignments);
+    if (scene->is_string()) return readNamedScene(scene->get<std::string>(), folder_, assignments);
     return readScene(scene->dump(), "scene", folder_, assignments);
   }
 

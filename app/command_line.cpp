@@ -256,11 +256,7 @@ void fillClosedStreams() {
 
 Scene sceneOf(const CommonOptions& options) {
   if (options.scene.empty()) return readScene("{}", "--set", {}, options.assignments);
-  std::error_code ignored;
-  if (!std::filesystem::exists(options.scene, ignored))
-    if (const auto shipped = libraryFile(options.scene))
-      return readScene(*shipped, options.scene, {}, options.assignments);
-  return readSceneFile(options.scene, options.assignments);
+  return readNamedScene(options.scene, {}, options.assignments);
 }
 
 int runCommandLine(int argc, char** argv) {

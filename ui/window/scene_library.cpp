@@ -3,6 +3,8 @@
 #include <QDir>
 #include <QFile>
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -49,8 +51,7 @@ std::vector<LibraryScene> readLibrary() {
   return scenes;
 }
 
-}  // namespace
-
+/// The file of a shipped scene; none where no scene has this name.
 std::optional<std::string> libraryFile(const std::string& name) {
   openResources();
   QFile file(kFolder + "/" + QString::fromStdString(name));
@@ -58,6 +59,17 @@ std::optional<std::string> libraryFile(const std::string& name) {
       !file.open(QIODevice::ReadOnly))
     return std::nullopt;
   return file.readAll().toStdString();
+}
+
+}  // namespace
+
+Scene readNamedScene(const std::string& name, const std::filesystem::path& folder,
+                     const std::vector<std::string>& assignments) {
+  const std::filesystem::path file = folder / name;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    if (const auto shipped = libraryFile(name)) return readScene(*shipped, name, {}, assignments);
+  return readSceneFile(file, assignments);
 }
 
 const std::vector<LibraryScene>& libraryScenes() {

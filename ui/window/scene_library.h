@@ -2,7 +2,7 @@
 #pragma once
 
 #include <QString>
-#include <optional>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,7 +19,9 @@ struct LibraryScene {
 /// scene that does not read is left out. Read at the first call.
 const std::vector<LibraryScene>& libraryScenes();
 
-/// The file of a shipped scene, by its name with ".json"; none where no scene has this name.
-std::optional<std::string> libraryFile(const std::string& name);
+/// The scene file of this name in the folder (empty: the present one) or, where there is none, the
+/// shipped scene of this name with ".json". Throws InputError where it does not read.
+Scene readNamedScene(const std::string& name, const std::filesystem::path& folder,
+                     const std::vector<std::string>& assignments);
 
 }  // namespace asperity
