@@ -83,7 +83,7 @@ TEST(ArmCases, Table) {
       const SteadyState state = sliding.at(prepareTravel(line, scheme), row.velocity);
       const SteadyResult& result = state.result;
       const ReferenceResult reference =
-          referenceWithArms(line, scheme, sliding.law(), row.velocity, row.force,
+          referenceWithArms(line, scheme, sliding.law(), row.velocity, scene.load,
                             result.indentation, state.arms.strain);
       double rounding = 0;
       for (const Arm& arm : row.arms) rounding += kPerStiffness * arm.modulus / row.equilibrium;

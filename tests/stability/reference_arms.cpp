@@ -15,18 +15,24 @@ using Vector = std::vector<Wide>;
 constexpr int kLooks = 16;       // at a function along a piece
 constexpr int kMostEvents = 64;  // in a piece; more are rounding
 constexpr Wide kPoint = 1e-9;    // of a period
-constexpr Wide kSmooth = 0.5;    // decays by Gauss's points, above in closed form
+constexpr Wide kNearlyStill = 0.01;
+constexpr Wide kSmooth = 0.5;  // decays by Gauss's points, above in closed form
 
-/// Where a function is lowest between two places around one dip.
+/// Where a function is lowest between two places around one dip, or just below 0.
 template <class Function>
 Wide lowestBetween(Wide low, Wide high, const Function& function) {
-  const Wide golden = (std::sqrt(Wide(5)) - 1) / 2;
-  for (int i = 0; i < 100; ++i) {
-    const Wide left = high - golden * (high - low), right = low + golden * (high - low);
-    (function(left) < function(right) ? high : low) =
-        function(left) < function(right) ? right : left;
+  static const Wide golden = (std::sqrt(Wide(5)) - 1) / 2;
+  Wide left = high - golden * (high - low), right = low + golden * (high - low);
+  Wide atLeft = function(left), atRight = function(right);
+  for (int i = 0; i < 60 && atLeft >= 0 && atRight >= 0; ++i) {
+    const bool isLeft = atLeft < atRight;
+    (isLeft ? high : low) = isLeft ? right : left;
+    (isLeft ? right : left) = isLeft ? left : right;
+    (isLeft ? atRight : atLeft) = isLeft ? atLeft : atRight;
+    (isLeft ? left : right) = isLeft ? high - golden * (high - low) : low + golden * (high - low);
+    (isLeft ? atLeft : atRight) = function(isLeft ? left : right);
   }
-  return low + (high - low) / 2;
+  return atLeft < atRight ? left : right;
 }
 
 /// The first place in [from, to] from which on a function is below 0 that is not so at `from` but
@@ -66,8 +72,9 @@ class DrivenArm {
 
   Wide at(Wide s) const {
     if (s > kSmooth * c_) return (e_ - q_[0]) * std::exp(-s / c_) + value(q_, s);
+    const auto kept = [&](Wide x) { return std::exp((x - s) / c_) * value(p_, x); };
     return e_ * std::exp(-s / c_) +
-           integral(0, s, [&](Wide x) { return std::exp((x - s) / c_) * value(p_, x); });
+           (s > kNearlyStill * c_ ? integral(0, s, kept) : integral<4>(0, s, kept));
   }
   /// integral of e over [0, s].
   Wide sum(Wide s) const {
@@ -273,20 +280,19 @@ Vector solved(std::vector<Vector> rows) {
 
 class Closing {
  public:
-  Closing(ArmReference& pass, Wide load) : pass_(pass), load_(load) {}
+  /// load: F_N / 4G, or 0 where the depth is given.
+  Closing(ArmReference& pass, Wide load, Wide depth) : pass_(pass), load_(load), depth_(depth) {}
 
-  /// Unknowns: the depth, then the strains.
-  ReferenceResult from(Vector unknown) {
+  ReferenceResult from(std::span<const double> strains) {
+    Vector unknown(strains.begin(), strains.end());
+    if (load_ > 0) unknown.insert(unknown.begin(), depth_);
     ReferenceResult best;
     best.closure = std::numeric_limits<Wide>::infinity();
     for (int step = 0, stalled = 0; step < 40 && stalled < 3; ++step) {
       const Vector residual = residualAt(unknown);
-      if (worst_ < best.closure / 2)
-        stalled = 0;
-      else
-        ++stalled;
+      stalled = worst_ < best.closure / 2 ? 0 : stalled + 1;
       if (worst_ < best.closure)
-        best = {unknown[0], pass_.dissipation() / pass_.depthSum(),
+        best = {depth_, pass_.dissipation() / pass_.depthSum(),
                 pass_.contact() / pass_.line().length, 1, worst_};
       if (worst_ < 1e-19L) break;
       const Vector by = solved(slopesAt(unknown, residual));
@@ -296,46 +302,52 @@ class Closing {
   }
 
  private:
-  Wide scaleOf(const Vector& unknown) const { return std::min(pass_.line().meanRise, unknown[0]); }
+  Wide scale() const { return std::min(pass_.line().meanRise, depth_); }
 
   Vector residualAt(const Vector& unknown) {
-    pass_.run(unknown[0], std::span(unknown).subspan(1));
+    const bool byForce = load_ > 0;
+    if (byForce) depth_ = unknown[0];
+    pass_.run(depth_, std::span(unknown).subspan(byForce ? 1 : 0));
     Vector residual = pass_.missing();
-    worst_ = std::abs(pass_.depthSum() / load_ - 1);
-    for (const Wide missing : residual)
-      worst_ = std::max(worst_, std::abs(missing) / scaleOf(unknown));
-    residual.insert(residual.begin(), (pass_.depthSum() - load_) / pass_.line().length);
+    worst_ = byForce ? std::abs(pass_.depthSum() / load_ - 1) : 0;
+    for (const Wide missing : residual) worst_ = std::max(worst_, std::abs(missing) / scale());
+    if (byForce)
+      residual.insert(residual.begin(), (pass_.depthSum() - load_) / pass_.line().length);
     return residual;
   }
 
   std::vector<Vector> slopesAt(const Vector& unknown, const Vector& residual) {
-    const Wide worst = worst_;
+    const Wide depth = depth_;
     std::vector<Vector> rows(unknown.size(), Vector(unknown.size() + 1));
     for (std::size_t k = 0; k < unknown.size(); ++k) {
-      const Wide step = 1e-8L * (k == 0 ? unknown[0] : scaleOf(unknown) / pass_.glassy());
+      depth_ = depth;
+      const bool isDepth = load_ > 0 && k == 0;
+      const Wide step = 1e-8L * (isDepth ? depth : scale() / pass_.glassy());
       Vector moved = unknown;
       moved[k] += step;
       const Vector there = residualAt(moved);
       for (std::size_t i = 0; i < rows.size(); ++i) rows[i][k] = (there[i] - residual[i]) / step;
     }
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].back() = residual[i];
-    worst_ = worst;
+    depth_ = depth;
     return rows;
   }
 
   ArmReference& pass_;
-  Wide load_, worst_ = 0;
+  Wide load_, depth_, worst_ = 0;
 };
 
 }  // namespace
 
 ReferenceResult referenceWithArms(const Line& line, Scheme scheme, const ElementLaw& law,
-                                  double velocity, double force, double depth,
+                                  double velocity, const Load& load, double depth,
                                   std::span<const double> strains) {
   ArmReference pass(line, scheme, law, velocity);
-  Vector unknown{depth};
-  unknown.insert(unknown.end(), strains.begin(), strains.end());
-  return Closing(pass, force / (4 * Wide(law.equilibriumModulus))).from(unknown);
+  const Wide perStiffness = load.kind == LoadKind::Force
+                                ? load.normalForce / (4 * Wide(law.equilibriumModulus))
+                                : Wide(0);
+  return Closing(pass, perStiffness, load.kind == LoadKind::Force ? depth : load.depth)
+      .from(strains);
 }
 
 }  // namespace asperity

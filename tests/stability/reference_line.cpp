@@ -73,6 +73,7 @@ GaussPoints<Count>::GaussPoints() {
     weight[static_cast<std::size_t>(i)] = 2 / ((1 - x * x) * slope * slope);
   }
 }
+template struct GaussPoints<4>;
 template struct GaussPoints<10>;
 
 Polynomial ReferenceNodes::after(std::size_t i, Scheme scheme) const {
