@@ -6,19 +6,17 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QElapsedTimer>
-#include <QEventLoop>
 #include <QFile>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <algorithm>
 #include <cmath>
 
 #include "core/friction/ensemble.h"
 #include "core/scene/provenance.h"
+#include "tests/ui/window/fresh_paints.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/charts/plot_view.h"
@@ -204,56 +202,6 @@ TEST_F(CurveCommandsTest, ATargetLeavesNothingToCompare) {
   EXPECT_FALSE(control<QWidget>("comparisonBox").isEnabled());
   ASSERT_TRUE(waitFor([this] { return !plot().plot().strip; }));
 }
-
-/// Counts what is painted of the diagram while a fresh curve is the one to paint, and tells when
-/// the first such picture is whole.
-class FreshPaints : public QObject {
- public:
-  FreshPaints(Session& session, PlotView& view) : session_(session), view_(view) {
-    for (QWidget* part : view.findChildren<QWidget*>()) part->installEventFilter(this);
-  }
-  void start() {
-    isWhole_ = false;
-    clock_.start();
-  }
-  /// In an event loop, as in the program: QTest's waiting sleeps between its looks.
-  bool waitForPicture() {
-    QTimer::singleShot(20000, &loop_, &QEventLoop::quit);
-    if (!isWhole_) loop_.exec();
-    return isWhole_;
-  }
-  int mixed = 0;
-  double milliseconds = 0;  // from the start to the first whole picture
-
- protected:
-  bool eventFilter(QObject*, QEvent* event) override {
-    if (event->type() != QEvent::Paint) return false;
-    const bool isStale = session_.friction().isStale();
-    const Plot& plot = view_.plot();
-    if (plot.series.empty()) return false;
-    const bool fades = plot.series.back().faded;
-    for (const PlotSeries& series : plot.series)
-      if (!series.isPinned() && series.faded != fades) ++mixed;
-    if (!isStale && !fades && !isWhole_)  // after this and all other painting of this turn
-      QMetaObject::invokeMethod(
-          this, [this] { becomeWhole(); }, Qt::QueuedConnection);
-    return false;
-  }
-
- private:
-  void becomeWhole() {
-    if (isWhole_) return;
-    milliseconds = 1e-6 * static_cast<double>(clock_.nsecsElapsed());
-    isWhole_ = true;
-    loop_.quit();
-  }
-
-  Session& session_;
-  PlotView& view_;
-  bool isWhole_ = true;
-  QEventLoop loop_;
-  QElapsedTimer clock_;
-};
 
 TEST_F(CurveCommandsTest, ASliderBringsANewCurveAtOnceAndNeverMixesItWithTheOld) {
   window_.showScene(Scene{});  // the paper's size
