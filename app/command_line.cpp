@@ -15,6 +15,7 @@
 #include "core/friction/figures/figure.h"
 #include "core/scene/input_error.h"
 #include "core/scene/parameter_table.h"
+#include "core/scene/range_text.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/window/scene_library.h"
@@ -26,6 +27,19 @@ constexpr const char* kDescription =
     "Asperity shows and computes how a viscoelastic elastomer slides over a randomly rough line.";
 
 constexpr const char* kLastLanguage = "that of the last time, or of the desktop";
+
+/// A number in [minimum, maximum], said as the table of parameters says it.
+CLI::Validator between(double minimum, double maximum, std::string_view unit = {}) {
+  const std::string allowed = rangeText(minimum, maximum, unit);
+  const auto complaint = [=](const std::string& text) -> std::string {
+    double number = 0;
+    if (!CLI::detail::lexical_cast(text, number))
+      return fmt::format("'{}' is not a number; allowed is {}", text.substr(0, 60), allowed);
+    if (number >= minimum && number <= maximum) return {};
+    return fmt::format("{} is outside {}", plainNumber(number), allowed);
+  };
+  return {complaint, allowed};
+}
 
 class CommandLine {
  public:
@@ -94,7 +108,7 @@ class CommandLine {
         ->take_all()
         ->allow_extra_args(false);
     app.add_option("--threads", common.threads, "Threads to use; 0: all of the machine")
-        ->check(CLI::Range(0, 1024));
+        ->check(between(0, 1024));
     app.add_flag("--quiet", common.quiet, "No progress and no summary");
     app.add_flag("--json", common.json, "Machine-readable answer on standard output");
     app.add_flag("--timing", common.timing, "Run time on standard error");
@@ -149,16 +163,16 @@ class CommandLine {
         ->capture_default_str();
     TimeChoice& time = render_.time;
     verb->add_option("--frames", time.frames, "Frames; else 60 a period, or 60 for a motion")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
+        ->check(between(1, 1e6));
     verb->add_option("--fps", time.framesPerSecond, "Frames per second of film")
         ->capture_default_str()
-        ->check(CLI::Range(0.001, 1000.0));
+        ->check(between(0.001, 1000));
     verb->add_option("--duration", time.duration, "Seconds of film, instead of --frames")
-        ->check(CLI::Range(0.001, 1e6));
+        ->check(between(0.001, 1e6, "s"));
     verb->add_option("--cycles", time.cycles, "Periods of the line that pass; else 1")
-        ->check(CLI::Range(1e-6, 1e6));
+        ->check(between(1e-6, 1e6));
     verb->add_option("--slow-motion", time.slowMotion, "Seconds of film to a simulated second")
-        ->check(CLI::Range(1e-12, 1e15));
+        ->check(between(1e-12, 1e15));
     verb->add_flag("--resume", render_.resume,
                    "Keep the frames that an interrupted run left, and make the rest");
   }
@@ -183,7 +197,7 @@ class CommandLine {
         ->required();
     verb->add_option("--realizations", figure_.realizations, "Random lines to average over")
         ->capture_default_str()
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
+        ->check(between(1, 1e6));
     addShared(*verb, figure_.common);
     addLanguage(*verb, figure_.common, "en");
     verb->footer("Figures:\n" + words);
