@@ -7,9 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/picture_composer.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/json_text.h"
+#include "core/scene/known_words.h"
 #include "core/scene/scene_file.h"
 #include "ui/window/scene_library.h"
 
@@ -19,6 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargest = std::size_t{1} << 24;  // bytes
+constexpr int kDeepest = 12;                            // a scene stands in an entry in a list
 constexpr std::size_t kMostItems = 1000;
 
 struct Sweep {
@@ -30,10 +34,13 @@ struct Sweep {
   throw InputError("", key, why);
 }
 
-void checkKeys(const Json& object, const std::string& where, std::set<std::string> known) {
+void checkKeys(const Json& object, const std::string& where,
+               const std::vector<std::string_view>& known) {
   if (!object.is_object()) refuse(where, "needs an object");
   for (const auto& [key, value] : object.items())
-    if (!known.contains(key)) refuse(where, fmt::format("'{}' is unknown", key.substr(0, 60)));
+    if (std::ranges::find(known, key) == known.end())
+      refuse(where, fmt::format("'{}' is unknown; the nearest known key is {}", shortened(key),
+                                nearestOf(key, known)));
 }
 
 std::string textOf(const Json& object, const char* key, const std::string& otherwise) {
@@ -110,8 +117,7 @@ class Entry {
   std::vector<BatchItem> items() {
     checkKeys(json_, "entry", {"name", "scene", "set", "sweep", "show"});
     show_ = textOf(json_, "show", "");
-    if (!std::set<std::string>{"", "contact", "curve", "both", "transient"}.contains(show_))
-      refuse("show", "is not one of contact, curve, both, transient");
+    if (!show_.empty()) layoutFrom(show_, "show");
     readSet();
     sweeps_ = sweepsOf(json_);
     std::size_t count = 1;
@@ -210,8 +216,7 @@ and for each scene NAME.png, NAME.csv (its curve) and NAME.json (the scene).)";
 
 Batch readBatch(const std::filesystem::path& file) {
   try {
-    const Json root = Json::parse(readWholeFile(file, kLargest), nullptr, false);
-    if (root.is_discarded()) refuse("", "is not valid JSON");
+    const Json root = parseJson(readWholeFile(file, kLargest), kDeepest);
     checkKeys(root, "", {"schema", "title", "size", "entries"});
     if (textOf(root, "schema", "") != "asperity-batch/1")
       refuse("schema", "is not asperity-batch/1");

@@ -1,15 +1,16 @@
 #include "app/output.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
 
 namespace asperity {
 
@@ -22,13 +23,22 @@ std::string extensionOf(const std::string& file) {
 
 void checkOutputs(const std::vector<std::string>& files,
                   std::initializer_list<std::string_view> extensions) {
+  std::set<std::filesystem::path> seen;
   for (const std::string& file : files) {
     checkWritable(file);
     const std::string extension = extensionOf(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
-      throw InputError(
-          file, "", fmt::format("'{}' is not one of {}", extension, fmt::join(extensions, ", ")));
+      throw InputError(file, "", notOneOf("'" + extension + "'", {extensions}));
+    if (!seen.insert(std::filesystem::absolute(file).lexically_normal()).second)
+      throw InputError("", "--output", file + " is given more than once");
   }
+}
+
+void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs) {
+  std::error_code ignored;  // what is not there is the same as nothing
+  for (const std::filesystem::path& input : inputs)
+    if (std::filesystem::equivalent(output, input, ignored))
+      throw InputError("", "--output", output + " is what is read, and would be replaced");
 }
 
 void makeFolder(const std::string& folder) {

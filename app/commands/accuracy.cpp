@@ -86,7 +86,10 @@ int runAccuracy(const AccuracyCommand& command) {
   const Scene scene = sceneOf(command.common);
   saidOfScene(command.common, [&] { needSteadySliding(scene, "asperity accuracy"); });
   makeFolder(command.output);
-  for (const char* name : kFiles) checkWritable(fileIn(command.output, name));
+  for (const char* name : kFiles) {
+    checkWritable(fileIn(command.output, name));
+    checkNoInput(fileIn(command.output, name), inputsOf(command.common, scene));
+  }
   const WorkPrecision comparison = compute(scene, command.common);
   const std::string json = workPrecisionJson(comparison);
   writeFileAtomically(

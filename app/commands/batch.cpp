@@ -37,9 +37,7 @@ class BatchRun {
  public:
   explicit BatchRun(const BatchCommand& command)
       : command_(command), batch_(readBatch(command.common.scene)) {
-    PictureChoice choice = command.picture;
-    if (choice.size.empty()) choice.size = batch_.size;
-    style_ = styleOf(choice, {960, 900, "light"});
+    style_ = readStyle();
     small_ = style_;
     small_.width = kThumbnail;
     small_.height = kThumbnail * style_.height / style_.width;
@@ -51,6 +49,8 @@ class BatchRun {
     sheet_.background = style_.theme.background;
     makeFolder(command.output);
     checkWritable(fileIn("index.html"));
+    for (const BatchItem& item : batch_.items)
+      checkNoInput(fileIn(item.name + ".json"), {command.common.scene});
   }
 
   int run() {
@@ -74,6 +74,19 @@ class BatchRun {
  private:
   std::string fileIn(const std::string& name) const {
     return (std::filesystem::path(command_.output) / name).string();
+  }
+
+  /// A size that the file gives is said of the file.
+  PictureStyle readStyle() const {
+    PictureChoice choice = command_.picture;
+    const bool isOfFile = choice.size.empty();
+    if (isOfFile) choice.size = batch_.size;
+    try {
+      return styleOf(choice, {960, 900, "light"});
+    } catch (const InputError& error) {
+      if (!isOfFile || error.key() != "--size") throw;
+      throw InputError(command_.common.scene, "size", error.message());
+    }
   }
 
   /// What goes wrong with one scene is said of it, and the rest go on.

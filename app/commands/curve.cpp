@@ -71,6 +71,9 @@ int runCurve(const CurveCommand& command) {
   const Scene scene = sceneOf(command.common);
   saidOfScene(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
+  for (const std::string& output : command.outputs)
+    checkNoInput(output, inputsOf(command.common, scene));
+  checkUseful(command.picture, command.outputs);
   const PictureStyle style = styleOf(command.picture, {1200, 800, "print"});
   const Curve curve = compute(scene, command.common);
   for (const std::string& output : command.outputs) {

@@ -13,6 +13,7 @@
 #include "app/progress_bar.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
 #include "core/scene/provenance.h"
 #include "ui/language/translated.h"
 #include "ui/picture/figure_drawing.h"
@@ -31,12 +32,13 @@ std::vector<FigureName> allOfThePaper() {
 }
 
 FigureName nameOf(const std::string& word) {
-  std::string words;
+  std::vector<std::string_view> words;
   for (const FigureEntry& entry : figureEntries()) {
     if (entry.word == word) return entry.name;
-    words += std::string(entry.word) + ", ";
+    words.push_back(entry.word);
   }
-  throw InputError("", "NAME", fmt::format("{} is not one of {}all", word.substr(0, 60), words));
+  words.push_back("all");
+  throw InputError("", "NAME", notOneOf(word, words));
 }
 
 /// Each once, in the order given.

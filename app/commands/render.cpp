@@ -101,16 +101,27 @@ class Rendering {
   std::int64_t count() const { return frames_->plan().count; }
 
   void checkUsage() const {
-    const TimeChoice& time = command_.time;
-    if (!std::isfinite(time.framesPerSecond))
-      throw InputError("", "--fps", "is not a finite number");
-    if (kind_ == Kind::Picture && (time.frames > 1 || time.duration > 0))
-      throw InputError(command_.output, "", "is one picture; frames need a folder or a film");
+    if (kind_ == Kind::Picture) checkStill();
+    checkUseful(command_.picture, {command_.output});
+    checkNoInput(command_.output, inputsOf(command_.common, scene_));
     if (kind_ != Kind::Sequence) checkWritable(command_.output);
     if (kind_ == Kind::Film) checkFilm(command_.output, style_.transparent);
     if (command_.resume && kind_ != Kind::Sequence)
       throw InputError("", "--resume",
                        "goes on with a folder of frames; a single file is made anew");
+  }
+
+  /// One picture has no time.
+  void checkStill() const {
+    const TimeChoice& time = command_.time;
+    for (const auto& [option, given] : {std::pair{"--frames", time.frames > 1},
+                                        {"--fps", time.framesPerSecond > 0},
+                                        {"--duration", time.duration > 0},
+                                        {"--cycles", time.cycles > 0},
+                                        {"--slow-motion", time.slowMotion > 0}})
+      if (given)
+        throw InputError("", option,
+                         command_.output + " is one picture; frames need a folder or a film");
   }
 
   void checkLayout() const {
@@ -166,7 +177,7 @@ class Rendering {
   void writeFilm() {
     FilmOptions options{style_.width,
                         style_.height,
-                        command_.time.framesPerSecond,
+                        frames_->plan().framesPerSecond,
                         style_.transparent,
                         translated(scene_.title),
                         provenanceLine(origin())};

@@ -44,6 +44,8 @@ void writeSurface(const std::string& output, const Scene& scene, const LineSourc
 int runSurface(const SurfaceCommand& command) {
   const Scene scene = sceneOf(command.common);
   checkOutputs(command.outputs, {".csv", ".json", ".png"});
+  for (const std::string& output : command.outputs)
+    checkNoInput(output, inputsOf(command.common, scene));
   saidOfScene(command.common, [&] {
     const LineSource source(scene, pointsPerElement(scene));
     const Line line = source.make(0);

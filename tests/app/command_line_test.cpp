@@ -81,7 +81,7 @@ TEST_F(CommandLineTest, BadUsageIsExitTwo) {
   expectRefused("nowhere.json", 2, "cannot be opened");
   expectRefused("chekc s.json", 2, "chekc is neither a verb (check, ");
   expectRefused("render s.json -o new/folder --fps nan", 2, "--fps");
-  expectRefused("curve s.json -o ''", 2, "an output needs a name");
+  expectRefused("curve s.json -o ''", 2, "--output: is empty");
 }
 
 TEST_F(CommandLineTest, OutputsThatCannotBeAreRefusedBeforeAnyWork) {
