@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/picture_composer.h"
+#include "core/friction/curve_words.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
@@ -108,6 +109,17 @@ std::string fileName(const std::string& name) {
   return clean.substr(0, 60);
 }
 
+/// "; H = 0.3, F = 10 mN": what tells a scene from the others of its sweep.
+std::string variedInWords(const BatchItem& item) {
+  std::string text;
+  for (const auto& [key, value] : item.varied) {
+    const std::string words = parameterInWords(key, item.scene);
+    text += (text.empty() ? "; " : ", ") +
+            (words.empty() ? fmt::format("{} = {}", key, shortened(value)) : words);
+  }
+  return text;
+}
+
 /// Spreads one entry out into its items.
 class Entry {
  public:
@@ -152,8 +164,7 @@ class Entry {
     try {
       item.scene = sceneWith(assignments);
       if (item.scene.title.empty()) item.scene.title = name_;
-      for (const auto& [key, value] : item.varied)
-        item.scene.title += fmt::format(", {} = {}", key, value.substr(0, 40));
+      item.scene.title += variedInWords(item);
       const bool isSteady = item.scene.sliding.kind == SlidingKind::Steady;
       item.show = !show_.empty() ? show_ : isSteady ? "both" : "transient";
     } catch (const InputError& error) {

@@ -11,6 +11,7 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
 #include "core/scene/known_words.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 
@@ -46,6 +47,10 @@ void makeFolder(const std::string& folder) {
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))
     throw InputError(folder, "", "is not a folder and cannot be made one");
+}
+
+std::string wroteLine(const std::string& file) {
+  return filled(Words::tr("wrote %1"), {file}) + "\n";
 }
 
 void printSummary(bool machineReads, bool quiet, const std::string& text) {

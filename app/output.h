@@ -23,6 +23,9 @@ void checkNoInput(const std::string& output, const std::vector<std::filesystem::
 /// Makes the folder, with those above it, where it is not there. Throws InputError.
 void makeFolder(const std::string& folder);
 
+/// "wrote a.png" in the language in use, with its line's end.
+std::string wroteLine(const std::string& file);
+
 /// What a person reads: to stdout, or to stderr where stdout is the machine's.
 void printSummary(bool machineReads, bool quiet, const std::string& text);
 

@@ -56,7 +56,7 @@ class BatchRun {
   int run() {
     HeadlessPictures pictures(style_.backend);
     {
-      ProgressBar bar("scenes", command_.common.quiet);
+      ProgressBar bar(Words::tr("scenes"), command_.common.quiet);
       const auto total = static_cast<std::int64_t>(batch_.items.size());
       for (const BatchItem& item : batch_.items) {
         results_.push_back(resultOf(item, pictures));
@@ -183,9 +183,12 @@ class BatchRun {
       }
       list.push_back(std::move(entry));
     }
-    printSummary(command_.common.json, command_.common.quiet,
-                 fmt::format("{} scenes, {} failed\nwrote {}\n", results_.size(), bad,
-                             fileIn("index.html")));
+    printSummary(
+        command_.common.json, command_.common.quiet,
+        (results_.size() == 1 ? filled(Words::tr("one scene, %1 failed"), {std::to_string(bad)})
+                              : filled(Words::tr("%1 scenes, %2 failed"),
+                                       {std::to_string(results_.size()), std::to_string(bad)})) +
+            "\n" + wroteLine(fileIn("index.html")));
     if (command_.common.json) fmt::print("{}\n", answer.dump(2));
     return bad > 0 ? kRunFailed : kDone;
   }

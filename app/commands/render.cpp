@@ -20,7 +20,9 @@
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/language/words.h"
 #include "ui/picture/contact_overlay.h"
 #include "ui/picture/png_file.h"
 
@@ -77,11 +79,14 @@ class Rendering {
   }
 
   std::string summary() const {
-    std::string text = fmt::format("mu = {:.6g}\n", frictionOf(last_));
-    if (kind_ == Kind::Picture) return text + fmt::format("wrote {}\n", command_.output);
-    text += fmt::format("wrote {} frames{} {}\n", drawn_, kind_ == Kind::Film ? " to" : " in",
-                        command_.output);
-    if (drawn_ < count()) text += fmt::format("{} were there already\n", count() - drawn_);
+    std::string text = "mu = " + inLanguage(fmt::format("{:.6g}", frictionOf(last_))) + "\n";
+    if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
+    text += filled(kind_ == Kind::Film ? Words::tr("wrote %1 frames to %2")
+                                       : Words::tr("wrote %1 frames in %2"),
+                   {std::to_string(drawn_), command_.output}) +
+            "\n";
+    if (drawn_ < count())
+      text += filled(Words::tr("%1 were there already"), {std::to_string(count() - drawn_)}) + "\n";
     return text;
   }
 
@@ -137,7 +142,7 @@ class Rendering {
   }
 
   void computeCurve() {
-    ProgressBar bar("realizations", command_.common.quiet);
+    ProgressBar bar(Words::tr("realizations"), command_.common.quiet);
     CurveOptions options;
     options.threads = command_.common.threads;
     options.progress = [&bar](const CurveProgress& progress) {
@@ -228,7 +233,7 @@ class Rendering {
   }
 
   void runStages(const std::vector<std::int64_t>& indices, PipelineStages& stages) {
-    ProgressBar bar("frames", command_.common.quiet);
+    ProgressBar bar(Words::tr("frames"), command_.common.quiet);
     drawn_ = static_cast<std::int64_t>(indices.size());
     stages.progress = [&](std::int64_t done) { bar.show(done, drawn_); };
     seconds_ = runPipeline(indices, stages);
