@@ -179,15 +179,39 @@ class Rendering {
     files_ = {command_.output};
   }
 
+  /// Frames over the whole film, from which a gif takes its colours; none for other films.
+  std::vector<std::int64_t> sampledIndices() const {
+    constexpr std::int64_t kSamples = 8;
+    if (extensionOf(command_.output) != ".gif") return {};
+    if (count() <= kSamples) return allIndices();
+    std::vector<std::int64_t> indices;
+    for (std::int64_t i = 0; i < kSamples; ++i)
+      indices.push_back(i * (count() - 1) / (kSamples - 1));
+    return indices;
+  }
+
+  /// Each is simulated and drawn once more than the film needs it.
+  void addSamples(const std::vector<std::int64_t>& indices, HeadlessPictures& pictures,
+                  FilmFile& film) const {
+    if (indices.empty()) return;
+    FrameSource frames(scene_, command_.time, false, fieldsFor(overlay_));
+    PictureComposer composer(style_, layout_, curve_, overlay_);
+    for (const std::int64_t index : indices)
+      film.add(pictures.draw(composer.compose(frames.frame(index))));
+  }
+
   void writeFilm() {
+    const std::vector<std::int64_t> samples = sampledIndices();
     FilmOptions options{style_.width,
                         style_.height,
                         frames_->plan().framesPerSecond,
                         style_.transparent,
+                        static_cast<int>(samples.size()),
                         translated(scene_.title),
                         provenanceLine(origin())};
     HeadlessPictures pictures(style_.backend);
     FilmFile film(command_.output, options);
+    addSamples(samples, pictures, film);
     PipelineStages stages = stagesOf(pictures);
     stages.sink = [&film](std::int64_t, const QImage& image, StageSeconds& seconds) {
       const StageTimer timer(seconds.encode);
