@@ -278,7 +278,7 @@ class LaneStream {
     const double length = line_.segmentLength(i);
     lanes_.height0[lane] = line_.rise[first];
     lanes_.height1[lane] = line_.rise[second];
-    lanes_.start[lane] = line_.position[first];
+    lanes_.start[lane] = line_.position(first);
     lanes_.along[lane] = isBack ? -length : length;
     lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
     lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];

@@ -1,5 +1,5 @@
-// Bounds and integrals of whole segments of one length, many at a time; the same bits on every
-// instruction set. Pure function.
+// Bounds and integrals of whole segments of one length and of blocks of them, many at a time; the
+// same bits on every instruction set. Pure functions.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +17,14 @@ void boundSegments(const double* rise, const double* slopeIn, const double* slop
 
 /// The same of one segment; rise: at its two ends.
 SegmentBounds boundSegment(const double* rise, double slopeIn, double slopeOut, double length);
+
+/// Blocks of four straight segments each, as far as whole ones go: of their rises at all ends and
+/// the slope of each.
+void boundStraightFours(const double* rise, const double* slope, std::size_t count, double length,
+                        BlockLevel& blocks);
+
+/// Blocks of four of a finer level's each, as far as whole ones go.
+void mergeFours(const BlockLevel& finer, BlockLevel& blocks);
 
 /// The first of the lowest of some values, of which there is at least one.
 std::size_t placeOfLowest(std::span<const double> values);

@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/contact/arc_gap-inl.h"
@@ -52,7 +53,11 @@ class StraightPass {
         memory_(task.memory),
         // Without memory the free surface comes back at once.
         inverse_(task.memory > 0 ? std::min(1 / task.memory, 1e300) : 1e300),
-        search_(line, depth_, memory_, inverse_) {}
+        search_(line, depth_, memory_, inverse_) {
+    const One way = {hn::Iota(kTag, 0)};
+    decay_ = One::all(1) - lostAfter(way * One::all(line.spacing * inverse_));
+    decayOverAll_ = std::exp(-line.spacing * static_cast<double>(One::kLanes) * inverse_);
+  }
 
   /// False where it was stopped.
   HWY_INLINE bool run(const PassQueue& queue, PassSums& sums) {
@@ -83,11 +88,29 @@ class StraightPass {
       count += summits.order[k] >= highest_ ? 1 : 0;
       highest_ = std::max(highest_, summits.order[k]);
     }
+    for (std::size_t patch = 0; patch < count; ++patch) setArc(patch, tops[patch]);
+    for (std::size_t k = 0; k < count; k += One::kLanes) relax(k);
     for (std::size_t patch = 0; patch < count; ++patch) setPatch(patch, tops[patch]);
-    for (std::size_t patch = 0; patch < count; patch += Wide::kLanes) {
-      for (std::size_t k = count; k < patch + Wide::kLanes; ++k) clear(k);
-      addParts(patch);
+    for (std::size_t k = 0; k < count; k += Wide::kLanes) {
+      for (std::size_t patch = count; patch < k + Wide::kLanes; ++patch) clear(patch);
+      addParts(k);
     }
+  }
+
+  /// The free arc before the summit's patch, so far as to the node behind where p rises through 0.
+  HWY_INLINE void setArc(std::size_t patch, std::size_t summit) {
+    const Summits& summits = search_.summits();
+    patches_.arcDepth[patch] = left_.depth;
+    patches_.arcRise[patch] = left_.rise;
+    patches_.arcLength[patch] =
+        line_.position(summits.start[summit] + 1) - left_.position - left_.along;
+    left_ = {summits.position[summit], summits.along[summit], summits.height[summit],
+             summits.depth[summit]};
+  }
+
+  HWY_INLINE void relax(std::size_t k) {
+    const One depth = One::load(patches_.arcDepth + k), way = One::load(patches_.arcLength + k);
+    negMulAdd(depth, lostAfter(way * One::all(inverse_)), depth).store(relaxed_ + k);
   }
 
   HWY_INLINE void setPatch(std::size_t patch, std::size_t summit) {
@@ -97,43 +120,42 @@ class StraightPass {
     std::size_t whole = 0;
     bool isOne = false;  // first and last segment
     if (hasLeft_) {
-      const std::size_t first = entryOf(summits.start[summit], last, summits.inside[summit] > 0);
+      const std::size_t next = summits.start[summit] + 1;
+      const std::size_t first = entryOf(next, last, summits.inside[summit] > 0, relaxed_[patch]);
       isOne = first == last;
-      setEntry(patch, first, isOne ? along / line_.spacing : 1);
+      setEntry(patch, first, next, isOne ? along / line_.spacing : 1);
       whole = first + 1;
     } else {
       clear(patch);
+      hasLeft_ = true;
     }
     if (whole < last) addWhole(whole, last);
     patches_.lastRise[patch] = summits.rise[summit];
     patches_.lastSlope[patch] = summits.slope[summit];
     patches_.lastLength[patch] = isOne ? 0 : along;
-    left_ = {summits.position[summit], along, summits.height[summit], summits.depth[summit]};
-    hasLeft_ = true;
   }
 
-  /// The segment in which contact begins: that before the first node, behind where p rose through
-  /// 0, that is deeper than the free surface.
-  HWY_INLINE std::size_t entryOf(std::size_t start, std::size_t last, bool inside) const {
-    const One d = One::all(depth_), inverse = One::all(inverse_), surface = One::all(left_.depth);
-    const One from = One::all(left_.position), along = One::all(left_.along);
-    for (std::size_t node = start + 1; node <= last; node += One::kLanes) {
+  /// The segment in which contact begins: that before the first node, from `node` on, that is
+  /// deeper than the free surface, which is `relaxed` deep at that node.
+  HWY_INLINE std::size_t entryOf(std::size_t node, std::size_t last, bool inside,
+                                 double relaxed) const {
+    const One d = One::all(depth_);
+    for (; node <= last; node += One::kLanes) {
       const std::size_t count = std::min(One::kLanes, last + 1 - node);
-      const One way = One::loadFirst(line_.position.data() + node, count) - from - along;
       const One depth = d - One::loadFirst(line_.rise.data() + node, count);
-      const One relaxed = negMulAdd(surface, lostAfter(way * inverse), surface);
-      const unsigned deeper = bitsOf(depth > relaxed) & ((1U << count) - 1);
+      const unsigned deeper = bitsOf(depth > One::all(relaxed) * decay_) & ((1U << count) - 1);
       if (deeper != 0) return node + static_cast<std::size_t>(std::countr_zero(deeper)) - 1;
+      relaxed *= decayOverAll_;
     }
     return inside ? last : last - 1;
   }
 
-  HWY_INLINE void setEntry(std::size_t patch, std::size_t segment, double end) {
+  /// next: the node to which arcLength has been counted.
+  HWY_INLINE void setEntry(std::size_t patch, std::size_t segment, std::size_t next, double end) {
     const bool isBack = line_.isMeasuredBack(segment);
     const std::size_t low = isBack ? segment + 1 : segment, high = isBack ? segment : segment + 1;
-    patches_.arcDepth[patch] = left_.depth;
-    patches_.arcRise[patch] = left_.rise;
-    patches_.arcLength[patch] = line_.position[low] - left_.position - left_.along;
+    patches_.arcLength[patch] +=
+        line_.spacing * static_cast<double>(static_cast<std::ptrdiff_t>(low - next));
     patches_.low[patch] = line_.rise[low];
     patches_.climb[patch] = line_.rise[high] - line_.rise[low];
     patches_.onwards[patch] = isBack ? -1 : 1;
@@ -151,13 +173,16 @@ class StraightPass {
   HWY_INLINE void addWhole(std::size_t from, std::size_t to) {
     whole_ += to - from;
     wholeClimb_ += line_.rise[to] - line_.rise[from];
+    One rises = wholeRises_, slopes = wholeSlopes_;
     for (std::size_t i = from; i < to; i += One::kLanes) {
       const std::size_t count = std::min(One::kLanes, to - i);
       const One slope = One::loadFirst(line_.slopeIn.data() + i, count);
-      wholeRises_ = wholeRises_ + (One::loadFirst(line_.rise.data() + i, count) +
-                                   One::loadFirst(line_.rise.data() + i + 1, count));
-      wholeSlopes_ = mulAdd(slope, slope, wholeSlopes_);
+      rises = rises + (One::loadFirst(line_.rise.data() + i, count) +
+                       One::loadFirst(line_.rise.data() + i + 1, count));
+      slopes = mulAdd(slope, slope, slopes);
     }
+    wholeRises_ = rises;
+    wholeSlopes_ = slopes;
   }
 
   HWY_INLINE void addParts(std::size_t k) {
@@ -226,8 +251,11 @@ class StraightPass {
   bool hasLeft_ = false;
   Left left_{};  // where the last patch ended
   Patches patches_;
-  std::size_t whole_ = 0;                                     // segments
-  double wholeClimb_ = 0;                                     // m
+  alignas(64) Patches::Values relaxed_;  // m, depth of the free surface to which arcs are counted
+  One decay_;                            // of a free surface over 0, 1, ... segments
+  double decayOverAll_;                  // over as many as a vector has lanes
+  std::size_t whole_ = 0;                // segments
+  double wholeClimb_ = 0;                // m
   One wholeRises_ = One::all(0), wholeSlopes_ = One::all(0);  // m: of both ends; 1
   Wide length_ = Wide::all(0), depths_ = length_, slopes_ = length_, climbs_ = length_;
   Wide freeDepths_ = length_, freeStiffness_ = length_, freeLoss_ = length_;

@@ -159,7 +159,7 @@ class SummitSearch {
     const std::size_t k = summits_.count++;
     summits_.segment[k] = segment;
     summits_.start[k] = start;
-    summits_.position[k] = line_.position[segment];
+    summits_.position[k] = line_.position(segment);
     summits_.rise[k] = line_.rise[segment];
     summits_.slope[k] = slope;
     summits_.inside[k] = inside;
