@@ -41,18 +41,21 @@ std::optional<Options> readOptions(int count, char** arguments) {
   return options;
 }
 
+void addRow(Table& table, const WindowMeasure& measure) {
+  const std::string value = number(measure.value) + " " + measure.unit;
+  if (!measure.limit) return table.add({measure.what, "-", value, "-", ""});
+  const double ratio = measure.value / *measure.limit;
+  const bool isMet = measure.isAtMost ? ratio <= 1 : ratio >= 1;
+  table.add(
+      {measure.what,
+       fmt::format("{} {:g} {}", measure.isAtMost ? "<=" : ">=", *measure.limit, measure.unit),
+       value, number(ratio), isMet ? "met" : "missed"});
+}
+
 std::string page(bool isQuick) {
   const double load = loadAverage();
   Table table({"what", "target", "measured", "of the target", ""});
-  for (const WindowMeasure& measure : measureWindow(isQuick)) {
-    const bool isMet =
-        measure.isAtMost ? measure.value <= measure.limit : measure.value >= measure.limit;
-    table.add(
-        {measure.what,
-         fmt::format("{} {:g} {}", measure.isAtMost ? "<=" : ">=", measure.limit, measure.unit),
-         number(measure.value) + " " + measure.unit, number(measure.value / measure.limit),
-         isMet ? "met" : "missed"});
-  }
+  for (const WindowMeasure& measure : measureWindow(isQuick)) addRow(table, measure);
   return fmt::format(
       "# The window\n\n{}, {} platform, contacts drawn by software (OSMesa), load average {:.1f} "
       "before the run.\nTimes by the wall clock: from the start of the process, or from the "

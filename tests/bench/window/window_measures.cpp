@@ -9,7 +9,6 @@
 #include <QTimer>
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 
 #include "tests/ui/window/fresh_paints.h"
@@ -129,6 +128,11 @@ class Window {
     return times;
   }
 
+  void resize(const QSize& size) {
+    window_.resize(size);
+    wait(200);
+  }
+
   /// Makes the contact view of a size or a little larger: the window gives a share to each part.
   void resizeContact(const QSize& size) {
     const auto missing = [&] { return (size - window_.canvas().size()).expandedTo({0, 0}); };
@@ -198,6 +202,10 @@ void measurePictures(Window& window, bool isQuick, std::vector<WindowMeasure>& m
   const int time = isQuick ? 1000 : 5000;
   measures.push_back({"pictures of the contact, window of 1280x720, ensemble running", "1/s", false,
                       30, window.picturesPerSecond(time)});
+  window.resize({2560, 1440});
+  measures.push_back({"the same, window of 2560x1440", "1/s", false, std::nullopt,
+                      window.picturesPerSecond(time)});
+  window.resize({1280, 720});
   window.resizeContact({1280, 720});
   measures.push_back({"pictures of the contact, 1280x720 of their own, ensemble running", "1/s",
                       false, 30, window.picturesPerSecond(time)});

@@ -1,6 +1,7 @@
 // What a person waits for at the window, measured. GUI thread, with an application.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,8 @@ namespace asperity::bench {
 struct WindowMeasure {
   std::string what, unit;
   bool isAtMost = true;  // of its limit; else at least
-  double limit = 0, value = 0;
+  std::optional<double> limit;
+  double value = 0;
 };
 
 /// Throws std::runtime_error where the window does not do what is measured.
