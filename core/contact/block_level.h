@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 namespace asperity {
@@ -26,9 +27,14 @@ class BlockLevel {
   std::vector<double> highest, steepest, riseIntegral, slopeSquared;  // as in SegmentBounds
 
   std::size_t size() const { return lowest.empty() ? 0 : lowest.size() - kPadding; }
-  void resize(std::size_t blocks) {
-    for (std::vector<double>* values : {&lowest, &highest, &steepest, &riseIntegral, &slopeSquared})
+  /// Returns false where `stop` was requested: fresh memory of long lines takes milliseconds.
+  bool resize(std::size_t blocks, const std::stop_token& stop = {}) {
+    for (std::vector<double>* values :
+         {&lowest, &highest, &steepest, &riseIntegral, &slopeSquared}) {
+      if (stop.stop_requested()) return false;
       values->resize(blocks + kPadding);
+    }
+    return true;
   }
   void resizeForNodal(std::size_t blocks) {
     clear();

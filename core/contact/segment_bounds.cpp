@@ -166,7 +166,6 @@ std::size_t placeOfLowest(std::span<const double> values) {
 
 void boundSegments(const double* rise, const double* slopeIn, const double* slopeOut,
                    std::size_t count, double length, BlockLevel& blocks) {
-  blocks.resize(count);
   HWY_DYNAMIC_DISPATCH(boundAll)
   (rise, slopeIn, slopeOut, count, length, blocks.lowest.data(), blocks.highest.data(),
    blocks.steepest.data(), blocks.riseIntegral.data(), blocks.slopeSquared.data());
@@ -185,7 +184,10 @@ void boundStraightFours(const double* rise, const double* slope, std::size_t cou
 void mergeFours(const BlockLevel& finer, BlockLevel& blocks) {
   const std::size_t count = finer.size() / 4;
   const bool isNodal = finer.highest.empty();
-  isNodal ? blocks.resizeForNodal(count) : blocks.resize(count);
+  if (isNodal)
+    blocks.resizeForNodal(count);
+  else
+    blocks.resize(count);
   HWY_DYNAMIC_DISPATCH(leastOfFours)(finer.lowest.data(), blocks.lowest.data(), count);
   if (isNodal) return;
   HWY_DYNAMIC_DISPATCH(mostOfFours)(finer.highest.data(), blocks.highest.data(), count);

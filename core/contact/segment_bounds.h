@@ -10,7 +10,7 @@
 namespace asperity {
 
 /// Segment k has the rises rise[k] and rise[k + 1] (m) at its ends and the slopes slopeIn[k] and
-/// slopeOut[k] there; it becomes block k of `blocks`, which is resized. length: m, of each.
+/// slopeOut[k] there; it becomes block k of `blocks`, which has as many. length: m, of each.
 /// Bounds by control points (a cubic lies within theirs), integrals exactly.
 void boundSegments(const double* rise, const double* slopeIn, const double* slopeOut,
                    std::size_t count, double length, BlockLevel& blocks);

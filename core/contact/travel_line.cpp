@@ -141,13 +141,16 @@ void addCuts(TravelLine& travel) {
   }
 }
 
-void resizeFor(TravelLine& travel, std::size_t segments) {
+bool resizeFor(TravelLine& travel, std::size_t segments, const std::stop_token& stop) {
   travel.rise.resize(segments + 1);
+  if (stop.stop_requested()) return false;
   travel.slopeIn.resize(segments);
+  if (stop.stop_requested()) return false;
   travel.slopeOut.resize(travel.scheme == Scheme::Cubic ? segments : 0);
+  return !stop.stop_requested();
 }
 
-void boundCubics(TravelLine& travel) {
+bool addCubicBlocks(TravelLine& travel, const std::stop_token& stop) {
   const std::size_t last = travel.segments() - 1;
   const auto bounds = [&travel](std::size_t i) {
     return boundSegment(&travel.rise[i], travel.slopeIn[i], travel.slopeOut[i],
@@ -155,8 +158,10 @@ void boundCubics(TravelLine& travel) {
   };
   travel.firstBounds = bounds(0);
   travel.lastBounds = bounds(last);
+  if (!travel.blocks[0].resize(last - 1, stop)) return false;
   boundSegments(&travel.rise[1], &travel.slopeIn[1], &travel.slopeOut[1], last - 1, travel.spacing,
                 travel.blocks[0]);
+  return addBlocksOver(travel, 0, stop);
 }
 
 /// The lowest level of straight segments would be as large as all the rest and say nothing new.
@@ -182,8 +187,7 @@ double integralOf(const TravelLine& travel) {
 bool addBounds(TravelLine& travel, const std::stop_token& stop) {
   travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
   const bool isCubic = travel.scheme == Scheme::Cubic;
-  if (isCubic) boundCubics(travel);
-  if (!(isCubic ? addBlocksOver(travel, 0, stop) : addStraightBlocks(travel, stop))) return false;
+  if (!(isCubic ? addCubicBlocks(travel, stop) : addStraightBlocks(travel, stop))) return false;
   travel.meanRise = integralOf(travel) / travel.length;
   if (stop.stop_requested()) return false;
   isCubic ? addCuts(travel) : travel.cuts.clear();
@@ -198,7 +202,7 @@ bool addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
   travel.startFraction = t;
   travel.firstLength = (1 - t) * h;
   travel.lastLength = t > 0 ? t * h : h;
-  resizeFor(travel, count + split);
+  if (!resizeFor(travel, count + split, stop)) return false;
   std::size_t node = lowest.node;
   if (split > 0) node = traveller.next(node);
   node = setWholeSegments(travel, line, traveller, node, split, count - split);
