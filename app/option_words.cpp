@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "core/scene/known_words.h"
@@ -22,8 +23,8 @@ bool isRead(const std::string& text, Number& number) {
 
 template <class Number>
 CLI::Validator numberWithin(Number least, Number most, const char* what, std::string_view unit) {
-  const std::string allowed =
-      rangeText(static_cast<double>(least), static_cast<double>(most), unit);
+  const std::string allowed = std::is_integral_v<Number> ? fmt::format("{} to {}", least, most)
+                                                         : rangeText(least, most, unit);
   return {[=](const std::string& text) -> std::string {
             Number number{};
             if (!isRead(text, number) || !std::isfinite(static_cast<double>(number)))
