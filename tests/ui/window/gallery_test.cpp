@@ -24,6 +24,7 @@
 
 #include "core/friction/study.h"
 #include "core/scene/scene_file.h"
+#include "tests/core/small_scene.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
@@ -46,11 +47,8 @@ bool waitFor(Condition condition) {
 }
 
 Scene smallScene() {
-  Scene scene;
+  Scene scene = sceneOfSize(256, 9, 3);
   scene.title = "small";
-  scene.surface.elements = 256;
-  scene.sweep.points = 9;
-  scene.ensemble.realizations = 3;
   return scene;
 }
 
