@@ -126,6 +126,7 @@ class CommandLine {
         "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
         "or .pdf; may repeat; none: CSV on stdout");
     addPictureOptions(*verb, curve_.picture, "1200x800", "print");
+    addCurveOptions(*verb, curve_.curves);
   }
   void addRender() {
     CLI::App* verb = addVerb("render", "Pictures and films of the contact, without a screen",
@@ -140,8 +141,9 @@ class CommandLine {
         ->capture_default_str();
     verb->add_option("--overlay", render_.overlay,
                      "What colours the contact: none, pressure, relaxation (time since contact) or "
-                     "power (dissipated)")
-        ->capture_default_str();
+                     "power (dissipated); else pressure");
+    addViewOptions(*verb, render_.view);
+    addCurveOptions(*verb, render_.curves);
     TimeChoice& time = render_.time;
     verb->add_option("--frames", time.frames, "Frames; else 60 a period, or 60 for a motion")
         ->check(wholeWithin(1, 1000000));
@@ -153,6 +155,13 @@ class CommandLine {
         ->check(within(1e-6, 1e6));
     verb->add_option("--slow-motion", time.slowMotion, "Seconds of film to a simulated second")
         ->check(within(1e-12, 1e15));
+    verb->add_option("--at", time.at,
+                     "One picture of the moment after so many seconds of sliding; else the start "
+                     "of steady sliding and the end of a motion")
+        ->type_name("SECONDS");
+    verb->add_option("--slid", time.slid,
+                     "One picture of steady sliding after so many m; else as --at says")
+        ->type_name("METRES");
     verb->add_flag("--resume", render_.resume,
                    "Keep the frames that an interrupted run left, and make the rest");
   }
