@@ -21,7 +21,7 @@ constexpr int kAbove = 4;  // and above and below it
 
 /// With a minus sign instead of a hyphen.
 QString numberLabel(double value) {
-  return readingLabel(value).replace('-', u'−');
+  return readingLabel(value);
 }
 
 QString verdictText(const Claim& claim) {
