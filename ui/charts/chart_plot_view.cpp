@@ -20,9 +20,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSpanDepth = 1, kFineGridDepth = 1.5;  // between background and grid of a chart
-constexpr double kOverlayDepth = 100;                   // over everything in it
-constexpr double kLabelWidth = 44;                      // a label needs this much of its axis
+constexpr double kSpanDepth = 1, kGridDepth = 1.5;  // between background and grid of a chart
+constexpr double kOverlayDepth = 100;               // over everything in it
+constexpr double kLabelWidth = 44;                  // a label needs this much of its axis
 constexpr double kLabelHeight = 24;
 constexpr double kStripGap = 18;  // between the plot and the strip below
 constexpr double kSlim = 0.32;    // height of the strip, of the whole
@@ -41,7 +41,7 @@ ChartPlotView::ChartPlotView(QWidget* parent)
       x_(makeAxis(Qt::AlignBottom)),
       y_(makeAxis(Qt::AlignLeft)),
       spans_(new SpanItem(chart_)),
-      fineGrid_(new FineGridItem(chart_)),
+      grid_(new GridItem(chart_)),
       points_(new PointsItem(chart_)),
       strip_(new StripItem(chart_)),
       marker_(new MarkerItem(chart_)),
@@ -57,7 +57,7 @@ ChartPlotView::ChartPlotView(QWidget* parent)
   view_->setAttribute(Qt::WA_TransparentForMouseEvents);  // gestures are this widget's
   setMouseTracking(true);
   spans_->setZValue(kSpanDepth);
-  fineGrid_->setZValue(kFineGridDepth);
+  grid_->setZValue(kGridDepth);
   points_->setZValue(kOverlayDepth);
   strip_->setZValue(kOverlayDepth);
   marker_->setZValue(kOverlayDepth + 1);
@@ -80,6 +80,7 @@ QCategoryAxis* ChartPlotView::makeAxis(Qt::Alignment side) {
   auto* axis = new QCategoryAxis;
   axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
   axis->setTruncateLabels(false);
+  axis->setGridLineVisible(false);  // GridItem's
   chart_->addAxis(axis, side);
   return axis;
 }
@@ -255,7 +256,6 @@ void ChartPlotView::paintAxis(QCategoryAxis& axis) const {
   axis.setLabelsColor(colours_.text);
   axis.setTitleBrush(colours_.text);
   axis.setLinePen(showsFocus_ ? QPen(colours_.points, 2) : QPen(colours_.axis, 1));
-  axis.setGridLinePen(QPen(colours_.grid, 1));
 }
 
 PlotGeometry ChartPlotView::geometry() const {
@@ -268,7 +268,7 @@ PlotGeometry ChartPlotView::geometry() const {
 
 void ChartPlotView::updateItems() {
   const PlotGeometry map = geometry();
-  for (PlotItem* item : {static_cast<PlotItem*>(spans_), static_cast<PlotItem*>(fineGrid_),
+  for (PlotItem* item : {static_cast<PlotItem*>(spans_), static_cast<PlotItem*>(grid_),
                          static_cast<PlotItem*>(points_), static_cast<PlotItem*>(strip_)})
     item->update(map, plot_, colours_);
   updateMarker();

@@ -80,7 +80,7 @@ class ChartPlotView : public PlotView {
   QCategoryAxis* y_;
   std::vector<QLineSeries*> lines_;  // owned by the chart, one for each line of plot_.series
   SpanItem* spans_;
-  FineGridItem* fineGrid_;
+  GridItem* grid_;
   PointsItem* points_;
   StripItem* strip_;
   MarkerItem* marker_;

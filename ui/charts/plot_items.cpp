@@ -13,6 +13,7 @@ namespace asperity {
 namespace {
 
 constexpr double kRadius = 4;        // of a point, where there is room
+constexpr double kGridGap = 6;       // pixels between whole decades, at least
 constexpr double kFineGridGap = 24;  // pixels a decade needs for a fine grid
 
 /// Of the points of one curve, so that they do not touch.
@@ -21,6 +22,38 @@ double radiusOf(const PlotSeries& series, const PlotGeometry& geometry) {
   const double apart = (geometry.xOf(series.points.back().x) - geometry.xOf(series.points[0].x)) /
                        static_cast<double>(series.points.size() - 1);
   return std::clamp(0.42 * apart, 1.5, kRadius);
+}
+
+/// Of a grid: at whole decades, and at the digits between them.
+struct Lines {
+  QList<QLineF> whole, fine;
+};
+
+/// line: of a value.
+template <class Line>
+void addLines(Lines& lines, const DecadeRange& range, double size, const Line& line) {
+  if (range.isEmpty() || size / range.size() < kGridGap) return;
+  const int most = size / range.size() < kFineGridGap ? 1 : 9;
+  for (double decade = std::floor(range.from); decade <= range.to; ++decade)
+    for (int digit = 1; digit <= most; ++digit) {
+      const double place = decade + std::log10(digit);
+      if (place < range.from || place > range.to) continue;
+      (digit == 1 ? lines.whole : lines.fine) += line(std::pow(10.0, place));
+    }
+}
+
+Lines linesOf(const PlotGeometry& geometry) {
+  const QRectF& area = geometry.area;
+  Lines lines;
+  addLines(lines, geometry.x, area.width(), [&](double value) {
+    const double x = std::floor(geometry.xOf(value)) + 0.5;
+    return QLineF(x, area.top(), x, area.bottom());
+  });
+  addLines(lines, geometry.y, area.height(), [&](double value) {
+    const double y = std::floor(geometry.yOf(value)) + 0.5;
+    return QLineF(area.left(), y, area.right(), y);
+  });
+  return lines;
 }
 
 }  // namespace
@@ -59,27 +92,17 @@ void SpanItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   painter->setOpacity(1);
 }
 
-void FineGridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  QColor colour = colours_.grid;
-  colour.setAlphaF(static_cast<float>(colour.alphaF() * 0.45));
-  painter->setPen(QPen(colour, 1));
-  const QRectF& area = geometry_.area;
-  const auto each = [](const DecadeRange& range, double size, auto&& draw) {
-    if (range.isEmpty() || size / range.size() < kFineGridGap) return;
-    for (double decade = std::floor(range.from); decade < range.to; ++decade)
-      for (int digit = 2; digit <= 9; ++digit) {
-        const double place = decade + std::log10(digit);
-        if (place > range.from && place < range.to) draw(std::pow(10.0, place));
-      }
-  };
-  each(geometry_.x, area.width(), [&](double value) {
-    const double x = geometry_.xOf(value);
-    painter->drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-  });
-  each(geometry_.y, area.height(), [&](double value) {
-    const double y = geometry_.yOf(value);
-    painter->drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-  });
+/// Lines on whole pixels: smoothed ones between pixels would be dull, and take most of the time
+/// that painting a diagram takes.
+void GridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  const bool wasSmooth = painter->testRenderHint(QPainter::Antialiasing);
+  painter->setRenderHint(QPainter::Antialiasing, false);
+  const Lines lines = linesOf(geometry_);
+  painter->setPen(QPen(colours_.fineGrid, 1));
+  painter->drawLines(lines.fine);
+  painter->setPen(QPen(colours_.grid, 1));
+  painter->drawLines(lines.whole);
+  painter->setRenderHint(QPainter::Antialiasing, wasSmooth);
 }
 
 void PointsItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {

@@ -1,5 +1,5 @@
 // What Qt Charts does not draw on logarithmic axes, or not where it belongs (its points sit a pixel
-// or two beside their values): names and shades of regions, the fine grid, points with error bars,
+// or two beside their values): names and shades of regions, the grid, points with error bars,
 // the strip below, the marker and the reading at the pointer. Graphics items that share one
 // geometry; owned by the chart, GUI thread.
 #pragma once
@@ -33,7 +33,7 @@ class SpanItem : public PlotItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 };
 
-class FineGridItem : public PlotItem {
+class GridItem : public PlotItem {
  public:
   using PlotItem::PlotItem;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;

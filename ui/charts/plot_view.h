@@ -18,7 +18,8 @@
 namespace asperity {
 
 struct PlotColours {
-  QColor background, text, faintText, grid, axis;
+  QColor background, text, faintText, axis;
+  QColor grid, fineGrid;  // at whole decades, and between them
   QColor points, line, marker;
   QColor span;        // over the background, where a region is shaded
   QColor difference;  // in the strip

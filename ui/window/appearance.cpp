@@ -77,6 +77,7 @@ PlotColours plotColoursOf(const Theme& theme) {
   colours.text = colourOf(theme.text);
   colours.faintText = colourOf(theme.faintText);
   colours.grid = mixed(colours.background, colours.text, dark ? 0.17 : 0.13);
+  colours.fineGrid = mixed(colours.background, colours.grid, 0.45);
   colours.axis = mixed(colours.background, colours.text, 0.5);
   colours.points = accent(theme);
   colours.line = dark ? QColor(0xb0, 0xb6, 0xbf) : QColor(0x6b, 0x72, 0x7c);

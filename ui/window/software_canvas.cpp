@@ -2,6 +2,7 @@
 #include <QPainter>
 #include <QResizeEvent>
 #include <QWidget>
+#include <utility>
 
 #include "ui/window/canvas_backend.h"
 #include "ui/window/contact_canvas.h"
@@ -37,6 +38,7 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
     QPainter painter(this);
     if (image_.isNull() || !isFitting()) painter.fillRect(rect(), colour());
     if (!image_.isNull()) painter.drawImage(0, 0, image_);
+    if (std::exchange(isNew_, false) && events_.painted) events_.painted();
   }
 
  private:
@@ -60,8 +62,8 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
     events.finished = [this](QImage image) {
       QMetaObject::invokeMethod(this, [this, image] {
         image_ = image;
+        isNew_ = true;
         update();
-        if (events_.painted) events_.painted();
       });
     };
     events.failed = [this](const QString& reason) {
@@ -75,6 +77,7 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
   CanvasEvents events_;
   PictureRequest request_;
   QImage image_;
+  bool isNew_ = false;    // not painted yet
   PictureWorker worker_;  // last: its thread ends before anything else here goes
 };
 

@@ -12,18 +12,19 @@
 namespace asperity {
 namespace {
 
-const PlotColours kColours{
-    Qt::white,
-    Qt::black,
-    Qt::darkGray,
-    QColor(0xdd, 0xdd, 0xdd),
-    Qt::black,
-    QColor(0, 0, 0xff),
-    QColor(0, 0x90, 0),
-    QColor(0xff, 0, 0),
-    QColor(0xee, 0xee, 0xee),
-    QColor(0x80, 0, 0x80),
-    {QColor(0, 0xcc, 0xcc), QColor(0xcc, 0, 0xcc), Qt::cyan, Qt::cyan, Qt::cyan, Qt::cyan}};
+const PlotColours kColours{.background = Qt::white,
+                           .text = Qt::black,
+                           .faintText = Qt::darkGray,
+                           .axis = Qt::black,
+                           .grid = QColor(0xdd, 0xdd, 0xdd),
+                           .fineGrid = QColor(0xf0, 0xf0, 0xf0),
+                           .points = QColor(0, 0, 0xff),
+                           .line = QColor(0, 0x90, 0),
+                           .marker = QColor(0xff, 0, 0),
+                           .span = QColor(0xee, 0xee, 0xee),
+                           .difference = QColor(0x80, 0, 0x80),
+                           .pinned = {QColor(0, 0xcc, 0xcc), QColor(0xcc, 0, 0xcc), Qt::cyan,
+                                      Qt::cyan, Qt::cyan, Qt::cyan}};
 
 Plot samplePlot() {
   Plot plot;
@@ -83,6 +84,18 @@ TEST_F(PlotViewTest, AxesAreLogarithmic) {
   EXPECT_NEAR(b.y() - a.y(), c.y() - b.y(), 1e-6);
   EXPECT_GT(b.x() - a.x(), 50);
   EXPECT_LT(b.y() - a.y(), -30);
+}
+
+TEST_F(PlotViewTest, GridLinesAreWholePixelsOfTheirColour) {
+  const QImage picture = image();
+  const auto colour = [&](double x, double y) {
+    const QPointF place = view_->positionOf(x, y);
+    return picture.pixelColor(static_cast<int>(place.x()), static_cast<int>(place.y()));
+  };
+  for (const double x : {1e-2, 1e-1, 1.0, 1e2}) EXPECT_EQ(colour(x, 3.3e-4), kColours.grid) << x;
+  for (const double x : {2e-2, 5e-1, 8.0}) EXPECT_EQ(colour(x, 3.3e-4), kColours.fineGrid) << x;
+  for (const double y : {1e-2, 1e-1}) EXPECT_EQ(colour(1.4e-2, y), kColours.grid) << y;
+  for (const double y : {3e-3, 4e-2}) EXPECT_EQ(colour(1.4e-2, y), kColours.fineGrid) << y;
 }
 
 TEST_F(PlotViewTest, PaintsErrorBarsUpAndDown) {

@@ -6,7 +6,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QMenu>
 #include <QSignalSpy>
@@ -17,6 +16,7 @@
 
 #include "core/friction/ensemble.h"
 #include "core/scene/provenance.h"
+#include "tests/ui/window/fresh_paints.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/charts/plot_view.h"
@@ -203,40 +203,6 @@ TEST_F(CurveCommandsTest, ATargetLeavesNothingToCompare) {
   ASSERT_TRUE(waitFor([this] { return !plot().plot().strip; }));
 }
 
-/// Counts what is painted of the diagram while a fresh curve is the one to paint.
-class FreshPaints : public QObject {
- public:
-  FreshPaints(Session& session, PlotView& view) : session_(session), view_(view) {
-    for (QWidget* part : view.findChildren<QWidget*>()) part->installEventFilter(this);
-  }
-  void start() {
-    fresh = 0;
-    clock.start();
-  }
-  int fresh = 0, mixed = 0;
-  double milliseconds = 0;  // from the start to the first of them
-
- protected:
-  bool eventFilter(QObject*, QEvent* event) override {
-    if (event->type() != QEvent::Paint) return false;
-    const bool isStale = session_.friction().isStale();
-    const Plot& plot = view_.plot();
-    if (plot.series.empty()) return false;
-    const bool fades = plot.series.back().faded;
-    for (const PlotSeries& series : plot.series)
-      if (!series.isPinned() && series.faded != fades) ++mixed;
-    if (isStale || fades) return false;
-    if (fresh == 0) milliseconds = 1e-6 * static_cast<double>(clock.nsecsElapsed());
-    ++fresh;
-    return false;
-  }
-
- private:
-  Session& session_;
-  PlotView& view_;
-  QElapsedTimer clock;
-};
-
 TEST_F(CurveCommandsTest, ASliderBringsANewCurveAtOnceAndNeverMixesItWithTheOld) {
   window_.showScene(Scene{});  // the paper's size
   ASSERT_TRUE(waitForCurve());
@@ -248,7 +214,7 @@ TEST_F(CurveCommandsTest, ASliderBringsANewCurveAtOnceAndNeverMixesItWithTheOld)
     paints.start();
     QTest::keyClick(&slider, i % 2 == 0 ? Qt::Key_Right : Qt::Key_Left);
     ASSERT_TRUE(session().friction().isStale());
-    ASSERT_TRUE(waitFor([&] { return paints.fresh > 0; }));
+    ASSERT_TRUE(paints.waitForPicture());
     milliseconds.push_back(paints.milliseconds);
     EXPECT_EQ(*session().curve()->scene, session().scene());
   }
