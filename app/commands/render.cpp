@@ -68,7 +68,7 @@ class Rendering {
       checkView(command_.view, overlay_, frames_->length());
       if (showsCurve()) computeCurves();
     });
-    composer_.emplace(style_, PictureContent{layout_, curves_, overlay_, command_.view});
+    composer_.emplace(style_, content());
   }
 
   void run() {
@@ -204,6 +204,8 @@ class Rendering {
     return composer_->compose(last_);
   }
 
+  PictureContent content() const { return {layout_, curves_, overlay_, command_.view}; }
+
   void writePicture() {
     HeadlessPictures pictures(style_.backend);
     pictures.write(command_.output, compose(0),
@@ -228,7 +230,7 @@ class Rendering {
                   FilmFile& film) const {
     if (indices.empty()) return;
     FrameSource frames(scene_, command_.time, false, fieldsFor(overlay_));
-    PictureComposer composer(style_, layout_, curve_, overlay_);
+    PictureComposer composer(style_, content());
     for (const std::int64_t index : indices)
       film.add(pictures.draw(composer.compose(frames.frame(index))));
   }
