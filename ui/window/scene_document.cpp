@@ -63,6 +63,11 @@ SceneDocument::SceneDocument(const Scene& scene, QObject* parent) : QObject(pare
   connect(&history_, &QUndoStack::indexChanged, this, &SceneDocument::changed);
 }
 
+/// A history that goes clears itself and says so, when the parent it would tell is half gone.
+SceneDocument::~SceneDocument() {
+  history_.disconnect(this);
+}
+
 void SceneDocument::open(const SceneOrigin& origin) {
   origin_ = origin;
   scene_ = origin.scene;

@@ -29,6 +29,7 @@ class SceneDocument : public QObject {
 
  public:
   explicit SceneDocument(const Scene& scene, QObject* parent = nullptr);
+  ~SceneDocument() override;
 
   /// A fresh document: no history, unchanged.
   void open(const SceneOrigin& origin);
