@@ -14,6 +14,8 @@ class App;
 
 namespace asperity {
 
+struct CommonOptions;
+
 /// As written on the command line; empty: not said.
 struct CurveChoice {
   std::string axes = "physical";
@@ -32,8 +34,6 @@ void addCurveOptions(CLI::App& verb, CurveChoice& choice);
 
 /// Reads all of it before anything is computed. Throws InputError naming the option.
 void checkCurves(const CurveChoice& choice, const Scene& scene);
-
-struct CommonOptions;
 
 /// The curves: the scene's own as given, and what is asked for beside. Shows progress. Throws
 /// InputError.

@@ -163,6 +163,7 @@ void ChartPlotView::focusOutEvent(QFocusEvent* event) {
 
 void ChartPlotView::showAll() {
   legend_->show(plot_, colours_);
+  layout()->activate();  // what the legend takes is not the chart's any more
   const double strip = plot_.strip ? std::round(kSlim * height()) : 0;
   placeArea(strip);
   x_->setLabelsVisible(!plot_.strip);

@@ -280,6 +280,24 @@ TEST_F(PlotGestures, TheLegendTakesMoreRowsAndCountsWhatHasNoRoom) {
   EXPECT_TRUE(legend->placeOf(39).isEmpty());
 }
 
+/// Rows that come and go with pinned curves leave room for the axis' labels and title below.
+TEST_F(PlotGestures, TheChartGivesTheLegendItsRoomAtOnce) {
+  Plot plot = samplePlot();
+  for (int id = 10; id < 20; ++id) {
+    plot.series.push_back(plot.series[0]);
+    plot.series.back().id = id;
+  }
+  const double line = QFontMetricsF(view_->font()).height();
+  const auto bottom = [&] { return view_->positionOf(1, 1e-4).y(); };
+  const double before = bottom();
+  view_->setPlot(plot);
+  QTest::qWait(1);
+  EXPECT_LE(bottom() + 2 * line, view_->height());
+  view_->setPlot(samplePlot());
+  QTest::qWait(1);
+  EXPECT_NEAR(bottom(), before, 1);
+}
+
 /// A name that says in much what a curve differs is broken into lines; its tooltip has all of it.
 TEST_F(PlotGestures, LongNamesAreBrokenAndWholeInTheirTooltip) {
   Plot plot = samplePlot();

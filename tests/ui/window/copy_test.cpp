@@ -14,6 +14,8 @@
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <cmath>
 
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
@@ -249,7 +251,10 @@ TEST_F(CallTest, DrawsTheMomentOfAMotion) {
   const QStringList words = copied();
   EXPECT_EQ(words.value(words.indexOf("--at") + 1).toDouble(), time);
   EXPECT_LT(difference(shown(), drawn(words)), 0.03);
-  EXPECT_NEAR(said_["mu"].toDouble() / mu, 1, 0.02);
+  double most = 0;  // at a turning point a single step changes much of what is little there
+  for (const TransientSample& sample : *frame()->transient)
+    if (std::isfinite(sample.mu)) most = std::max(most, std::abs(sample.mu));
+  EXPECT_NEAR(said_["mu"].toDouble(), mu, 0.05 * most);
   // The chart in front is drawn, too, with the motion on it.
   control<QTabWidget>("tabs").setCurrentWidget(&window_.plotView());
   const QStringList both = copied();
