@@ -20,17 +20,19 @@ bool isRead(const std::string& text, Number& number) {
 }
 
 template <class Number>
-CLI::Validator numberWithin(Number least, Number most, const char* what) {
-  const std::string allowed = fmt::format("{:} to {:}", least, most);
-  return {[=](const std::string& text) -> std::string {
-            Number number{};
-            if (!isRead(text, number) || !std::isfinite(static_cast<double>(number)))
-              return fmt::format("'{}' is not a {}; allowed is {}", shortened(text), what, allowed);
-            return number >= least && number <= most
-                       ? std::string()
-                       : fmt::format("{} is outside {}", shortened(text), allowed);
-          },
-          allowed};
+void limitNumber(CLI::Option* option, Number least, Number most, const char* what,
+                 const std::string& allowed) {
+  const CLI::Validator check(
+      [=](const std::string& text) -> std::string {
+        Number number{};
+        if (!isRead(text, number) || !std::isfinite(static_cast<double>(number)))
+          return fmt::format("'{}' is not a {}; allowed is {}", shortened(text), what, allowed);
+        return number >= least && number <= most
+                   ? std::string()
+                   : fmt::format("{} is outside {}", shortened(text), allowed);
+      },
+      "");
+  option->check(check)->type_name(allowed);
 }
 
 /// The verb that was given, or the app itself.
@@ -80,12 +82,12 @@ InputError mismatch(const std::string& said) {
 
 }  // namespace
 
-CLI::Validator within(double least, double most) {
-  return numberWithin(least, most, "number");
+void limit(CLI::Option* option, double least, double most) {
+  limitNumber(option, least, most, "number", fmt::format("{:g} to {:g}", least, most));
 }
 
-CLI::Validator wholeWithin(std::int64_t least, std::int64_t most) {
-  return numberWithin(least, most, "whole number");
+void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most) {
+  limitNumber(option, least, most, "whole number", fmt::format("{} to {}", least, most));
 }
 
 void refuseEmptyWords(CLI::App& app) {

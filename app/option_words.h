@@ -9,9 +9,9 @@
 
 namespace asperity {
 
-/// Checks of a number's text: a finite one, or a whole one, within the limits.
-CLI::Validator within(double least, double most);
-CLI::Validator wholeWithin(std::int64_t least, std::int64_t most);
+/// The option takes a finite number, or a whole one, within limits that its help shows.
+void limit(CLI::Option* option, double least, double most);
+void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most);
 
 /// No option or file of the app and its verbs may be empty text, and a flag takes no value: both
 /// would be taken in silence. Once, when all options are there.
