@@ -157,7 +157,7 @@ class CommandLine {
     limit(verb->add_option("--fps", time.framesPerSecond, "Frames per second of film; else 25"),
           0.001, 1000);
     limit(verb->add_option("--duration", time.duration, "Seconds of film, instead of --frames"),
-          0.001, 1e6);
+          0.001, 1e6, "s");
     limit(verb->add_option("--cycles", time.cycles, "Periods of the line that pass; else 1"), 1e-6,
           1e6);
     limit(

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/scene/known_words.h"
+#include "core/scene/range_text.h"
 
 namespace asperity {
 namespace {
@@ -82,8 +83,8 @@ InputError mismatch(const std::string& said) {
 
 }  // namespace
 
-void limit(CLI::Option* option, double least, double most) {
-  limitNumber(option, least, most, "number", fmt::format("{:g} to {:g}", least, most));
+void limit(CLI::Option* option, double least, double most, std::string_view unit) {
+  limitNumber(option, least, most, "number", rangeText(least, most, unit));
 }
 
 void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most) {

@@ -4,13 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <string_view>
 
 #include "core/scene/input_error.h"
 
 namespace asperity {
 
-/// The option takes a finite number, or a whole one, within limits that its help shows.
-void limit(CLI::Option* option, double least, double most);
+/// The option takes a finite number, or a whole one, within limits that its help shows, with the
+/// unit.
+void limit(CLI::Option* option, double least, double most, std::string_view unit = {});
 void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most);
 
 /// No option or file of the app and its verbs may be empty text, and a flag takes no value: both

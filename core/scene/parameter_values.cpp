@@ -9,6 +9,7 @@
 #include "core/scene/input_error.h"
 #include "core/scene/known_words.h"
 #include "core/scene/parameters.h"
+#include "core/scene/range_text.h"
 
 namespace asperity {
 namespace {
@@ -59,15 +60,15 @@ double numberFrom(const Parameter& parameter, const ParameterValue& value) {
                  }},
       value);
   if (!std::isfinite(number))
-    refuse(parameter,
-           fmt::format("{} is not a finite number; allowed is {}", number, allowedText(parameter)));
+    refuse(parameter, fmt::format("{} is not a finite number; allowed is {}", plainNumber(number),
+                                  allowedText(parameter)));
   return number;
 }
 
 void checkRange(const Parameter& parameter, const Scene& scene, double number, double minimum,
                 double maximum) {
   if ((number < minimum || number > maximum) && !isLeftToProfile(parameter, scene, number))
-    refuse(parameter, fmt::format("{} is outside {}", number, allowedText(parameter)));
+    refuse(parameter, fmt::format("{} is outside {}", plainNumber(number), allowedText(parameter)));
 }
 
 void setReal(const Parameter& parameter, const RealField& field, Scene& scene,
@@ -81,8 +82,8 @@ void setInteger(const Parameter& parameter, const IntegerField& field, Scene& sc
                 const ParameterValue& value) {
   const double number = numberFrom(parameter, value);
   if (number != std::floor(number))
-    refuse(parameter,
-           fmt::format("{} is not a whole number; allowed is {}", number, allowedText(parameter)));
+    refuse(parameter, fmt::format("{} is not a whole number; allowed is {}", plainNumber(number),
+                                  allowedText(parameter)));
   checkRange(parameter, scene, number, static_cast<double>(field.minimum),
              static_cast<double>(field.maximum));
   field.member(scene) = static_cast<std::int64_t>(number);
@@ -169,9 +170,17 @@ void setFromText(const Parameter& parameter, Scene& scene, std::string_view text
   setValue(parameter, scene, number);
 }
 
+std::optional<AllowedRange> allowedRange(const Parameter& parameter) {
+  if (const auto* real = std::get_if<RealField>(&parameter.field))
+    return AllowedRange{real->minimum, real->maximum};
+  if (const auto* whole = std::get_if<IntegerField>(&parameter.field))
+    return AllowedRange{static_cast<double>(whole->minimum), static_cast<double>(whole->maximum)};
+  return {};
+}
+
 std::string allowedText(const Parameter& parameter) {
-  return std::visit(Overloaded{[](const RealField& field) {
-                                 return fmt::format("{:g} to {:g}", field.minimum, field.maximum);
+  return std::visit(Overloaded{[&](const RealField& field) {
+                                 return rangeText(field.minimum, field.maximum, parameter.unit);
                                },
                                [](const IntegerField& field) {
                                  return fmt::format("{} to {}", field.minimum, field.maximum);
