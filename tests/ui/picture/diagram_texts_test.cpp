@@ -73,6 +73,23 @@ TEST(DiagramTexts, AreAllThereAtUsualSizes) {
   }
 }
 
+/// As in the window's low views, where names would not fit into the frame.
+TEST(DiagramTexts, ALegendThatFitsBesideTheFrameIsWhole) {
+  DiagramSheet sheet = sheetOf({{1e-5, 1e-2}, {1e-3, 1e-6}});
+  sheet.title.clear();
+  const DiagramSeries series = sheet.diagrams[0].series[0];
+  sheet.diagrams[0].series.clear();
+  for (const char* name : {"literal march (difference)", "nodal (difference)", "linear", "cubic",
+                           "best for the time", "this scene: cubic \u00D72"}) {
+    sheet.diagrams[0].series.push_back(series);
+    sheet.diagrams[0].series.back().name = name;
+  }
+  const DrawList list = composeDiagrams(sheet, {573, 178, 1, lightTheme(), 0.9F});
+  for (const DiagramSeries& each : sheet.diagrams[0].series)
+    EXPECT_TRUE(says(list, each.name)) << each.name;
+  expectTidy(list, "low view");
+}
+
 TEST(DiagramTexts, AxesCarryTheirUnits) {
   EXPECT_TRUE(says(composeDiagrams(figureSheets()[0].sheet, {}), "sliding velocity (m/s)"));
   EXPECT_TRUE(says(composeDiagrams(figureSheets()[1].sheet, {}), "coefficient of friction μ"));
