@@ -98,8 +98,8 @@ class CommandLine {
         ->type_name("KEY=VALUE")
         ->take_all()
         ->allow_extra_args(false);
-    limitWhole(app.add_option("--threads", common.threads, "Threads to use; 0: all of the machine"),
-               0, 1024);
+    app.add_option("--threads", common.threads, "Threads to use; 0: all of the machine")
+        ->check(wholeWithin(0, 1024));
     if (&app != &app_) {  // the window says nothing
       app.add_flag("--quiet", common.quiet, "No progress and no summary");
       app.add_flag("--json", common.json, "Machine-readable answer on standard output");
@@ -134,6 +134,7 @@ class CommandLine {
         "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
         "or .pdf; may repeat; none: CSV on stdout");
     addPictureOptions(*verb, curve_.picture, "1200x800", "print");
+    addCurveOptions(*verb, curve_.curves);
   }
   void addRender() {
     CLI::App* verb = addVerb("render", "Pictures and films of the contact, without a screen",
@@ -148,21 +149,27 @@ class CommandLine {
         ->capture_default_str();
     verb->add_option("--overlay", render_.overlay,
                      "What colours the contact: none, pressure, relaxation (time since contact) or "
-                     "power (dissipated)")
-        ->capture_default_str();
+                     "power (dissipated); else pressure");
+    addViewOptions(*verb, render_.view);
+    addCurveOptions(*verb, render_.curves);
     TimeChoice& time = render_.time;
-    limitWhole(
-        verb->add_option("--frames", time.frames, "Frames; else 60 a period, or 60 for a motion"),
-        1, 1000000);
-    limit(verb->add_option("--fps", time.framesPerSecond, "Frames per second of film; else 25"),
-          0.001, 1000);
-    limit(verb->add_option("--duration", time.duration, "Seconds of film, instead of --frames"),
-          0.001, 1e6, "s");
-    limit(verb->add_option("--cycles", time.cycles, "Periods of the line that pass; else 1"), 1e-6,
-          1e6);
-    limit(
-        verb->add_option("--slow-motion", time.slowMotion, "Seconds of film to a simulated second"),
-        1e-12, 1e15);
+    verb->add_option("--frames", time.frames, "Frames; else 60 a period, or 60 for a motion")
+        ->check(wholeWithin(1, 1000000));
+    verb->add_option("--fps", time.framesPerSecond, "Frames per second of film; else 25")
+        ->check(within(0.001, 1000.0));
+    verb->add_option("--duration", time.duration, "Seconds of film, instead of --frames")
+        ->check(within(0.001, 1e6, "s"));
+    verb->add_option("--cycles", time.cycles, "Periods of the line that pass; else 1")
+        ->check(within(1e-6, 1e6));
+    verb->add_option("--slow-motion", time.slowMotion, "Seconds of film to a simulated second")
+        ->check(within(1e-12, 1e15));
+    verb->add_option("--at", time.at,
+                     "One picture of the moment after so many seconds of sliding; else the start "
+                     "of steady sliding and the end of a motion")
+        ->type_name("SECONDS");
+    verb->add_option("--slid", time.slid,
+                     "One picture of steady sliding after so many m; else as --at says")
+        ->type_name("METRES");
     verb->add_flag("--resume", render_.resume,
                    "Keep the frames that an interrupted run left, and make the rest");
   }
@@ -184,10 +191,9 @@ class CommandLine {
         ->required();
     verb->add_option("-o,--output", figure_.output, "Folder for CSV, PNG, SVG and claims.json")
         ->required();
-    limitWhole(
-        verb->add_option("--realizations", figure_.realizations, "Random lines to average over")
-            ->capture_default_str(),
-        1, 1000000);
+    verb->add_option("--realizations", figure_.realizations, "Random lines to average over")
+        ->capture_default_str()
+        ->check(wholeWithin(1, 1000000));
     addShared(*verb, figure_.common);
     verb->footer("Figures:\n" + words);
     verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });

@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "app/curve_choice.h"
 #include "app/frame_source.h"
 #include "app/picture_choice.h"
+#include "app/view_choice.h"
 #include "core/scene/input_error.h"
 #include "core/scene/scene.h"
 
@@ -32,6 +34,7 @@ struct CurveCommand {
   CommonOptions common;
   std::vector<std::string> outputs;
   PictureChoice picture;
+  CurveChoice curves;
 };
 
 struct RenderCommand {
@@ -40,7 +43,9 @@ struct RenderCommand {
   TimeChoice time;
   PictureChoice picture;
   std::string layout = "contact";
-  std::string overlay = "pressure";
+  std::string overlay;  // empty: not said, and pressure
+  ViewChoice view;
+  CurveChoice curves;
   bool resume = false;
 };
 

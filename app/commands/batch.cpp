@@ -118,12 +118,12 @@ class BatchRun {
   void fill(BatchResult& result, HeadlessPictures& pictures) {
     const Scene& scene = result.item.scene;
     const PictureLayout layout = layoutFrom(result.item.show);
-    std::vector<CurvePoint> curve;
+    PictureContent content{layout};
     if (layout == PictureLayout::Curve || layout == PictureLayout::Both) {
       needSteadySliding(scene, "\"show\": \"" + result.item.show + "\"");
       CurveOptions options;
       options.threads = command_.common.threads;
-      curve = frictionCurve(scene, options).points;
+      content.curves.present = {{}, scene, frictionCurve(scene, options).points, 0};
     }
     FrameSource source(scene, {}, true);
     const Frame frame = source.frame(0);
@@ -132,9 +132,10 @@ class BatchRun {
     result.contactFraction = frame.contactFraction;
 
     const std::string& name = result.item.name;
-    pictures.write(fileIn(name + ".png"), PictureComposer(style_, layout, curve).compose(frame),
+    pictures.write(fileIn(name + ".png"), PictureComposer(style_, content).compose(frame),
                    {translated(scene.title), pictureOrigin("batch", scene), style_.scale});
     result.files = {name + ".png"};
+    const std::vector<CurvePoint>& curve = content.curves.present.points;
     if (!curve.empty()) {
       writeFileAtomically(fileIn(name + ".csv"),
                           provenanceComment("batch", scene) + curveCsv(curve));
@@ -144,7 +145,7 @@ class BatchRun {
     result.files.push_back(name + ".json");
 
     const auto [x, y] = cell();
-    addPicture(sheet_, PictureComposer(small_, layout, curve).compose(frame), x, y);
+    addPicture(sheet_, PictureComposer(small_, content).compose(frame), x, y);
   }
 
   static Json header() {

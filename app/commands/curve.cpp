@@ -35,18 +35,19 @@ Curve compute(const Scene& scene, const CommonOptions& common) {
   return saidOfScene(common, [&] { return curveOf(scene, options); });
 }
 
-void writePictures(const std::vector<std::string>& outputs, const Scene& scene, const Curve& curve,
-                   const PictureStyle& style) {
+void writePictures(const CurveCommand& command, const CurveSet& set, const PictureStyle& style) {
+  const std::vector<std::string>& outputs = command.outputs;
   const auto isPicture = [](const std::string& output) {
     return extensionOf(output) != ".csv" && extensionOf(output) != ".json";
   };
   if (std::none_of(outputs.begin(), outputs.end(), isPicture)) return;
   DiagramOptions options{style.width, style.height, style.scale, style.theme};
   if (style.transparent) options.theme.background.a = 0;
-  const DiagramSheet sheet = curveSheet(scene, curve.points);
+  const DiagramSheet sheet = curveSheet(set);
   const DrawList list = composeDiagrams(sheet, options);
-  nlohmann::ordered_json origin = provenance("curve", scene);
+  nlohmann::ordered_json origin = provenance("curve", set.present.scene);
   origin["picture"] = style.json();
+  command.curves.addTo(origin["picture"]);
   HeadlessPictures pictures(style.backend);
   for (const std::string& output : outputs)
     if (isPicture(output))
@@ -74,6 +75,26 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
   return text;
 }
 
+/// With more than the scene's own curve one table of all of them.
+std::string tableOf(const CurveSet& set, const CurveChoice& choice) {
+  return choice.hasMore() ? curveSetCsv(set) : curveCsv(set.present.points);
+}
+
+std::string jsonOf(const CurveSet& set, const CurveChoice& choice) {
+  const std::string own = curveJson(set.present.points, set.present.scene);
+  if (!choice.hasMore()) return own;
+  auto answer = nlohmann::ordered_json::parse(own);
+  addCurvesTo(answer, set);
+  return answer.dump(2) + "\n";
+}
+
+std::string commentOf(const CurveSet& set, const CurveChoice& choice) {
+  if (!choice.hasMore()) return provenanceComment("curve", set.present.scene);
+  nlohmann::ordered_json origin = provenance("curve", set.present.scene);
+  choice.addTo(origin);
+  return "# asperity: " + provenanceLine(origin) + "\n";
+}
+
 }  // namespace
 
 int runCurve(const CurveCommand& command) {
@@ -84,19 +105,23 @@ int runCurve(const CurveCommand& command) {
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);
   const PictureStyle style = styleOf(command.picture, {1200, 800, "print"});
+  checkCurves(command.curves, scene);
   const Curve curve = compute(scene, command.common);
+  const CurveSet set = saidOfScene(command.common, [&] {
+    return curvesOf(command.curves, scene, curve.points, command.common);
+  });
   for (const std::string& output : command.outputs) {
     const std::string extension = extensionOf(output);
     if (extension == ".csv")
-      writeFileAtomically(output, provenanceComment("curve", scene) + curveCsv(curve.points));
-    if (extension == ".json") writeFileAtomically(output, curveJson(curve.points, scene));
+      writeFileAtomically(output, commentOf(set, command.curves) + tableOf(set, command.curves));
+    if (extension == ".json") writeFileAtomically(output, jsonOf(set, command.curves));
   }
-  writePictures(command.outputs, scene, curve, style);
+  writePictures(command, set, style);
   const bool tableOnStdout = command.outputs.empty();
   if (command.common.json)
-    fmt::print("{}", curveJson(curve.points, scene));
+    fmt::print("{}", jsonOf(set, command.curves));
   else if (tableOnStdout)
-    fmt::print("{}", curveCsv(curve.points));
+    fmt::print("{}", tableOf(set, command.curves));
   if (!tableOnStdout)
     printSummary(command.common.json, command.common.quiet, summaryOf(curve, command.outputs));
   if (!curve.isTargetMet)

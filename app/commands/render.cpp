@@ -57,14 +57,18 @@ class Rendering {
         kind_(kindOf(command.output)),
         style_(styleOf(command.picture, {1280, 720, "light"})),
         layout_(layoutFrom(command.layout)),
-        overlay_(overlayFrom(command.overlay)) {
+        overlay_(command.overlay.empty() ? ContactOverlay::Pressure
+                                         : overlayFrom(command.overlay)) {
     checkUsage();
+    checkParts();
+    if (showsCurve()) checkCurves(command.curves, scene_);
     saidOfScene(command_.common, [&] {
       checkLayout();
       frames_.emplace(scene_, command_.time, kind_ == Kind::Picture, fieldsFor(overlay_));
-      if (layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both) computeCurve();
+      checkView(command_.view, overlay_, frames_->length());
+      if (showsCurve()) computeCurves();
     });
-    composer_.emplace(style_, layout_, curve_, overlay_);
+    composer_.emplace(style_, content());
   }
 
   void run() {
@@ -129,26 +133,51 @@ class Rendering {
                          command_.output + " is one picture; frames need a folder or a film");
   }
 
+  bool showsCurve() const {
+    return layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both;
+  }
+
+  /// What is said of a part that the layout does not have would be in vain.
+  void checkParts() const {
+    const auto refuse = [&](const char* option, const char* part) {
+      throw InputError(
+          "", option,
+          fmt::format("is of {}, which --layout {} does not show", part, command_.layout));
+    };
+    if (layout_ == PictureLayout::Curve) {
+      if (!command_.overlay.empty()) refuse("--overlay", "the contact");
+      if (const char* option = command_.view.firstOption()) refuse(option, "the contact");
+      if (command_.time.slid) refuse("--slid", "the contact");
+    }
+    if (!showsCurve())
+      if (const char* option = command_.curves.firstOption()) refuse(option, "the curve");
+  }
+
   void checkLayout() const {
     const bool isSteady = scene_.sliding.kind == SlidingKind::Steady;
     if (layout_ == PictureLayout::Transient && isSteady)
       throw InputError("", "sliding.kind",
                        "is steady, where nothing changes in time; --layout transient shows start, "
                        "step, oscillation and reversal");
-    if (layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both)
-      needSteadySliding(scene_, "--layout " + command_.layout);
     if (layout_ == PictureLayout::Curve && kind_ != Kind::Picture)
       throw InputError("", "--layout", "curve does not move; --layout both shows the contact too");
   }
 
-  void computeCurve() {
-    ProgressBar bar(Words::tr("realizations"), command_.common.quiet);
-    CurveOptions options;
-    options.threads = command_.common.threads;
-    options.progress = [&bar](const CurveProgress& progress) {
-      bar.show(progress.realizationsDone, progress.realizationsTotal);
-    };
-    curve_ = frictionCurve(scene_, options).points;
+  /// Of steady sliding, whatever the motion.
+  void computeCurves() {
+    Scene steady = scene_;
+    steady.sliding.kind = SlidingKind::Steady;
+    std::vector<CurvePoint> own;
+    {
+      ProgressBar bar(Words::tr("realizations"), command_.common.quiet);
+      CurveOptions options;
+      options.threads = command_.common.threads;
+      options.progress = [&bar](const CurveProgress& progress) {
+        bar.show(progress.realizationsDone, progress.realizationsTotal);
+      };
+      own = frictionCurve(steady, options).points;
+    }
+    curves_ = curvesOf(command_.curves, steady, std::move(own), command_.common);
   }
 
   /// Of the whole run: scene, verb, version, seed and how it is shown.
@@ -157,6 +186,10 @@ class Rendering {
     Json& picture = origin["picture"] = style_.json();
     picture["layout"] = command_.layout;
     if (overlay_ != ContactOverlay::Pressure) picture["overlay"] = command_.overlay;
+    command_.view.addTo(picture);
+    command_.curves.addTo(picture);
+    if (command_.time.at) picture["at"] = *command_.time.at;
+    if (command_.time.slid) picture["slid"] = *command_.time.slid;
     if (kind_ != Kind::Picture) {
       picture["frames"] = count();
       picture["frames_per_second"] = frames_->plan().framesPerSecond;
@@ -170,6 +203,8 @@ class Rendering {
     last_ = frames_->frame(index);
     return composer_->compose(last_);
   }
+
+  PictureContent content() const { return {layout_, curves_, overlay_, command_.view}; }
 
   void writePicture() {
     HeadlessPictures pictures(style_.backend);
@@ -195,7 +230,7 @@ class Rendering {
                   FilmFile& film) const {
     if (indices.empty()) return;
     FrameSource frames(scene_, command_.time, false, fieldsFor(overlay_));
-    PictureComposer composer(style_, layout_, curve_, overlay_);
+    PictureComposer composer(style_, content());
     for (const std::int64_t index : indices)
       film.add(pictures.draw(composer.compose(frames.frame(index))));
   }
@@ -282,7 +317,7 @@ class Rendering {
   PictureStyle style_;
   PictureLayout layout_;
   ContactOverlay overlay_;
-  std::vector<CurvePoint> curve_;
+  CurveSet curves_;
   std::optional<FrameSource> frames_;
   std::optional<PictureComposer> composer_;
   Frame last_;  // touched by the composing thread only while it runs

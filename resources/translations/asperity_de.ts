@@ -287,6 +287,34 @@
         <source>wrote %1</source>
         <translation>geschrieben: %1</translation>
     </message>
+    <message>
+        <source>position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>no colours: nothing touches</source>
+        <translation>keine Farben: nichts berührt sich</translation>
+    </message>
+    <message>
+        <source>no colours: nothing is dissipated at rest</source>
+        <translation>keine Farben: in Ruhe wird nichts dissipiert</translation>
+    </message>
+    <message>
+        <source>no colours: nothing is dissipated</source>
+        <translation>keine Farben: nichts wird dissipiert</translation>
+    </message>
+    <message>
+        <source>no colours: all of the surface is in contact</source>
+        <translation>keine Farben: die ganze Oberfläche ist in Kontakt</translation>
+    </message>
+    <message>
+        <source>no colours: at rest nothing leaves contact</source>
+        <translation>keine Farben: in Ruhe verlässt nichts den Kontakt</translation>
+    </message>
+    <message>
+        <source>no colours: nothing has left contact yet</source>
+        <translation>keine Farben: noch nichts hat den Kontakt verlassen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -361,6 +389,65 @@
     <message>
         <source>predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)</source>
         <translation>vorhergesagte Bewegung: %1 für %2 Schritte, Fehler %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ArmsEditor</name>
+    <message>
+        <source>Remove this arm</source>
+        <translation>Diesen Arm entfernen</translation>
+    </message>
+    <message>
+        <source>remove arm %1</source>
+        <translation>Arm %1 entfernen</translation>
+    </message>
+    <message>
+        <source>modulus of arm %1 (%2)</source>
+        <translation>Modul von Arm %1 (%2)</translation>
+    </message>
+    <message>
+        <source>relaxation time of arm %1 (%2)</source>
+        <translation>Relaxationszeit von Arm %1 (%2)</translation>
+    </message>
+    <message>
+        <source>modulus</source>
+        <translation>Modul</translation>
+    </message>
+    <message>
+        <source>relaxation time</source>
+        <translation>Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>Add arm</source>
+        <translation>Arm hinzufügen</translation>
+    </message>
+    <message>
+        <source>One more arm, with ten times the longest relaxation time</source>
+        <translation>Ein weiterer Arm mit der zehnfachen längsten Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>einer</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Fold the table away</source>
+        <translation>Tabelle einklappen</translation>
+    </message>
+    <message>
+        <source>Open the table</source>
+        <translation>Tabelle aufklappen</translation>
+    </message>
+    <message>
+        <source>arms: %1</source>
+        <translation>Arme: %1</translation>
     </message>
 </context>
 <context>
@@ -629,6 +716,14 @@
     <message>
         <source>no dimensionless axes: they need a line with roughness and one relaxation time</source>
         <translation>keine dimensionslosen Achsen: Sie brauchen eine raue Linie und eine einzige Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>|v| = %1 m/s</source>
+        <translation>|v| = %1 m/s</translation>
+    </message>
+    <message>
+        <source>this motion, now</source>
+        <translation>diese Bewegung, jetzt</translation>
     </message>
 </context>
 <context>
@@ -1076,10 +1171,6 @@
         <translation>Die Szene wurde geändert. Änderungen speichern?</translation>
     </message>
     <message>
-        <source>They are lost otherwise.</source>
-        <translation>Sonst gehen sie verloren.</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -1187,6 +1278,34 @@
         <source>Statistics</source>
         <translation>Statistik</translation>
     </message>
+    <message>
+        <source>“%1” was changed. Save the changes?</source>
+        <translation>„%1“ wurde geändert. Änderungen speichern?</translation>
+    </message>
+    <message>
+        <source>They go into a new file.</source>
+        <translation>Sie kommen in eine neue Datei.</translation>
+    </message>
+    <message>
+        <source>They go into %1.</source>
+        <translation>Sie kommen nach %1.</translation>
+    </message>
+    <message>
+        <source>Otherwise they are lost.</source>
+        <translation>Sonst gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MessageBar</name>
@@ -1253,10 +1372,6 @@
 <context>
     <name>asperity::ParameterRow</name>
     <message>
-        <source>%1 to %2 %3</source>
-        <translation>%1 bis %2 %3</translation>
-    </message>
-    <message>
         <source>choose file…</source>
         <translation>Datei wählen…</translation>
     </message>
@@ -1287,6 +1402,106 @@
     <message>
         <source>A number alone counts in the unit beside it, one with an exponent (1e7) in %1; any unit may be typed with it.</source>
         <translation>Eine Zahl allein gilt in der Einheit daneben, eine mit Exponent (1e7) in %1; jede Einheit darf dazu getippt werden.</translation>
+    </message>
+    <message>
+        <source>Back to the default, one arm</source>
+        <translation>Zurück zur Vorgabe, ein Arm</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>a modulus or pressure</source>
+        <translation>ein Modul oder Druck</translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation>eine Kraft</translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation>eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation>eine Zeit</translation>
+    </message>
+    <message>
+        <source>a temperature</source>
+        <translation>eine Temperatur</translation>
+    </message>
+    <message>
+        <source>a frequency</source>
+        <translation>eine Frequenz</translation>
+    </message>
+    <message>
+        <source>a force on a length</source>
+        <translation>eine Kraft je Länge</translation>
+    </message>
+    <message>
+        <source>a viscosity</source>
+        <translation>eine Viskosität</translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation>eine Masse</translation>
+    </message>
+    <message>
+        <source>an energy</source>
+        <translation>eine Energie</translation>
+    </message>
+    <message>
+        <source>a power</source>
+        <translation>eine Leistung</translation>
+    </message>
+    <message>
+        <source>a voltage</source>
+        <translation>eine Spannung</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>ein Winkel</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>a wave number</source>
+        <translation>eine Wellenzahl</translation>
+    </message>
+    <message>
+        <source>a pure number</source>
+        <translation>eine reine Zahl</translation>
+    </message>
+    <message>
+        <source>a difference of temperatures</source>
+        <translation>ein Temperaturunterschied</translation>
+    </message>
+    <message>
+        <source>%1 is %2; wanted is %3, such as %4</source>
+        <translation>%1 ist %2; gefragt ist %3, etwa %4</translation>
+    </message>
+    <message>
+        <source>“%1” is no unit known here; wanted is %2, such as %3</source>
+        <translation>„%1“ ist hier keine bekannte Einheit; gefragt ist %2, etwa %3</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; allowed is %2</source>
+        <translation>„%1“ ist keine Zahl; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number; allowed is %2</source>
+        <translation>%1 ist keine ganze Zahl; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2</source>
+        <translation>%1 liegt außerhalb von %2</translation>
     </message>
 </context>
 <context>
@@ -1374,10 +1589,6 @@
         <translation>Gl. (14) der Arbeit: Normalkraft / (Schubmodul × RMS-Höhe × Länge)</translation>
     </message>
     <message>
-        <source>Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height)</source>
-        <translation>Gl. (13) der Arbeit: Relaxationszeit × Geschwindigkeit × RMS-Steigung / (√2 × RMS-Höhe)</translation>
-    </message>
-    <message>
         <source>Pictures of the contact shown in the last second</source>
         <translation>In der letzten Sekunde gezeigte Bilder des Kontakts</translation>
     </message>
@@ -1440,6 +1651,10 @@
     <message>
         <source>Coefficient of friction of this line, of a motion at this moment; in brackets the mean of all lines at this velocity with its standard error</source>
         <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
+    </message>
+    <message>
+        <source>Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of a motion at this moment</source>
+        <translation>Gl. (13) der Arbeit: Relaxationszeit × Geschwindigkeit × RMS-Steigung / (√2 × RMS-Höhe); bei einer Bewegung in diesem Augenblick</translation>
     </message>
 </context>
 <context>
@@ -1680,6 +1895,10 @@
 <context>
     <name>asperity::Words</name>
     <message>
+        <source>lines compared</source>
+        <translation>verglichene Linien</translation>
+    </message>
+    <message>
         <source>position</source>
         <translation>Ort</translation>
     </message>
@@ -1714,10 +1933,6 @@
     <message>
         <source>1 s on screen</source>
         <translation>1 s im Bild</translation>
-    </message>
-    <message>
-        <source>μ in this march in time</source>
-        <translation>μ in diesen Zeitschritten</translation>
     </message>
     <message>
         <source>rigid line at rest</source>
@@ -1898,6 +2113,66 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Tangential over normal force in steady sliding: of this line at this velocity, computed without time steps.</source>
+        <translation>Tangential- durch Normalkraft bei stationärem Gleiten: dieser Linie bei dieser Geschwindigkeit, ohne Zeitschritte berechnet.</translation>
+    </message>
+    <message>
+        <source>Tangential over normal force at this moment of the motion, a mean over the time since the last picture.</source>
+        <translation>Tangential- durch Normalkraft in diesem Augenblick der Bewegung, im Mittel über die Zeit seit dem letzten Bild.</translation>
+    </message>
+    <message>
+        <source>Force that presses one period of the line into the elastomer.</source>
+        <translation>Kraft, die eine Periode der Linie in das Elastomer drückt.</translation>
+    </message>
+    <message>
+        <source>How deep the lowest point of the line lies below the undeformed surface.</source>
+        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt.</translation>
+    </message>
+    <message>
+        <source>Share of the line&apos;s length that touches the elastomer.</source>
+        <translation>Anteil der Länge der Linie, der das Elastomer berührt.</translation>
+    </message>
+    <message>
+        <source>Velocity of the line, to the right.</source>
+        <translation>Geschwindigkeit der Linie, nach rechts.</translation>
+    </message>
+    <message>
+        <source>Velocity of the line at this moment; below 0 it goes back.</source>
+        <translation>Geschwindigkeit der Linie in diesem Augenblick; unter 0 geht sie zurück.</translation>
+    </message>
+    <message>
+        <source>So much of the simulated time passes in one second here.</source>
+        <translation>So viel simulierte Zeit vergeht hier in einer Sekunde.</translation>
+    </message>
+    <message>
+        <source>μ of the moving picture</source>
+        <translation>μ des bewegten Bildes</translation>
+    </message>
+    <message>
+        <source>The moving picture is a simulation of its own: it follows every element in small steps of time. This is the friction of its last steps. It differs from the steady μ while the elastomer still relaxes after a change, and always a little, because its steps are not infinitely small.</source>
+        <translation>Das bewegte Bild ist eine eigene Simulation: Sie folgt jedem Element in kleinen Zeitschritten. Dies ist die Reibung ihrer letzten Schritte. Sie weicht vom stationären μ ab, solange das Elastomer nach einer Änderung noch relaxiert, und immer ein wenig, weil ihre Schritte nicht unendlich klein sind.</translation>
+    </message>
+    <message>
+        <source>since contact</source>
+        <translation>seit Kontakt</translation>
+    </message>
+    <message>
+        <source>power (log)</source>
+        <translation>Leistung (log)</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>same parameters</source>
+        <translation>gleiche Parameter</translation>
+    </message>
+    <message>
+        <source>the motion up to here</source>
+        <translation>die Bewegung bis hierher</translation>
     </message>
 </context>
 </TS>

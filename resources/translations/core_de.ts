@@ -1766,7 +1766,7 @@
         <translation>Reibungszahl μ</translation>
     </message>
     <message>
-        <source>cubic x1 to x16</source>
+        <source>cubic ×1 to ×16</source>
         <translation>kubisch ×1 bis ×16</translation>
     </message>
     <message>
@@ -1774,7 +1774,7 @@
         <translation>Eindringung d</translation>
     </message>
     <message>
-        <source>linear x1 to x16</source>
+        <source>linear ×1 to ×16</source>
         <translation>linear ×1 bis ×16</translation>
     </message>
     <message>
@@ -1888,6 +1888,14 @@
     <message>
         <source>cubic x%1</source>
         <translation>kubisch ×%1</translation>
+    </message>
+    <message>
+        <source>cubic ×%1</source>
+        <translation>kubisch ×%1</translation>
+    </message>
+    <message>
+        <source>linear ×%1</source>
+        <translation>linear ×%1</translation>
     </message>
     <message>
         <source>linear x%1</source>

@@ -38,6 +38,7 @@ class SceneDocument;
 class Session;
 class StatusLine;
 struct ContactShot;
+struct CurveWish;
 struct SceneOrigin;
 class TourBar;
 class TransientStrips;
@@ -123,6 +124,7 @@ class MainWindow : public QMainWindow {
   void connectSession();
   void showDescription();
   void showTitle();
+  QString nameOfScene() const;
 
   // Commands, in main_window_actions.cpp.
   void buildActions();
@@ -177,6 +179,7 @@ class MainWindow : public QMainWindow {
   std::optional<ContactShot> shot() const;
   void copyPicture();
   void askPicture();
+  CurveWish shownCurves() const;
   QString pictureCommand() const;
   void copyText(const QString& text);
   void runExport(std::function<void()> work, std::function<void()> done);
