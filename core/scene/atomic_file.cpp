@@ -32,8 +32,7 @@ fs::path targetOf(const fs::path& file) {
 std::string partOf(const fs::path& target) {
   const std::string name = target.filename().string();
   std::uint64_t number = 14695981039346656037U;  // Fowler, Noll and Vo, 1a
-  for (const unsigned char byte : name)
-    number = (number ^ byte) * 1099511628211U;
+  for (const unsigned char byte : name) number = (number ^ byte) * 1099511628211U;
   return (target.parent_path() / fmt::format(".asperity.{:016x}.part", number)).string();
 }
 
