@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "core/contact/scene_sliding.h"
+#include "core/contact/unmet_balance.h"
 #include "core/run/contact_age.h"
 #include "core/run/rigid_line.h"
 #include "core/scene/plan.h"
@@ -33,8 +33,8 @@ struct Simulation::Ready {
     }
     sliding.emplace(*scene);
     steady = sliding->at(rigid->travel, scene->sliding.velocity);
-    if (steady.result.status != SteadyStatus::Balanced || !std::isfinite(steady.result.mu))
-      throw std::runtime_error("no indentation carries the normal force to working accuracy");
+    requireBalance(steady.result, velocity());
+    if (!std::isfinite(steady.result.mu)) throw unmetBalance(steady.result, velocity());
   }
 
   const Line& line() const { return *rigid->line; }
@@ -91,8 +91,10 @@ void Simulation::reset() {
 void Simulation::settle(double distance) {
   transient_.reset();
   samples_.clear();
-  march_ =
-      steadyMarch(*ready_->rigid, *ready_->sliding, ready_->velocity(), ready_->steady, distance);
+  // At rest the elements' own balance holds: that of the line between them would creep to it.
+  march_ = ready_->velocity() > 0 ? steadyMarch(*ready_->rigid, *ready_->sliding,
+                                                ready_->velocity(), ready_->steady, distance)
+                                  : restingMarch(*ready_->rigid, *ready_->scene, distance);
   timeScale_ = 0;
   recordFields();
   clearReading();

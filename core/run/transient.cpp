@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "core/contact/interface.h"
+#include "core/contact/unmet_balance.h"
 #include "core/run/contact_age.h"
 #include "core/scene/effects.h"
 #include "core/scene/plan.h"
@@ -16,11 +16,13 @@ constexpr double kRounding = 1e-9;  // of a step
 
 TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
   checkEffects(scene);
-  if (callsFor(scene, Purpose::Picture, Stage::StartFromRest)) return restingMarch(rigid, scene);
+  if (callsFor(scene, Purpose::Picture, Stage::StartFromRest)) {
+    countStage(Stage::StartFromRest);
+    return restingMarch(rigid, scene);
+  }
   const SceneSliding sliding(scene);
   const SteadyState state = sliding.at(rigid.travel, scene.sliding.velocity);
-  if (state.result.status != SteadyStatus::Balanced)
-    throw std::runtime_error("no steady state to begin from: the force balance is not met");
+  requireBalance(state.result, scene.sliding.velocity);
   return steadyMarch(rigid, sliding, scene.sliding.velocity, state);
 }
 

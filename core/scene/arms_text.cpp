@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
 #include "core/scene/parameters.h"
 #include "core/scene/range_text.h"
 
@@ -39,7 +40,7 @@ Arm armFrom(const Json& json, const std::string& key) {
   for (const auto& [name, value] : json.items())
     if (std::none_of(kMembers.begin(), kMembers.end(),
                      [&name = name](const ArmMember& member) { return name == member.name; }))
-      throw InputError("", key + "." + name.substr(0, 60),
+      throw InputError("", key + "." + shortened(name),
                        "unknown key; an arm has modulus and relaxation_time");
   Arm arm;
   for (const ArmMember& member : kMembers) {

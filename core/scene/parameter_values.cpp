@@ -7,6 +7,7 @@
 
 #include "core/scene/arms_text.h"
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
 #include "core/scene/parameters.h"
 #include "core/scene/range_text.h"
 
@@ -55,7 +56,7 @@ double numberFrom(const Parameter& parameter, const ParameterValue& value) {
                  [](std::int64_t integer) { return static_cast<double>(integer); },
                  [&](const std::string& text) -> double {
                    refuse(parameter, fmt::format("'{}' is not a number; allowed is {}",
-                                                 text.substr(0, 60), allowedText(parameter)));
+                                                 shortened(text), allowedText(parameter)));
                  }},
       value);
   if (!std::isfinite(number))
@@ -95,7 +96,7 @@ void setChoice(const Parameter& parameter, const ChoiceField& field, Scene& scen
       word ? std::find(field.choices.begin(), field.choices.end(), *word) : field.choices.end();
   if (found == field.choices.end()) {
     const std::string given =
-        word ? fmt::format("'{}'", word->substr(0, 60)) : std::string("a number");
+        word ? fmt::format("'{}'", shortened(*word)) : std::string("a number");
     refuse(parameter, fmt::format("{} is not {}", given, allowedText(parameter)));
   }
   field.write(scene, static_cast<int>(found - field.choices.begin()));
@@ -163,7 +164,7 @@ void setFromText(const Parameter& parameter, Scene& scene, std::string_view text
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc::result_out_of_range)
     refuse(parameter, fmt::format("{} is beyond what a number can hold; allowed is {}",
-                                  text.substr(0, 60), allowedText(parameter)));
+                                  shortened(text), allowedText(parameter)));
   if (error != std::errc{} || end != text.data() + text.size())
     return setValue(parameter, scene, std::string(text));
   setValue(parameter, scene, number);

@@ -121,10 +121,9 @@ bool LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& 
   line.length = length_;
   line.spacing = length_ / static_cast<double>(nodes_);
   line.slopeAfter.clear();
-  if (stop.stop_requested()) return false;
-  transform_->evaluate(modes, line.height);
-  if (stop.stop_requested()) return false;
-  if (slopes == Slopes::Wanted) transform_->evaluateSlope(modes, line.slopeAfter);
+  if (!transform_->evaluate(modes, line.height, stop)) return false;
+  if (slopes == Slopes::Wanted && !transform_->evaluateSlope(modes, line.slopeAfter, stop))
+    return false;
   // Amplitudes are not random, but where waves are multiplied.
   const bool isKnown = isRandom() && !summits_ && statistics_.rmsHeight > 0;
   line.rmsHeight = isKnown ? statistics_.rmsHeight : rmsHeightOf(modes);

@@ -1842,20 +1842,24 @@
         <translation>Geschwindigkeit v</translation>
     </message>
     <message>
-        <source>the force balance is not met in the comparison of methods</source>
-        <translation>das Kräftegleichgewicht ist beim Vergleich der Verfahren nicht erfüllt</translation>
+        <source>the force balance is not met at velocity %1: relative residual %2</source>
+        <translation>das Kräftegleichgewicht ist bei der Geschwindigkeit %1 nicht erfüllt: relativer Rest %2</translation>
     </message>
     <message>
-        <source>no indentation carries the normal force to working accuracy</source>
-        <translation>keine Eindringung trägt die Normalkraft mit der nötigen Genauigkeit</translation>
+        <source>the force balance is not met at velocity %1 on realization %2: relative residual %3</source>
+        <translation>das Kräftegleichgewicht ist bei der Geschwindigkeit %1 in Realisierung %2 nicht erfüllt: relativer Rest %3</translation>
+    </message>
+    <message>
+        <source>contact is too short, or moduli are too far apart, for the digits that numbers have, at velocity %1</source>
+        <translation>für die Stellen, die Zahlen haben, ist bei der Geschwindigkeit %1 der Kontakt zu kurz, oder die Moduln liegen zu weit auseinander</translation>
+    </message>
+    <message>
+        <source>contact is too short, or moduli are too far apart, for the digits that numbers have, at velocity %1 on realization %2</source>
+        <translation>für die Stellen, die Zahlen haben, ist bei der Geschwindigkeit %1 in Realisierung %2 der Kontakt zu kurz, oder die Moduln liegen zu weit auseinander</translation>
     </message>
     <message>
         <source>the force balance is not met</source>
         <translation>das Kräftegleichgewicht ist nicht erfüllt</translation>
-    </message>
-    <message>
-        <source>no steady state to begin from: the force balance is not met</source>
-        <translation>kein stationärer Zustand als Anfang: Das Kräftegleichgewicht ist nicht erfüllt</translation>
     </message>
     <message>
         <source>stands beside interface.friction_coefficient; only one of them may be above 0</source>
@@ -2080,6 +2084,26 @@
     <message>
         <source>edges of contact are found inside the segments wherever contact is not complete</source>
         <translation>Kontaktränder werden innerhalb der Segmente gefunden, wo der Kontakt nicht vollständig ist</translation>
+    </message>
+    <message>
+        <source>edges of contact are found inside the segments</source>
+        <translation>Kontaktränder werden innerhalb der Segmente gefunden</translation>
+    </message>
+    <message>
+        <source>contact is complete above d = %1 at %2</source>
+        <translation>bei %2 ist der Kontakt ab d = %1 vollständig</translation>
+    </message>
+    <message>
+        <source>contact is complete above d = %1 at %2, and it is %3</source>
+        <translation>bei %2 ist der Kontakt ab d = %1 vollständig, und d ist %3</translation>
+    </message>
+    <message>
+        <source>at %1 of %2 velocities; at the other contact is complete, and depth and friction are known</source>
+        <translation>bei %1 von %2 Geschwindigkeiten; bei der anderen ist der Kontakt vollständig, Tiefe und Reibung sind bekannt</translation>
+    </message>
+    <message>
+        <source>at %1 of %2 velocities; at the others contact is complete, and depth and friction are known</source>
+        <translation>bei %1 von %2 Geschwindigkeiten; bei den anderen ist der Kontakt vollständig, Tiefe und Reibung sind bekannt</translation>
     </message>
     <message>
         <source>the friction curve is of steady sliding</source>

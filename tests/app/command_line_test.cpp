@@ -84,7 +84,7 @@ TEST_F(CommandLineTest, BadUsageIsExitTwo) {
   expectRefused("render s.json -o f --fps 0", 2, "--fps: 0 is outside 0.001 to 1000");
   expectRefused("render s.json -o f --slow-motion 1e16", 2, "1e16 is outside 1e-12 to 1e15");
   expectRefused("render s.json -o f --duration x", 2, "'x' is not a number; allowed is 0.001 to");
-  expectRefused("curve s.json -o ''", 2, "an output needs a name");
+  expectRefused("curve s.json -o ''", 2, "--output: is empty");
 }
 
 TEST_F(CommandLineTest, OutputsThatCannotBeAreRefusedBeforeAnyWork) {

@@ -152,7 +152,7 @@ void MainWindow::connectSession() {
     showComplaint();
   });
   connect(session_, &Session::sceneRuns, this, [this] { complaint_.reset(); });
-  connect(session_, &Session::sceneRuns, messages_, &QWidget::hide);
+  connect(session_, &Session::sceneRuns, messages_, &MessageBar::endComplaint);
   connect(session_, &Session::sceneRuns, panel_, &ParameterPanel::clearErrors);
   connect(session_, &Session::playingChanged, this, &MainWindow::showPlaying);
   connectView();
@@ -171,7 +171,7 @@ void MainWindow::showFrame() {
 void MainWindow::showComplaint() {
   const auto& [key, english] = *complaint_;
   const QString text = translatedText(english.toStdString());
-  messages_->showMessage(key.isEmpty() ? text : key + ": " + text);
+  messages_->showComplaint(key.isEmpty() ? text : key + ": " + text);
   panel_->showError(key, text);
 }
 

@@ -42,6 +42,7 @@ class SceneDocument;
 class Session;
 class StatusLine;
 struct ContactShot;
+struct CurveWish;
 struct SceneOrigin;
 class TourBar;
 class TransientStrips;
@@ -134,6 +135,7 @@ class MainWindow : public QMainWindow {
   void showComplaint();
   void showDescription();
   void showTitle();
+  QString nameOfScene() const;
 
   // Commands, in main_window_actions.cpp.
   void buildActions();
@@ -189,6 +191,7 @@ class MainWindow : public QMainWindow {
   std::optional<ContactShot> shot() const;
   void copyPicture();
   void askPicture();
+  CurveWish shownCurves() const;
   QString pictureCommand() const;
   void copyText(const QString& text);
   void runExport(std::function<void()> work, std::function<void()> done);

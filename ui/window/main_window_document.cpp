@@ -2,6 +2,7 @@
 // is not saved would be lost; the title.
 #include <QAction>
 #include <QCloseEvent>
+#include <QDir>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
@@ -66,9 +67,14 @@ void MainWindow::showHistory() {
   showTitle();
 }
 
-void MainWindow::showTitle() {
+/// Its title, or else its file's name; may be empty.
+QString MainWindow::nameOfScene() const {
   const QString title = translatedText(document_->scene().title);
-  const QString name = title.isEmpty() ? QFileInfo(document_->file()).fileName() : title;
+  return title.isEmpty() ? QFileInfo(document_->file()).fileName() : title;
+}
+
+void MainWindow::showTitle() {
+  const QString name = nameOfScene();
   setWindowTitle(name.isEmpty() ? tr("Asperity[*]") : tr("%1[*] – Asperity").arg(name));
   setWindowModified(document_->isChanged());
 }
@@ -102,10 +108,12 @@ void MainWindow::showScene(const Scene& scene) {
 
 void MainWindow::showScene(const SceneOrigin& origin) {
   endTour();
+  messages_->hide();  // whatever was said of the scene before
+  complaint_.reset();
   described_.reset();
   document_->open(origin);
   panel_->setScene(origin.scene);
-  session_->setScene(origin.scene);
+  session_->setScene(origin.scene, Session::Begin::Opened);
   showAboutScene();
   showDescription();
 }
@@ -118,12 +126,23 @@ void MainWindow::replaceScene(const SceneOrigin& origin) {
 /// was tried on the tour is not asked about.
 bool MainWindow::mayLeaveScene() {
   if (!document_->isChanged() || isTouring_) return true;
+  const QString name = nameOfScene();
   QMessageBox box(QMessageBox::Question, tr("Asperity"),
-                  tr("The scene was changed. Save the changes?"),
+                  name.isEmpty() ? tr("The scene was changed. Save the changes?")
+                                 : tr("“%1” was changed. Save the changes?").arg(name),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setObjectName("saveQuestion");
-  box.setInformativeText(tr("They are lost otherwise."));
+  const QString file = document_->file();
+  box.setInformativeText(
+      (file.isEmpty() ? tr("They go into a new file.")
+                      : tr("They go into %1.")
+                            .arg(QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath()))) +
+      ' ' + tr("Otherwise they are lost."));
   box.setDefaultButton(QMessageBox::Save);
+  // Not every desktop gives its standard buttons a letter.
+  box.button(QMessageBox::Save)->setText(tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
+  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
   switch (box.exec()) {
     case QMessageBox::Save:
       return save();

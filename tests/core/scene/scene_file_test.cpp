@@ -168,7 +168,7 @@ TEST(SceneFile, AssignmentsAreAppliedOverTheFileInOrder) {
                                 {"load.normal_force=2", "load.normal_force=3", "title=a=b"});
   EXPECT_EQ(scene.load.normalForce, 3);
   EXPECT_EQ(scene.title, "a=b");
-  EXPECT_THAT(errorOf("{}", {"load.normal_force"}), HasSubstr("KEY=VALUE is needed"));
+  EXPECT_THAT(errorOf("{}", {"load.normal_force"}), HasSubstr("is not KEY=VALUE"));
   EXPECT_THAT(errorOf("{}", {"load.force=1"}), HasSubstr("unknown key"));
   EXPECT_THAT(errorOf("{}", {"load.normal_force=nan"}), HasSubstr("not a finite number"));
   EXPECT_THAT(errorOf("{}", {"surface.radius=1"}), HasSubstr("has no meaning"));

@@ -16,6 +16,7 @@
 #include <mutex>
 #include <vector>
 
+#include "tests/core/small_scene.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/figure_picture.h"
 
@@ -25,11 +26,7 @@ namespace {
 constexpr int kPatience = 60000;  // ms, far more than anything here takes
 
 Scene smallScene() {
-  Scene scene;
-  scene.surface.elements = 64;
-  scene.sweep.points = 9;
-  scene.ensemble.realizations = 4;
-  return scene;
+  return sceneOfSize(64, 9, 4);
 }
 
 class AccuracyPanelTest : public testing::Test {

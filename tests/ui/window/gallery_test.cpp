@@ -24,9 +24,11 @@
 
 #include "core/friction/study.h"
 #include "core/scene/scene_file.h"
+#include "tests/core/small_scene.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/window/claim_text.h"
 #include "ui/window/claims_table.h"
 #include "ui/window/figure_list.h"
 #include "ui/window/figure_picture.h"
@@ -45,11 +47,8 @@ bool waitFor(Condition condition) {
 }
 
 Scene smallScene() {
-  Scene scene;
+  Scene scene = sceneOfSize(256, 9, 3);
   scene.title = "small";
-  scene.surface.elements = 256;
-  scene.sweep.points = 9;
-  scene.ensemble.realizations = 3;
   return scene;
 }
 
