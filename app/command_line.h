@@ -2,12 +2,15 @@
 // app/commands/. Main thread.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/curve_choice.h"
 #include "app/frame_source.h"
 #include "app/picture_choice.h"
+#include "app/view_choice.h"
 #include "core/scene/input_error.h"
 #include "core/scene/scene.h"
 
@@ -31,6 +34,7 @@ struct CurveCommand {
   CommonOptions common;
   std::vector<std::string> outputs;
   PictureChoice picture;
+  CurveChoice curves;
 };
 
 struct RenderCommand {
@@ -39,7 +43,9 @@ struct RenderCommand {
   TimeChoice time;
   PictureChoice picture;
   std::string layout = "contact";
-  std::string overlay = "pressure";
+  std::string overlay;  // empty: not said, and pressure
+  ViewChoice view;
+  CurveChoice curves;
   bool resume = false;
 };
 
@@ -79,13 +85,17 @@ struct BatchCommand {
 /// shipped scene. Throws InputError.
 Scene sceneOf(const CommonOptions& options);
 
-/// Does the work; bad input that names no file of its own is said of the scene's file.
+/// The files that were read for it: no output may replace them.
+std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const Scene& scene);
+
+/// Does the work; bad input that names neither a file of its own nor an option is said of the
+/// scene's file.
 template <class Work>
 auto saidOfScene(const CommonOptions& options, const Work& work) {
   try {
     return work();
   } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(options.scene) : error;
+    throw error.file().empty() && !error.isOfOption() ? error.in(options.scene) : error;
   }
 }
 

@@ -12,34 +12,63 @@ namespace asperity {
 namespace {
 
 constexpr std::int64_t kUsualFrames = 60;
+constexpr double kUsualFps = 25;
 constexpr double kMostFrames = 1e6;
 constexpr std::int64_t kSamples = 200;  // over a motion, at least
+constexpr double kMomentPart =
+    1.0 / 720;                        // of a motion: what the friction of a moment is a mean of
+constexpr double kMostPeriods = 1e9;  // slid
 
-std::int64_t rounded(double frames) {
+double fpsOf(const TimeChoice& choice) {
+  return choice.framesPerSecond > 0 ? choice.framesPerSecond : kUsualFps;
+}
+
+std::int64_t rounded(double frames, const char* option) {
   if (!(frames <= kMostFrames))
-    throw InputError("", "--slow-motion",
+    throw InputError("", option,
                      fmt::format("{:.3g} frames are more than {:g}", frames, kMostFrames));
   return std::max<std::int64_t>(1, std::llround(frames));
 }
 
 void checkTogether(const TimeChoice& choice) {
   if (choice.frames > 0 && choice.duration > 0)
-    throw InputError("", "--duration", "and --frames say the same; one of them is enough");
+    throw InputError("", "--duration",
+                     "and --frames both say how long the film is; one of them is enough");
   const bool length = choice.frames > 0 || choice.duration > 0;
   if (choice.slowMotion > 0 && choice.cycles > 0 && length)
     throw InputError("", "--slow-motion", "follows from the cycles and the length of the film");
 }
 
+void checkMoment(const Scene& scene, const TimeChoice& choice, double length, bool single) {
+  const char* option = choice.at ? "--at" : "--slid";
+  if (!choice.at && !choice.slid) return;
+  if (!single) throw InputError("", option, "shows one moment; frames and films have many");
+  const bool isSteady = scene.sliding.kind == SlidingKind::Steady;
+  if (choice.at && !(*choice.at >= 0 && std::isfinite(*choice.at)))
+    throw InputError("", "--at", fmt::format("{} is not a time of 0 s or more", *choice.at));
+  if (choice.slid && !isSteady)
+    throw InputError("", "--slid", "belongs to steady sliding; a motion has --at");
+  if (!isSteady && *choice.at > scene.sliding.duration)
+    throw InputError("", "--at",
+                     fmt::format("{:g} s is after the motion's end at {:g} s", *choice.at,
+                                 scene.sliding.duration));
+  if (!isSteady) return;
+  const double slid = choice.slid ? *choice.slid : *choice.at * scene.sliding.velocity;
+  if (!(std::abs(slid) <= kMostPeriods * length))
+    throw InputError("", option,
+                     fmt::format("{:g} m slid are more than {:g} periods", slid, kMostPeriods));
+}
+
 FramePlan steadyPlan(double period, const TimeChoice& choice, bool single) {
   FramePlan plan;
   const double cycles = choice.cycles > 0 ? choice.cycles : 1;
-  const double fps = choice.framesPerSecond;
+  const double fps = fpsOf(choice);
   if (choice.frames > 0 || choice.duration > 0)
-    plan.count = choice.frames > 0 ? choice.frames : rounded(choice.duration * fps);
+    plan.count = choice.frames > 0 ? choice.frames : rounded(choice.duration * fps, "--duration");
   else if (choice.slowMotion > 0)
-    plan.count = single ? 1 : rounded(cycles * period * choice.slowMotion * fps);
+    plan.count = single ? 1 : rounded(cycles * period * choice.slowMotion * fps, "--slow-motion");
   else
-    plan.count = single ? 1 : rounded(cycles * kUsualFrames);
+    plan.count = single ? 1 : rounded(cycles * kUsualFrames, "--cycles");
   plan.periodsPerFrame = choice.slowMotion > 0 ? 1 / (choice.slowMotion * fps * period)
                                                : cycles / static_cast<double>(plan.count);
   return plan;
@@ -51,12 +80,13 @@ FramePlan motionPlan(double duration, const TimeChoice& choice, bool single) {
   if (choice.slowMotion > 0 && (choice.frames > 0 || choice.duration > 0))
     throw InputError("", "--slow-motion", "follows from the motion and the length of the film");
   FramePlan plan;
-  const double fps = choice.framesPerSecond;
-  plan.count = single                  ? 1
-               : choice.frames > 0     ? choice.frames
-               : choice.duration > 0   ? rounded(choice.duration * fps)
-               : choice.slowMotion > 0 ? rounded(duration * choice.slowMotion * fps)
-                                       : kUsualFrames;
+  const double fps = fpsOf(choice);
+  plan.count = single                ? 1
+               : choice.frames > 0   ? choice.frames
+               : choice.duration > 0 ? rounded(choice.duration * fps, "--duration")
+               : choice.slowMotion > 0
+                   ? rounded(duration * choice.slowMotion * fps, "--slow-motion")
+                   : kUsualFrames;
   if (plan.count > 1) plan.timeScale = duration * fps / static_cast<double>(plan.count - 1);
   return plan;
 }
@@ -74,36 +104,61 @@ FramePlan planFrames(const Scene& scene, double length, const TimeChoice& choice
       throw InputError("", "--slow-motion", "needs a velocity above 0");
     plan = steadyPlan(velocity > 0 ? length / velocity : 0, choice, single);
     if (plan.count > 1 && velocity > 0)
-      plan.timeScale = plan.periodsPerFrame * length / velocity * choice.framesPerSecond;
+      plan.timeScale = plan.periodsPerFrame * length / velocity * fpsOf(choice);
   }
-  plan.framesPerSecond = choice.framesPerSecond;
+  plan.framesPerSecond = fpsOf(choice);
   return plan;
 }
 
 FrameSource::FrameSource(const Scene& scene, const TimeChoice& choice, bool single,
                          const FrameFields& fields)
-    : duration_(scene.sliding.duration) {
+    : choice_(choice), velocity_(scene.sliding.velocity), duration_(scene.sliding.duration) {
   const auto shared = std::make_shared<const Scene>(scene);
   if (scene.sliding.kind == SlidingKind::Steady)
     steady_.emplace(shared, fields);
   else
     motion_.emplace(shared, 0, std::numeric_limits<double>::infinity()).want(fields);
-  plan_ = planFrames(scene, steady_ ? steady_->length() : 0, choice, single);
+  length_ = steady_ ? steady_->length() : motion_->frame().length;
+  checkMoment(scene, choice, length_, single);
+  plan_ = planFrames(scene, length_, choice, single);
+}
+
+Frame FrameSource::steadyFrame(std::int64_t index) const {
+  if (!choice_.at && !choice_.slid)
+    return steady_->frameAt(static_cast<double>(index) * plan_.periodsPerFrame, plan_.timeScale,
+                            static_cast<std::uint64_t>(index));
+  const double slid = choice_.slid ? *choice_.slid : *choice_.at * velocity_;
+  Frame frame = steady_->frameAt(slid / steady_->length(), 0, 0);
+  frame.distance = slid;  // to the last digit
+  if (choice_.at) frame.time = *choice_.at;
+  return frame;
+}
+
+/// On to that time, as far as whole steps go.
+void FrameSource::march(double time) {
+  const double part = (time - motion_->frame().time) / duration_;
+  if (part > 0) motion_->advance(part, 1 / plan_.framesPerSecond);
 }
 
 Frame FrameSource::frame(std::int64_t index) {
-  if (steady_)
-    return steady_->frameAt(static_cast<double>(index) * plan_.periodsPerFrame, plan_.timeScale,
-                            static_cast<std::uint64_t>(index));
+  if (steady_) return steadyFrame(index);
+  if (choice_.at) {
+    const double before = *choice_.at - kMomentPart * duration_;
+    const auto samples = static_cast<double>(kSamples);
+    for (double i = 1; i * duration_ < before * samples; ++i) march(i * duration_ / samples);
+    march(before);
+    march(*choice_.at);
+    Frame frame = motion_->frame();
+    frame.timeScale = 0;
+    return frame;
+  }
   const std::int64_t intervals = std::max<std::int64_t>(plan_.count - 1, 1);
   const std::int64_t parts = (kSamples + intervals - 1) / intervals;  // of an interval
   const std::int64_t target = (plan_.count == 1 ? 1 : index) * parts;
   while (advanced_ < target) {
     // Whole steps fall short of a part: the next one makes up for it.
     ++advanced_;
-    const double due = static_cast<double>(advanced_) / static_cast<double>(intervals * parts);
-    const double part = due - motion_->frame().time / duration_;
-    if (part > 0) motion_->advance(part, 1 / plan_.framesPerSecond);
+    march(duration_ * static_cast<double>(advanced_) / static_cast<double>(intervals * parts));
   }
   Frame frame = motion_->frame();
   frame.timeScale = plan_.timeScale;

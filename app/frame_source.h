@@ -16,15 +16,18 @@ namespace asperity {
 /// As written on the command line; 0: not said.
 struct TimeChoice {
   std::int64_t frames = 0;
-  double framesPerSecond = 25;
+  double framesPerSecond = 0;
   double duration = 0;    // s of film
   double cycles = 0;      // periods of the line that pass
   double slowMotion = 0;  // seconds of film to a simulated one
+  // Of a single picture:
+  std::optional<double> at;    // s, simulated
+  std::optional<double> slid;  // m, of steady sliding
 };
 
 struct FramePlan {
   std::int64_t count = 1;
-  double framesPerSecond = 25;
+  double framesPerSecond = 0;
   double periodsPerFrame = 0;  // of steady sliding
   double timeScale = 0;        // simulated seconds to one of film; 0: nothing moves
 };
@@ -39,11 +42,18 @@ class FrameSource {
               const FrameFields& fields = {});
 
   const FramePlan& plan() const { return plan_; }
+  double length() const { return length_; }  // m, of the period
 
-  /// In rising order. A single picture of a motion shows its end.
+  /// In rising order. A single picture of a motion shows its end, if it is not of a moment.
   Frame frame(std::int64_t index);
 
  private:
+  Frame steadyFrame(std::int64_t index) const;
+  void march(double time);
+
+  TimeChoice choice_;
+  double velocity_ = 0;  // m/s, of steady sliding
+  double length_ = 0;
   std::optional<SteadyFrames> steady_;
   std::optional<Simulation> motion_;
   FramePlan plan_;

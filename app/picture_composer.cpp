@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "app/named_choice.h"
 #include "core/friction/curve_diagram.h"
 #include "core/run/transient_diagram.h"
-#include "core/scene/input_error.h"
 #include "ui/language/words.h"
 #include "ui/picture/contact_overlay.h"
 #include "ui/picture/diagram_picture.h"
@@ -13,41 +13,43 @@
 namespace asperity {
 namespace {
 
-constexpr double kContactPart = 0.54;  // of the height, where a diagram stands below
+// Told from the means, in front of which it may stand.
+constexpr int kPresentColour = 1;
 
 constexpr float kStripText = 0.8F;  // strips are low, which would make their texts small
 
+constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Contact},
+                                                   {"curve", PictureLayout::Curve},
+                                                   {"both", PictureLayout::Both},
+                                                   {"transient", PictureLayout::Transient}}};
+
 }  // namespace
 
-PictureLayout layoutFrom(const std::string& name) {
-  if (name == "contact") return PictureLayout::Contact;
-  if (name == "curve") return PictureLayout::Curve;
-  if (name == "both") return PictureLayout::Both;
-  if (name == "transient") return PictureLayout::Transient;
-  throw InputError("", "--layout",
-                   name.substr(0, 60) + " is not one of contact, curve, both, transient");
+PictureLayout layoutFrom(const std::string& name, const char* key) {
+  return chosenFrom(kLayouts, name, key);
 }
 
 ContactOverlay overlayFrom(const std::string& name) {
-  for (const ContactOverlay overlay : {ContactOverlay::None, ContactOverlay::Pressure,
-                                       ContactOverlay::Relaxation, ContactOverlay::Power})
-    if (name == wordFor(overlay)) return overlay;
-  throw InputError("", "--overlay",
-                   name.substr(0, 60) + " is not one of none, pressure, relaxation, power");
+  NamedChoices<ContactOverlay, 4> all{{{{}, ContactOverlay::None},
+                                       {{}, ContactOverlay::Pressure},
+                                       {{}, ContactOverlay::Relaxation},
+                                       {{}, ContactOverlay::Power}}};
+  for (auto& [word, overlay] : all) word = wordFor(overlay);
+  return chosenFrom(all, name, "--overlay");
 }
 
-PictureComposer::PictureComposer(const PictureStyle& style, PictureLayout layout,
-                                 std::vector<CurvePoint> curve, ContactOverlay overlay)
-    : style_(style), layout_(layout), overlay_(overlay), curve_(std::move(curve)) {
+PictureComposer::PictureComposer(const PictureStyle& style, PictureContent content)
+    : style_(style), content_(std::move(content)) {
   if (style_.transparent) style_.theme.background.a = 0;
 }
 
 DrawList PictureComposer::compose(const Frame& frame) {
-  if (layout_ == PictureLayout::Contact) return contact(frame, style_.height);
-  if (layout_ == PictureLayout::Curve) return diagram(curveWithPresent(frame), style_.height);
+  const PictureLayout layout = content_.layout;
+  if (layout == PictureLayout::Contact) return contact(frame, style_.height);
+  if (layout == PictureLayout::Curve) return diagram(curveWithPresent(frame), style_.height);
   const int above = static_cast<int>(std::lround(kContactPart * style_.height));
-  if (layout_ == PictureLayout::Both) {
-    if (!below_) {
+  if (layout == PictureLayout::Both) {
+    if (!below_ || frame.transient) {
       DiagramSheet sheet = curveWithPresent(frame);
       sheet.title.clear();  // it stands above
       below_ = diagram(sheet, style_.height - above);
@@ -66,9 +68,10 @@ DrawList PictureComposer::contact(const Frame& frame, int height) {
   options.height = height;
   options.scale = style_.scale;
   options.theme = style_.theme;
-  options.overlay = overlay_;
+  options.overlay = content_.overlay;
   view_ = fittedView(frame, view_);
   options.view = *view_;
+  applyView(content_.view, frame, options);
   return composeContact(frame, options);
 }
 
@@ -82,16 +85,28 @@ DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float l
   return composeDiagrams(sheet, options);
 }
 
-/// The curve and on it the line and the velocity of the frame.
+/// The curve and on it the line and the velocity of the frame, and the way that a motion came.
 DiagramSheet PictureComposer::curveWithPresent(const Frame& frame) const {
-  DiagramSheet sheet = curveSheet(*frame.scene, curve_);
+  DiagramSheet sheet = curveSheet(content_.curves);
+  const auto [velocity, friction] = factorsOf(content_.curves.present.points, content_.curves.axes);
+  std::vector<DiagramSeries>& series = sheet.diagrams.front().series;
   DiagramSeries present;
-  present.name = Words::tr("the line shown, at its velocity");
   present.mark = SeriesMark::Diamond;
   present.stroke = SeriesStroke::None;
-  present.colour = 1;  // told from the means, in front of which it may stand
-  present.points = {{frame.scene->sliding.velocity, frame.muSteady}};
-  sheet.diagrams.front().series.push_back(std::move(present));
+  present.colour = kPresentColour;
+  if (frame.transient) {
+    DiagramSeries trace;
+    trace.colour = kPresentColour;
+    for (const TransientSample& sample : *frame.transient)
+      trace.points.push_back({std::abs(sample.velocity) * velocity, sample.mu * friction});
+    present.name = Words::tr("the motion up to here");
+    if (!trace.points.empty()) present.points = {trace.points.back()};
+    series.push_back(std::move(trace));
+  } else {
+    present.name = Words::tr("the line shown, at its velocity");
+    present.points = {{frame.scene->sliding.velocity * velocity, frame.muSteady * friction}};
+  }
+  series.push_back(std::move(present));
   return sheet;
 }
 

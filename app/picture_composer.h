@@ -5,10 +5,10 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/picture_choice.h"
-#include "core/friction/curve_point.h"
+#include "app/view_choice.h"
+#include "core/friction/curve_set.h"
 #include "core/friction/diagram.h"
 #include "core/run/frame.h"
 
@@ -16,17 +16,22 @@ namespace asperity {
 
 enum class PictureLayout { Contact, Curve, Both, Transient };
 
-/// Throws InputError naming --layout.
-PictureLayout layoutFrom(const std::string& name);
+/// Throws InputError naming the key, or the option.
+PictureLayout layoutFrom(const std::string& name, const char* key = "--layout");
 
 /// Throws InputError naming --overlay.
 ContactOverlay overlayFrom(const std::string& name);
 
+struct PictureContent {
+  PictureLayout layout = PictureLayout::Contact;
+  CurveSet curves{};  // the scene's own and others, for the layouts that show them
+  ContactOverlay overlay = ContactOverlay::Pressure;
+  ViewChoice view{};
+};
+
 class PictureComposer {
  public:
-  /// `curve`: of the scene, for the layouts that show it.
-  PictureComposer(const PictureStyle& style, PictureLayout layout, std::vector<CurvePoint> curve,
-                  ContactOverlay overlay = ContactOverlay::Pressure);
+  PictureComposer(const PictureStyle& style, PictureContent content);
 
   DrawList compose(const Frame& frame);
 
@@ -36,11 +41,9 @@ class PictureComposer {
   DiagramSheet curveWithPresent(const Frame& frame) const;
 
   PictureStyle style_;
-  PictureLayout layout_;
-  ContactOverlay overlay_;
-  std::vector<CurvePoint> curve_;
+  PictureContent content_;
   std::optional<ContactView> view_;
-  std::optional<DrawList> below_;  // the curve, which stands still
+  std::optional<DrawList> below_;  // the curve, which stands still in steady sliding
 };
 
 }  // namespace asperity

@@ -17,14 +17,16 @@
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/language/words.h"
 #include "ui/picture/diagram_picture.h"
 
 namespace asperity {
 namespace {
 
 Curve compute(const Scene& scene, const CommonOptions& common) {
-  ProgressBar bar("realizations", common.quiet);
+  ProgressBar bar(Words::tr("realizations"), common.quiet);
   CurveOptions options;
   options.threads = common.threads;
   options.progress = [&bar](const CurveProgress& progress) {
@@ -33,18 +35,19 @@ Curve compute(const Scene& scene, const CommonOptions& common) {
   return saidOfScene(common, [&] { return curveOf(scene, options); });
 }
 
-void writePictures(const std::vector<std::string>& outputs, const Scene& scene, const Curve& curve,
-                   const PictureStyle& style) {
+void writePictures(const CurveCommand& command, const CurveSet& set, const PictureStyle& style) {
+  const std::vector<std::string>& outputs = command.outputs;
   const auto isPicture = [](const std::string& output) {
     return extensionOf(output) != ".csv" && extensionOf(output) != ".json";
   };
   if (std::none_of(outputs.begin(), outputs.end(), isPicture)) return;
   DiagramOptions options{style.width, style.height, style.scale, style.theme};
   if (style.transparent) options.theme.background.a = 0;
-  const DiagramSheet sheet = curveSheet(scene, curve.points);
+  const DiagramSheet sheet = curveSheet(set);
   const DrawList list = composeDiagrams(sheet, options);
-  nlohmann::ordered_json origin = provenance("curve", scene);
+  nlohmann::ordered_json origin = provenance("curve", set.present.scene);
   origin["picture"] = style.json();
+  command.curves.addTo(origin["picture"]);
   HeadlessPictures pictures(style.backend);
   for (const std::string& output : outputs)
     if (isPicture(output))
@@ -53,16 +56,43 @@ void writePictures(const std::vector<std::string>& outputs, const Scene& scene, 
 }
 
 std::string summaryOf(const Curve& curve, const std::vector<std::string>& outputs) {
-  std::string text = fmt::format("{} velocities, {} realizations", curve.points.size(),
-                                 curve.points.front().realizations);
+  const std::int64_t lines = curve.points.front().realizations;
+  std::string text = filled(Words::tr("%1 velocities"), {std::to_string(curve.points.size())}) +
+                     ", " +
+                     (lines == 1 ? Words::tr("one realization")
+                                 : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
   if (curve.marginalFraction > 0)
-    text += fmt::format(", {:.1f} % of the balances with a partly loaded element",
-                        100 * curve.marginalFraction);
+    text += ", " + filled(Words::tr("%1 % of the balances with a partly loaded element"),
+                          {inLanguage(fmt::format("{:.1f}", 100 * curve.marginalFraction))});
+  text += "\n";
   if (std::isfinite(curve.achievedError))
-    text += fmt::format("\nrelative error at most {:.2g} at every velocity, target {}",
-                        curve.achievedError, curve.isTargetMet ? "met" : "not met");
-  for (const std::string& output : outputs) text += fmt::format("\nwrote {}", output);
-  return text + "\n";
+    text += filled(curve.isTargetMet
+                       ? Words::tr("relative error at most %1 at every velocity, target met")
+                       : Words::tr("relative error at most %1 at every velocity, target not met"),
+                   {inLanguage(fmt::format("{:.2g}", curve.achievedError))}) +
+            "\n";
+  for (const std::string& output : outputs) text += wroteLine(output);
+  return text;
+}
+
+/// With more than the scene's own curve one table of all of them.
+std::string tableOf(const CurveSet& set, const CurveChoice& choice) {
+  return choice.hasMore() ? curveSetCsv(set) : curveCsv(set.present.points);
+}
+
+std::string jsonOf(const CurveSet& set, const CurveChoice& choice) {
+  const std::string own = curveJson(set.present.points, set.present.scene);
+  if (!choice.hasMore()) return own;
+  auto answer = nlohmann::ordered_json::parse(own);
+  addCurvesTo(answer, set);
+  return answer.dump(2) + "\n";
+}
+
+std::string commentOf(const CurveSet& set, const CurveChoice& choice) {
+  if (!choice.hasMore()) return provenanceComment("curve", set.present.scene);
+  nlohmann::ordered_json origin = provenance("curve", set.present.scene);
+  choice.addTo(origin);
+  return "# asperity: " + provenanceLine(origin) + "\n";
 }
 
 }  // namespace
@@ -71,20 +101,27 @@ int runCurve(const CurveCommand& command) {
   const Scene scene = sceneOf(command.common);
   saidOfScene(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
+  for (const std::string& output : command.outputs)
+    checkNoInput(output, inputsOf(command.common, scene));
+  checkUseful(command.picture, command.outputs);
   const PictureStyle style = styleOf(command.picture, {1200, 800, "print"});
+  checkCurves(command.curves, scene);
   const Curve curve = compute(scene, command.common);
+  const CurveSet set = saidOfScene(command.common, [&] {
+    return curvesOf(command.curves, scene, curve.points, command.common);
+  });
   for (const std::string& output : command.outputs) {
     const std::string extension = extensionOf(output);
     if (extension == ".csv")
-      writeFileAtomically(output, provenanceComment("curve", scene) + curveCsv(curve.points));
-    if (extension == ".json") writeFileAtomically(output, curveJson(curve.points, scene));
+      writeFileAtomically(output, commentOf(set, command.curves) + tableOf(set, command.curves));
+    if (extension == ".json") writeFileAtomically(output, jsonOf(set, command.curves));
   }
-  writePictures(command.outputs, scene, curve, style);
+  writePictures(command, set, style);
   const bool tableOnStdout = command.outputs.empty();
   if (command.common.json)
-    fmt::print("{}", curveJson(curve.points, scene));
+    fmt::print("{}", jsonOf(set, command.curves));
   else if (tableOnStdout)
-    fmt::print("{}", curveCsv(curve.points));
+    fmt::print("{}", tableOf(set, command.curves));
   if (!tableOnStdout)
     printSummary(command.common.json, command.common.quiet, summaryOf(curve, command.outputs));
   if (!curve.isTargetMet)

@@ -20,7 +20,9 @@
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/language/words.h"
 #include "ui/picture/contact_overlay.h"
 #include "ui/picture/png_file.h"
 
@@ -55,14 +57,18 @@ class Rendering {
         kind_(kindOf(command.output)),
         style_(styleOf(command.picture, {1280, 720, "light"})),
         layout_(layoutFrom(command.layout)),
-        overlay_(overlayFrom(command.overlay)) {
+        overlay_(command.overlay.empty() ? ContactOverlay::Pressure
+                                         : overlayFrom(command.overlay)) {
     checkUsage();
+    checkParts();
+    if (showsCurve()) checkCurves(command.curves, scene_);
     saidOfScene(command_.common, [&] {
       checkLayout();
       frames_.emplace(scene_, command_.time, kind_ == Kind::Picture, fieldsFor(overlay_));
-      if (layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both) computeCurve();
+      checkView(command_.view, overlay_, frames_->length());
+      if (showsCurve()) computeCurves();
     });
-    composer_.emplace(style_, layout_, curve_, overlay_);
+    composer_.emplace(style_, content());
   }
 
   void run() {
@@ -77,11 +83,14 @@ class Rendering {
   }
 
   std::string summary() const {
-    std::string text = fmt::format("mu = {:.6g}\n", frictionOf(last_));
-    if (kind_ == Kind::Picture) return text + fmt::format("wrote {}\n", command_.output);
-    text += fmt::format("wrote {} frames{} {}\n", drawn_, kind_ == Kind::Film ? " to" : " in",
-                        command_.output);
-    if (drawn_ < count()) text += fmt::format("{} were there already\n", count() - drawn_);
+    std::string text = "mu = " + inLanguage(fmt::format("{:.6g}", frictionOf(last_))) + "\n";
+    if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
+    text += filled(kind_ == Kind::Film ? Words::tr("wrote %1 frames to %2")
+                                       : Words::tr("wrote %1 frames in %2"),
+                   {std::to_string(drawn_), command_.output}) +
+            "\n";
+    if (drawn_ < count())
+      text += filled(Words::tr("%1 were there already"), {std::to_string(count() - drawn_)}) + "\n";
     return text;
   }
 
@@ -101,16 +110,49 @@ class Rendering {
   std::int64_t count() const { return frames_->plan().count; }
 
   void checkUsage() const {
-    const TimeChoice& time = command_.time;
-    if (!std::isfinite(time.framesPerSecond))
-      throw InputError("", "--fps", "is not a finite number");
-    if (kind_ == Kind::Picture && (time.frames > 1 || time.duration > 0))
-      throw InputError(command_.output, "", "is one picture; frames need a folder or a film");
+    if (kind_ == Kind::Picture) checkStill();
+    checkUseful(command_.picture, {command_.output});
+    checkNoInput(command_.output, inputsOf(command_.common, scene_));
     if (kind_ != Kind::Sequence) checkWritable(command_.output);
     if (kind_ == Kind::Film) checkFilm(command_.output, style_.transparent);
     if (command_.resume && kind_ != Kind::Sequence)
       throw InputError("", "--resume",
                        "goes on with a folder of frames; a single file is made anew");
+  }
+
+  /// One picture has no time.
+  void checkStill() const {
+    const TimeChoice& time = command_.time;
+    for (const auto& [option, given] : {std::pair{"--frames", time.frames > 1},
+                                        {"--fps", time.framesPerSecond > 0},
+                                        {"--duration", time.duration > 0},
+                                        {"--cycles", time.cycles > 0},
+                                        {"--slow-motion", time.slowMotion > 0}})
+      if (given)
+        throw InputError("", option,
+                         command_.output + " is one picture; frames need a folder or a film");
+  }
+
+  bool showsCurve() const {
+    return layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both;
+  }
+
+  /// What is said of a part that the layout does not have would be in vain.
+  void checkParts() const {
+    const auto refuse = [&](const char* option, const char* part) {
+      throw InputError(
+          "", option,
+          fmt::format("is of {}, which --layout {} does not show", part, command_.layout));
+    };
+    if (layout_ == PictureLayout::Curve) {
+      if (!command_.overlay.empty()) refuse("--overlay", "the contact");
+      if (const char* option = command_.view.firstOption()) refuse(option, "the contact");
+      if (command_.time.slid) refuse("--slid", "the contact");
+      if (command_.time.at && scene_.sliding.kind == SlidingKind::Steady)
+        refuse("--at", "the contact");
+    }
+    if (!showsCurve())
+      if (const char* option = command_.curves.firstOption()) refuse(option, "the curve");
   }
 
   void checkLayout() const {
@@ -119,20 +161,25 @@ class Rendering {
       throw InputError("", "sliding.kind",
                        "is steady, where nothing changes in time; --layout transient shows start, "
                        "step, oscillation and reversal");
-    if (layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both)
-      needSteadySliding(scene_, "--layout " + command_.layout);
     if (layout_ == PictureLayout::Curve && kind_ != Kind::Picture)
       throw InputError("", "--layout", "curve does not move; --layout both shows the contact too");
   }
 
-  void computeCurve() {
-    ProgressBar bar("realizations", command_.common.quiet);
-    CurveOptions options;
-    options.threads = command_.common.threads;
-    options.progress = [&bar](const CurveProgress& progress) {
-      bar.show(progress.realizationsDone, progress.realizationsTotal);
-    };
-    curve_ = frictionCurve(scene_, options).points;
+  /// Of steady sliding, whatever the motion.
+  void computeCurves() {
+    Scene steady = scene_;
+    steady.sliding.kind = SlidingKind::Steady;
+    std::vector<CurvePoint> own;
+    {
+      ProgressBar bar(Words::tr("realizations"), command_.common.quiet);
+      CurveOptions options;
+      options.threads = command_.common.threads;
+      options.progress = [&bar](const CurveProgress& progress) {
+        bar.show(progress.realizationsDone, progress.realizationsTotal);
+      };
+      own = frictionCurve(steady, options).points;
+    }
+    curves_ = curvesOf(command_.curves, steady, std::move(own), command_.common);
   }
 
   /// Of the whole run: scene, verb, version, seed and how it is shown.
@@ -141,6 +188,10 @@ class Rendering {
     Json& picture = origin["picture"] = style_.json();
     picture["layout"] = command_.layout;
     if (overlay_ != ContactOverlay::Pressure) picture["overlay"] = command_.overlay;
+    command_.view.addTo(picture);
+    command_.curves.addTo(picture);
+    if (command_.time.at) picture["at"] = *command_.time.at;
+    if (command_.time.slid) picture["slid"] = *command_.time.slid;
     if (kind_ != Kind::Picture) {
       picture["frames"] = count();
       picture["frames_per_second"] = frames_->plan().framesPerSecond;
@@ -155,6 +206,8 @@ class Rendering {
     return composer_->compose(last_);
   }
 
+  PictureContent content() const { return {layout_, curves_, overlay_, command_.view}; }
+
   void writePicture() {
     HeadlessPictures pictures(style_.backend);
     pictures.write(command_.output, compose(0),
@@ -163,15 +216,39 @@ class Rendering {
     files_ = {command_.output};
   }
 
+  /// Frames over the whole film, from which a gif takes its colours; none for other films.
+  std::vector<std::int64_t> sampledIndices() const {
+    constexpr std::int64_t kSamples = 8;
+    if (extensionOf(command_.output) != ".gif") return {};
+    if (count() <= kSamples) return allIndices();
+    std::vector<std::int64_t> indices;
+    for (std::int64_t i = 0; i < kSamples; ++i)
+      indices.push_back(i * (count() - 1) / (kSamples - 1));
+    return indices;
+  }
+
+  /// Each is simulated and drawn once more than the film needs it.
+  void addSamples(const std::vector<std::int64_t>& indices, HeadlessPictures& pictures,
+                  FilmFile& film) const {
+    if (indices.empty()) return;
+    FrameSource frames(scene_, command_.time, false, fieldsFor(overlay_));
+    PictureComposer composer(style_, content());
+    for (const std::int64_t index : indices)
+      film.add(pictures.draw(composer.compose(frames.frame(index))));
+  }
+
   void writeFilm() {
+    const std::vector<std::int64_t> samples = sampledIndices();
     FilmOptions options{style_.width,
                         style_.height,
-                        command_.time.framesPerSecond,
+                        frames_->plan().framesPerSecond,
                         style_.transparent,
+                        static_cast<int>(samples.size()),
                         translated(scene_.title),
                         provenanceLine(origin())};
     HeadlessPictures pictures(style_.backend);
     FilmFile film(command_.output, options);
+    addSamples(samples, pictures, film);
     PipelineStages stages = stagesOf(pictures);
     stages.sink = [&film](std::int64_t, const QImage& image, StageSeconds& seconds) {
       const StageTimer timer(seconds.encode);
@@ -217,7 +294,7 @@ class Rendering {
   }
 
   void runStages(const std::vector<std::int64_t>& indices, PipelineStages& stages) {
-    ProgressBar bar("frames", command_.common.quiet);
+    ProgressBar bar(Words::tr("frames"), command_.common.quiet);
     drawn_ = static_cast<std::int64_t>(indices.size());
     stages.progress = [&](std::int64_t done) { bar.show(done, drawn_); };
     seconds_ = runPipeline(indices, stages);
@@ -242,7 +319,7 @@ class Rendering {
   PictureStyle style_;
   PictureLayout layout_;
   ContactOverlay overlay_;
-  std::vector<CurvePoint> curve_;
+  CurveSet curves_;
   std::optional<FrameSource> frames_;
   std::optional<PictureComposer> composer_;
   Frame last_;  // touched by the composing thread only while it runs

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/contact/lane_stream.h"
@@ -21,7 +22,6 @@ namespace HWY_NAMESPACE {
 
 constexpr std::size_t kMostLevels = 16;
 
-template <bool kLinear>
 class LaneStream {
  public:
   LaneStream(const TravelLine& line, PassQueue& queue)
@@ -36,14 +36,15 @@ class LaneStream {
     }
     for (std::size_t stream = 0; stream < kLanes; ++stream) {
       PassTask task;
-      if (queue_.begin(stream, task)) beginPass(stream, task);
+      if (queue_.begin(stream, task)) setPass(stream, task);
     }
+    fillLanes();
     for (int look = kStepsBetweenLooks; idleCount_ < kLanes; --look) {
       if (look == 0) {
         if (queue_.isStopped()) return;
         look = kStepsBetweenLooks;
       }
-      SegmentStep<kLinear>(lanes_).run();
+      SegmentStep(lanes_).run();
       // Those in contact first, then those that are free, as the machine expects more of the same.
       const unsigned pressed = lanes_.finished & lanes_.pressed, free = lanes_.finished & ~pressed;
       for (unsigned left = pressed; left != 0; left &= left - 1) goOn<true>(lowestBit(left));
@@ -53,13 +54,15 @@ class LaneStream {
 
  private:
   static constexpr std::size_t kLanes = Wide::kLanes;
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   static constexpr std::size_t kWindow = BlockLevel::kPadding;  // blocks compared at once
 
   /// A pass under way.
   struct Pass {
     PassTask task;
     PassSums sums;
-    std::size_t parts = 0;  // not finished
+    std::size_t parts = 0, running = 0;     // begun; of these, not finished
+    std::size_t from = kNone, nextCut = 0;  // where the next part begins, and may end
     double inverse = 0;
     double lost[kMostLevels][kWindow + 1];  // part of a depth, over 0, 1, ... blocks of each level
   };
@@ -69,23 +72,44 @@ class LaneStream {
     double looks = 0;
   };
 
-  void beginPass(std::size_t stream, const PassTask& task) {
+  void setPass(std::size_t stream, const PassTask& task) {
     Pass& pass = passes_[stream];
     if (pass.inverse == 0 || pass.task.memory != task.memory) setMemory(pass, task.memory);
     pass.task = task;
     pass.sums = {};
-    pass.parts = 0;
-    std::size_t from = 0;
-    const std::size_t wanted = static_cast<std::size_t>(task.parts);
-    for (std::size_t k = 0; k < line_.cuts.size() && pass.parts + 1 < wanted; ++k) {
-      const std::size_t cut = line_.cuts[k].segment;
-      // Those left over are spread evenly.
-      if (k * wanted < (pass.parts + 1) * line_.cuts.size() || !touchesAt(line_.cuts[k], task))
-        continue;
-      addPart(stream, from, cut - 1);
-      from = cut;
+    pass.parts = pass.running = pass.nextCut = pass.from = 0;
+  }
+
+  /// Gives idle lanes the parts that begin first, of any pass: so lanes stay near each other, and
+  /// what one of them has read of a long line the others find in the cache.
+  void fillLanes() {
+    for (std::size_t from = 0; idleCount_ > 0 && from != kNone;) {
+      std::size_t first = 0;
+      for (std::size_t stream = 1; stream < kLanes; ++stream)
+        if (passes_[stream].from < passes_[first].from) first = stream;
+      from = passes_[first].from;
+      if (from != kNone) beginPart(first);
     }
-    addPart(stream, from, last_);
+  }
+
+  void beginPart(std::size_t stream) {
+    Pass& pass = passes_[stream];
+    const std::size_t lane = idle_[--idleCount_], from = pass.from;
+    std::size_t last = last_;
+    pass.from = kNone;
+    const std::size_t wanted = static_cast<std::size_t>(pass.task.parts), cuts = line_.cuts.size();
+    ++pass.parts;
+    ++pass.running;
+    for (std::size_t k = pass.nextCut; k < cuts && pass.parts < wanted; ++k) {
+      // Those not taken are spread evenly.
+      if (k * wanted < pass.parts * cuts || !touchesAt(line_.cuts[k], pass.task)) continue;
+      pass.from = line_.cuts[k].segment;
+      last = pass.from - 1;
+      pass.nextCut = k + 1;
+      break;
+    }
+    places_[lane].pass = stream;
+    begin(lane, from, last);
   }
 
   void setMemory(Pass& pass, double memory) {
@@ -107,17 +131,6 @@ class LaneStream {
     const double rise = line_.rise[cut.segment], w = task.depth - rise;
     return task.depth - before.highest - task.memory * before.steepest > 0 && w > 0 &&
            cut.clear >= task.memory * std::log1p(rise / w);
-  }
-
-  void addPart(std::size_t stream, std::size_t from, std::size_t last) {
-    ++passes_[stream].parts;
-    if (idleCount_ == 0) {
-      waiting_[(firstWaiting_ + waitingCount_++) % kMostWaiting] = {stream, from, last};
-      return;
-    }
-    const std::size_t lane = idle_[--idleCount_];
-    places_[lane].pass = stream;
-    begin(lane, from, last);
   }
 
   void begin(std::size_t lane, std::size_t from, std::size_t last) {
@@ -170,15 +183,10 @@ class LaneStream {
     sums.looks += place.looks;
     lanes_.busy[lane] = 0;
     idle_[idleCount_++] = lane;
-    if (waitingCount_ > 0) {
-      const Waiting part = waiting_[firstWaiting_];
-      firstWaiting_ = (firstWaiting_ + 1) % kMostWaiting;
-      --waitingCount_;
-      --passes_[part.pass].parts;  // counted again
-      addPart(part.pass, part.from, part.last);
-    }
     PassTask task;
-    if (--pass.parts == 0 && queue_.next(stream, sums, task)) beginPass(stream, task);
+    if (--pass.running == 0 && pass.from == kNone && queue_.next(stream, sums, task))
+      setPass(stream, task);
+    fillLanes();
   }
 
   /// Goes from segment i to the last at most, over as many blocks at once as are `simple`, up and
@@ -217,19 +225,14 @@ class LaneStream {
 
   HWY_INLINE void skipFree(std::size_t lane, Place& place) {
     const Pass& pass = passes_[place.pass];
-    const One depth = One::all(lanes_.depth[lane]), memory = One::all(lanes_.memory[lane]);
+    const One depth = One::all(lanes_.depth[lane]);
     double surface = lanes_.surface[lane];
     const auto isFree = [&](std::size_t level, std::size_t block) {
       const double* lowest = line_.blocks[level].lowest.data() + block;
-      const double* steepest = line_.blocks[0].steepest.data() + block;
       const double* lost = pass.lost[level];
       const One start = One::all(surface), over = depth - start;
       return firstOther([&](std::size_t k) {
-        const OneMask above = One::load(lowest + k) >= mulAdd(over, One::load(lost + k + 1), start);
-        if (!kLinear || level > 0) return above;
-        // A straight segment that rises faster than the free surface, from above it, stays there.
-        const One left = negMulAdd(over, One::load(lost + k), over);
-        return above | (memory * One::load(steepest + k) > left);  // 0 without memory
+        return One::load(lowest + k) >= mulAdd(over, One::load(lost + k + 1), start);
       });
     };
     place.segment = skip(place.segment, place.last, isFree,
@@ -284,19 +287,12 @@ class LaneStream {
     const double length = line_.segmentLength(i);
     lanes_.height0[lane] = line_.rise[first];
     lanes_.height1[lane] = line_.rise[second];
-    lanes_.start[lane] = line_.position[first];
+    lanes_.start[lane] = line_.position(first);
     lanes_.along[lane] = isBack ? -length : length;
-    if (!kLinear) {
-      lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
-      lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];
-    }
+    lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
+    lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];
     if (i == places_[lane].last) lanes_.closes[lane] = 1;
   }
-
-  struct Waiting {
-    std::size_t pass, from, last;
-  };
-  static constexpr std::size_t kMostWaiting = kLanes * (TravelLine::kMostCuts + 1);
 
   const TravelLine& line_;
   PassQueue& queue_;
@@ -305,8 +301,6 @@ class LaneStream {
   Place places_[kLanes];
   Lanes lanes_;
   std::size_t idle_[kLanes], idleCount_ = 0;
-  Waiting waiting_[kMostWaiting];  // a ring
-  std::size_t firstWaiting_ = 0, waitingCount_ = 0;
 };
 
 }  // namespace HWY_NAMESPACE

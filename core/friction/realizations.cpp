@@ -1,13 +1,12 @@
 #include "core/friction/realizations.h"
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
 #include "core/contact/scene_sliding.h"
+#include "core/contact/unmet_balance.h"
 #include "core/friction/jobs.h"
 
 namespace asperity {
@@ -15,21 +14,20 @@ namespace {
 
 using Results = std::vector<SteadyResult>;
 
-/// What a thread uses again for one realization after another.
+/// What a thread uses again for one realization after another, of later ensembles too: the system
+/// takes longer to give and to take back the pages of a long line than it takes to fill them, and a
+/// cancelled ensemble would wait for that. Lines far shorter than the last one begin afresh.
 struct Memory {
   Line line;
   TravelLine travel;
-};
 
-std::string failureOf(const SteadyResult& result, double velocity, std::int64_t realization) {
-  const std::string where =
-      fmt::format("at velocity {:.4g} m/s on realization {}", velocity, realization);
-  if (result.residual <= kAcceptedResidual)
-    return "contact is too short, or moduli are too far apart, for the digits that numbers have, " +
-           where;
-  return fmt::format("the force balance is not met {}: relative residual {:.2g}", where,
-                     result.residual);
-}
+  static Memory& forNodes(std::int64_t nodes) {
+    constexpr std::int64_t kMostSpare = 16;
+    thread_local Memory memory;
+    if (static_cast<std::int64_t>(memory.line.height.capacity()) > kMostSpare * nodes) memory = {};
+    return memory;
+  }
+};
 
 class Realizations {
  public:
@@ -50,7 +48,7 @@ class Realizations {
  private:
   /// Cut short where stop is requested.
   Results slide(std::int64_t realization) {
-    Memory& memory = memory_.local();
+    Memory& memory = Memory::forNodes(task_.source.nodes());
     const Scheme scheme = task_.scene.accuracy.scheme;
     // A long line takes as long as all the rest.
     const Slopes slopes = scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted;
@@ -68,16 +66,15 @@ class Realizations {
       const auto other = others.first(others.empty() ? 0 : row.size());
       others = others.subspan(other.size());
       if (!sliding_.sweep(memory.travel, one.load, one.velocities, row, stop_, other)) return {};
-      requireBalance(one, row, realization);
+      requireBalances(one, row, realization);
     }
     return results;
   }
 
-  static void requireBalance(const LoadCase& one, std::span<const SteadyResult> row,
-                             std::int64_t realization) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      if (row[i].status != SteadyStatus::Balanced)
-        throw std::runtime_error(failureOf(row[i], one.velocities[i], realization));
+  static void requireBalances(const LoadCase& one, std::span<const SteadyResult> row,
+                              std::int64_t realization) {
+    const std::string where = fmt::format(" on realization {}", realization);
+    for (std::size_t i = 0; i < row.size(); ++i) requireBalance(row[i], one.velocities[i], where);
   }
 
   const RealizationTask& task_;
@@ -85,7 +82,6 @@ class Realizations {
   Results first_;
   const std::stop_token& stop_;
   Jobs jobs_;
-  tbb::enumerable_thread_specific<Memory> memory_;
 };
 
 }  // namespace

@@ -164,6 +164,16 @@ struct Runner::Body {
     if (options.curveNews) options.curveNews();
   }
 
+  /// Called under the lock; the number of the scene.
+  std::uint64_t take(Scene&& scene) {
+    auto shared = std::make_shared<const Scene>(std::move(scene));
+    present = {shared, present.number + 1};
+    waiting.scene = present;
+    orderCurve(*shared);
+    changed.notify_all();
+    return present.number;
+  }
+
   /// Called under the lock when a scene is posted.
   void orderCurve(const Scene& scene) {
     const bool same = curveScene.scene && curveKey(scene) == curveKey(*curveScene.scene);
@@ -213,13 +223,14 @@ Runner::Runner(RunnerOptions options) : body_(std::make_unique<Body>(options)) {
 Runner::~Runner() = default;
 
 std::uint64_t Runner::post(Scene scene) {
-  auto shared = std::make_shared<const Scene>(std::move(scene));
   const std::lock_guard guard(body_->lock);
-  body_->present = {shared, body_->present.number + 1};
-  body_->waiting.scene = body_->present;
-  body_->orderCurve(*shared);
-  body_->changed.notify_all();
-  return body_->present.number;
+  return body_->take(std::move(scene));
+}
+
+std::uint64_t Runner::open(Scene scene) {
+  const std::lock_guard guard(body_->lock);
+  body_->waiting.reset = true;  // obeyed together with the scene
+  return body_->take(std::move(scene));
 }
 
 void Runner::want(const FrameFields& fields) {

@@ -52,6 +52,9 @@ class Runner {
   /// the present shape of the elastomer where length and elements are unchanged.
   std::uint64_t post(Scene scene);
 
+  /// The same for a scene that has nothing to do with the one before: it begins at time 0.
+  std::uint64_t open(Scene scene);
+
   /// What frames hold besides, from now on; while paused there is another frame with it.
   void want(const FrameFields& fields);
 

@@ -7,23 +7,21 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
 #include "core/scene/parameters.h"
+#include "core/scene/range_text.h"
 
 namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One number of an arm: the table of parameters within the list.
-struct Member {
-  const char* name;
-  double Arm::*value;
-  double most;  // at least 0
-  const char* unit;
-};
-
-constexpr std::array<Member, 2> kMembers{
+constexpr std::array<ArmMember, 2> kMembers{
     {{"modulus", &Arm::modulus, 1e15, "Pa"}, {"relaxation_time", &Arm::relaxationTime, 1e12, "s"}}};
+
+std::string allowed(const ArmMember& member) {
+  return rangeText(0, member.most, member.unit);
+}
 
 Json parsed(std::string_view json, const std::string& key) {
   Json list = Json::parse(json, nullptr, false);
@@ -41,25 +39,30 @@ Arm armFrom(const Json& json, const std::string& key) {
     throw InputError("", key, "needs an object of modulus and relaxation_time");
   for (const auto& [name, value] : json.items())
     if (std::none_of(kMembers.begin(), kMembers.end(),
-                     [&name = name](const Member& member) { return name == member.name; }))
-      throw InputError("", key + "." + name.substr(0, 60),
+                     [&name = name](const ArmMember& member) { return name == member.name; }))
+      throw InputError("", key + "." + shortened(name),
                        "unknown key; an arm has modulus and relaxation_time");
   Arm arm;
-  for (const Member& member : kMembers) {
+  for (const ArmMember& member : kMembers) {
     const std::string path = key + "." + member.name;
     if (!json.contains(member.name)) throw InputError("", path, "is missing");
     const Json& value = json[member.name];
     if (!value.is_number())
-      throw InputError("", path, fmt::format("is not a number; allowed is 0 to {:g}", member.most));
+      throw InputError("", path, "is not a number; allowed is " + allowed(member));
     const double number = value.get<double>();
     if (!(number >= 0 && number <= member.most))
-      throw InputError("", path, fmt::format("{} is outside 0 to {:g}", number, member.most));
+      throw InputError("", path,
+                       fmt::format("{} is outside {}", plainNumber(number), allowed(member)));
     arm.*member.value = number;
   }
   return arm;
 }
 
 }  // namespace
+
+std::span<const ArmMember> armMembers() {
+  return kMembers;
+}
 
 std::vector<Arm> armsFrom(std::string_view json, const std::string& key) {
   const Json list = parsed(json, key);
@@ -73,16 +76,15 @@ std::string textOf(const std::vector<Arm>& arms) {
   Json list = Json::array();
   for (const Arm& arm : arms) {
     Json one;
-    for (const Member& member : kMembers) one[member.name] = arm.*member.value;
+    for (const ArmMember& member : kMembers) one[member.name] = arm.*member.value;
     list.push_back(std::move(one));
   }
   return list.dump();
 }
 
 std::string allowedArms() {
-  return fmt::format(
-      "a list of 0 to {} {{modulus, relaxation_time}}, {:g} to {:g} {} and {:g} to {:g} {}",
-      kMostArms, 0.0, kMembers[0].most, kMembers[0].unit, 0.0, kMembers[1].most, kMembers[1].unit);
+  return fmt::format("a list of 0 to {} {{modulus, relaxation_time}}, {} and {}", kMostArms,
+                     allowed(kMembers[0]), allowed(kMembers[1]));
 }
 
 }  // namespace asperity

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "core/scene/known_words.h"
+
 namespace asperity {
 namespace {
 
@@ -80,15 +82,15 @@ const std::array kTable{
               RealField{ASPERITY_MEMBER(elastomer, relaxationTime), 0, 1e12, 1e-7, 10, kLog}},
     Parameter{"elastomer.equilibrium_modulus", "rest modulus", "G_inf", "Pa", "Shear modulus that is left when all arms have relaxed; steady sliding needs more than 0.", kLive, {"elastomer.rheology", "standard_solid prony"},
               RealField{ASPERITY_MEMBER(elastomer, equilibriumModulus), 0, 1e15, 1e3, 1e9, kLog}},
-    Parameter{"elastomer.viscosity", "viscosity", "eta", "Pa s", "Of a dashpot beside the arms; 0: none.", kLive, {"elastomer.rheology", "prony"},
+    Parameter{"elastomer.viscosity", "viscosity", "eta", "Pa s", "Viscosity of a dashpot beside the arms; 0: none.", kLive, {"elastomer.rheology", "prony"},
               RealField{ASPERITY_MEMBER(elastomer, viscosity), 0, 1e27, 0, 1e5, kLin}},
     Parameter{"elastomer.arms", "arms", "", "", "Springs and dashpots in series: modulus in Pa and relaxation time in s of each; a standard solid has one.", kLive, {"elastomer.rheology", "standard_solid prony"},
               ArmsField{ASPERITY_MEMBER(elastomer, arms)}},
-    Parameter{"elastomer.temperature", "temperature", "T", "K", "Of the elastomer; it shifts all relaxation times together.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
+    Parameter{"elastomer.temperature", "temperature", "T", "K", "Temperature of the elastomer; it shifts all relaxation times together.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
               RealField{ASPERITY_MEMBER(elastomer, temperature), 1, 2000, 200, 450, kLin}},
     Parameter{"elastomer.shift.c1", "shift C1", "C_1", "", "First constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
               RealField{ASPERITY_MEMBER(elastomer.shift, c1), 0, 1e3, 1, 30, kLin}},
-    Parameter{"elastomer.shift.c2", "shift C2", "C_2", "K", "Second constant of that shift.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
+    Parameter{"elastomer.shift.c2", "shift C2", "C_2", "K", "Second constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
               RealField{ASPERITY_MEMBER(elastomer.shift, c2), 1e-3, 1e4, 10, 300, kLin}},
     Parameter{"elastomer.shift.reference_temperature", "reference", "T_r", "K", "Temperature at which the relaxation times are as given.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
               RealField{ASPERITY_MEMBER(elastomer.shift, referenceTemperature), 1, 2000, 200, 450, kLin}},
@@ -106,7 +108,7 @@ const std::array kTable{
               RealField{ASPERITY_MEMBER(sliding, velocity), 0, 1e12, 1e-6, 1e4, kLog}},
     Parameter{"sliding.velocity_after", "velocity after", "v_2", "m/s", "Velocity from half of the duration on; below 0 the line goes back.", kLive, {"sliding.kind", "step"},
               RealField{ASPERITY_MEMBER(sliding, velocityAfter), -1e12, 1e12, -10, 10, kLin}},
-    Parameter{"sliding.amplitude", "amplitude", "", "m/s", "Of the velocity about its mean: v = velocity + amplitude sin(2 pi frequency t).", kLive, {"sliding.kind", "oscillation"},
+    Parameter{"sliding.amplitude", "amplitude", "", "m/s", "Amplitude of the velocity about its mean: v = velocity + amplitude sin(2 pi frequency t).", kLive, {"sliding.kind", "oscillation"},
               RealField{ASPERITY_MEMBER(sliding, amplitude), 0, 1e12, 1e-6, 1e4, kLog}},
     Parameter{"sliding.frequency", "frequency", "f", "Hz", "Oscillations of the velocity in a second.", kLive, {"sliding.kind", "oscillation"},
               RealField{ASPERITY_MEMBER(sliding, frequency), 1e-12, 1e12, 1e-2, 1e5, kLog}},
@@ -115,7 +117,7 @@ const std::array kTable{
 
     Parameter{"interface.friction_coefficient", "local friction", "", "", "Local coefficient of friction in contact, added to what the deformation costs and reported apart; 0: none.", kLive, {},
               RealField{ASPERITY_MEMBER(interface, frictionCoefficient), 0, 1e3, 0, 2, kLin}},
-    Parameter{"interface.shear_stress", "local shear", "", "N/m", "Tangential load on each length in contact instead of that coefficient; 0: none.", kLive, {},
+    Parameter{"interface.shear_stress", "local shear", "", "N/m", "Tangential load on each length in contact, instead of a local coefficient of friction; 0: none.", kLive, {},
               RealField{ASPERITY_MEMBER(interface, shearStress), 0, 1e15, 0, 1e3, kLin}},
 
     Parameter{"sweep.velocity_from", "slowest", "", "m/s", "First velocity of the friction curve.", kLive, {},
@@ -137,21 +139,6 @@ const std::array kTable{
 };
 // clang-format on
 
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row[b.size()];
-}
-
 }  // namespace
 
 std::span<const Parameter> parameters() {
@@ -165,17 +152,15 @@ const Parameter* findParameter(std::string_view key) {
 }
 
 std::string_view nearestKey(std::string_view key) {
-  const std::string_view shortened = key.substr(0, 100);
+  const std::string_view start = key.substr(0, 100);
   // A key without its section: "hurst".
   for (const Parameter& row : kTable)
-    if (row.key.ends_with(shortened) && row.key.size() > shortened.size() &&
-        row.key[row.key.size() - shortened.size() - 1] == '.')
+    if (row.key.ends_with(start) && row.key.size() > start.size() &&
+        row.key[row.key.size() - start.size() - 1] == '.')
       return row.key;
-  return std::min_element(kTable.begin(), kTable.end(),
-                          [shortened](const Parameter& a, const Parameter& b) {
-                            return editDistance(shortened, a.key) < editDistance(shortened, b.key);
-                          })
-      ->key;
+  std::vector<std::string_view> keys;
+  for (const Parameter& row : kTable) keys.push_back(row.key);
+  return nearestOf(key, keys);
 }
 
 }  // namespace asperity

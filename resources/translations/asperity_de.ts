@@ -107,6 +107,214 @@
         <source>%1 in all, %2 % in the free surface</source>
         <translation>%1 insgesamt, %2 % in der freien Oberfläche</translation>
     </message>
+    <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>(extrapolated)</source>
+        <translation>(hochgerechnet)</translation>
+    </message>
+    <message>
+        <source>best for its time</source>
+        <translation>am besten für seine Zeit</translation>
+    </message>
+    <message>
+        <source>&lt;- this scene</source>
+        <translation>&lt;- diese Szene</translation>
+    </message>
+    <message>
+        <source>a march in time: half the step changes friction by %1 %</source>
+        <translation>Zeitschritte: Der halbe Schritt ändert die Reibung um %1 %</translation>
+    </message>
+    <message>
+        <source>, settling by %1 %</source>
+        <translation>; das Einschwingen um %1 %</translation>
+    </message>
+    <message>
+        <source>region %1, %2 to %3 m/s</source>
+        <translation>Bereich %1, %2 bis %3 m/s</translation>
+    </message>
+    <message>
+        <source>a valid scene</source>
+        <translation>eine gültige Szene</translation>
+    </message>
+    <message>
+        <source>line: L = %1 m, %2 elements of %3 m, rms height %4 m, rms slope %5</source>
+        <translation>Linie: L = %1 m; %2 Elemente zu %3 m; RMS-Höhe %4 m; RMS-Steigung %5</translation>
+    </message>
+    <message>
+        <source>dimensionless force F_N / G h L = %1 (Eq. 14)</source>
+        <translation>dimensionslose Kraft F_N / G h L = %1 (Gl. 14)</translation>
+    </message>
+    <message>
+        <source>dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)</source>
+        <translation>dimensionslose Geschwindigkeit tau v Steigung / (sqrt(2) h) = %1 (Gl. 13)</translation>
+    </message>
+    <message>
+        <source>%1 velocities</source>
+        <translation>%1 Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>one realization</source>
+        <translation>eine Realisierung</translation>
+    </message>
+    <message>
+        <source>%1 realizations</source>
+        <translation>%1 Realisierungen</translation>
+    </message>
+    <message>
+        <source>%1 % of the balances with a partly loaded element</source>
+        <translation>%1 % der Gleichgewichte mit einem teilweise belasteten Element</translation>
+    </message>
+    <message>
+        <source>relative error at most %1 at every velocity, target met</source>
+        <translation>relativer Fehler bei jeder Geschwindigkeit höchstens %1; Ziel erreicht</translation>
+    </message>
+    <message>
+        <source>relative error at most %1 at every velocity, target not met</source>
+        <translation>relativer Fehler bei jeder Geschwindigkeit höchstens %1; Ziel nicht erreicht</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 % of the run time</source>
+        <translation>%1 % der Laufzeit</translation>
+    </message>
+    <message>
+        <source>wrote %1 frames to %2</source>
+        <translation>%1 Bilder geschrieben in %2</translation>
+    </message>
+    <message>
+        <source>wrote %1 frames in %2</source>
+        <translation>%1 Bilder geschrieben nach %2</translation>
+    </message>
+    <message>
+        <source>%1 were there already</source>
+        <translation>%1 waren schon da</translation>
+    </message>
+    <message>
+        <source>length %1 m, %2 points, rms height %3 m, rms slope %4</source>
+        <translation>Länge %1 m; %2 Punkte; RMS-Höhe %3 m; RMS-Steigung %4</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>; </translation>
+    </message>
+    <message>
+        <source>resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>standard error</source>
+        <translation>Standardfehler</translation>
+    </message>
+    <message>
+        <source>force balance</source>
+        <translation>Kräftegleichgewicht</translation>
+    </message>
+    <message>
+        <source>time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>settling</source>
+        <translation>Einschwingen</translation>
+    </message>
+    <message>
+        <source>%1; differs from the resolved line by %2</source>
+        <translation>%1; weicht von der aufgelösten Linie um %2 ab</translation>
+    </message>
+    <message>
+        <source>%1 steps of %2 elements, without drawing</source>
+        <translation>%1 Schritte mit %2 Elementen; ohne Zeichnen</translation>
+    </message>
+    <message>
+        <source>%1 simulations</source>
+        <translation>%1 Simulationen</translation>
+    </message>
+    <message>
+        <source>one thread</source>
+        <translation>einem Thread</translation>
+    </message>
+    <message>
+        <source>%1 threads</source>
+        <translation>%1 Threads</translation>
+    </message>
+    <message>
+        <source>no %1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>asperity %1 runs</source>
+        <translation>asperity %1 führt aus</translation>
+    </message>
+    <message>
+        <source>and leaves out</source>
+        <translation>und lässt aus</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>vorhergesagt</translation>
+    </message>
+    <message>
+        <source>%1 on %2 (%3)</source>
+        <translation>%1 mit %2 (%3)</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>%1 more than before</source>
+        <translation>%1 mehr als zuvor</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>no colours: nothing touches</source>
+        <translation>keine Farben: nichts berührt sich</translation>
+    </message>
+    <message>
+        <source>no colours: nothing is dissipated at rest</source>
+        <translation>keine Farben: in Ruhe wird nichts dissipiert</translation>
+    </message>
+    <message>
+        <source>no colours: nothing is dissipated</source>
+        <translation>keine Farben: nichts wird dissipiert</translation>
+    </message>
+    <message>
+        <source>no colours: all of the surface is in contact</source>
+        <translation>keine Farben: die ganze Oberfläche ist in Kontakt</translation>
+    </message>
+    <message>
+        <source>no colours: at rest nothing leaves contact</source>
+        <translation>keine Farben: in Ruhe verlässt nichts den Kontakt</translation>
+    </message>
+    <message>
+        <source>no colours: nothing has left contact yet</source>
+        <translation>keine Farben: noch nichts hat den Kontakt verlassen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -184,19 +392,66 @@
     </message>
 </context>
 <context>
+    <name>asperity::ArmsEditor</name>
+    <message>
+        <source>Remove this arm</source>
+        <translation>Diesen Arm entfernen</translation>
+    </message>
+    <message>
+        <source>remove arm %1</source>
+        <translation>Arm %1 entfernen</translation>
+    </message>
+    <message>
+        <source>modulus of arm %1 (%2)</source>
+        <translation>Modul von Arm %1 (%2)</translation>
+    </message>
+    <message>
+        <source>relaxation time of arm %1 (%2)</source>
+        <translation>Relaxationszeit von Arm %1 (%2)</translation>
+    </message>
+    <message>
+        <source>modulus</source>
+        <translation>Modul</translation>
+    </message>
+    <message>
+        <source>relaxation time</source>
+        <translation>Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>Add arm</source>
+        <translation>Arm hinzufügen</translation>
+    </message>
+    <message>
+        <source>One more arm, with ten times the longest relaxation time</source>
+        <translation>Ein weiterer Arm mit der zehnfachen längsten Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>einer</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Fold the table away</source>
+        <translation>Tabelle einklappen</translation>
+    </message>
+    <message>
+        <source>Open the table</source>
+        <translation>Tabelle aufklappen</translation>
+    </message>
+    <message>
+        <source>arms: %1</source>
+        <translation>Arme: %1</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ClaimsTable</name>
-    <message>
-        <source>only for scheme %1</source>
-        <translation>nur für %1</translation>
-    </message>
-    <message>
-        <source>✓ yes</source>
-        <translation>✓ ja</translation>
-    </message>
-    <message>
-        <source>✗ no</source>
-        <translation>✗ nein</translation>
-    </message>
     <message>
         <source>Measured: %1.</source>
         <translation>Gemessen: %1.</translation>
@@ -461,6 +716,14 @@
     <message>
         <source>no dimensionless axes: they need a line with roughness and one relaxation time</source>
         <translation>keine dimensionslosen Achsen: Sie brauchen eine raue Linie und eine einzige Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>|v| = %1 m/s</source>
+        <translation>|v| = %1 m/s</translation>
+    </message>
+    <message>
+        <source>this motion, now</source>
+        <translation>diese Bewegung, jetzt</translation>
     </message>
 </context>
 <context>
@@ -828,10 +1091,6 @@
         <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
-        <source>The language changes when Asperity is started again.</source>
-        <translation>Die Sprache wechselt beim nächsten Start von Asperity.</translation>
-    </message>
-    <message>
         <source>Copy picture</source>
         <translation>Bild kopieren</translation>
     </message>
@@ -906,10 +1165,6 @@
     <message>
         <source>The scene was changed. Save the changes?</source>
         <translation>Die Szene wurde geändert. Änderungen speichern?</translation>
-    </message>
-    <message>
-        <source>They are lost otherwise.</source>
-        <translation>Sonst gehen sie verloren.</translation>
     </message>
     <message>
         <source>Save</source>
@@ -1019,6 +1274,34 @@
         <source>Statistics</source>
         <translation>Statistik</translation>
     </message>
+    <message>
+        <source>“%1” was changed. Save the changes?</source>
+        <translation>„%1“ wurde geändert. Änderungen speichern?</translation>
+    </message>
+    <message>
+        <source>They go into a new file.</source>
+        <translation>Sie kommen in eine neue Datei.</translation>
+    </message>
+    <message>
+        <source>They go into %1.</source>
+        <translation>Sie kommen nach %1.</translation>
+    </message>
+    <message>
+        <source>Otherwise they are lost.</source>
+        <translation>Sonst gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MessageBar</name>
@@ -1085,10 +1368,6 @@
 <context>
     <name>asperity::ParameterRow</name>
     <message>
-        <source>%1 to %2 %3</source>
-        <translation>%1 bis %2 %3</translation>
-    </message>
-    <message>
         <source>choose file…</source>
         <translation>Datei wählen…</translation>
     </message>
@@ -1119,6 +1398,106 @@
     <message>
         <source>A number alone counts in the unit beside it, one with an exponent (1e7) in %1; any unit may be typed with it.</source>
         <translation>Eine Zahl allein gilt in der Einheit daneben, eine mit Exponent (1e7) in %1; jede Einheit darf dazu getippt werden.</translation>
+    </message>
+    <message>
+        <source>Back to the default, one arm</source>
+        <translation>Zurück zur Vorgabe, ein Arm</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>a modulus or pressure</source>
+        <translation>ein Modul oder Druck</translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation>eine Kraft</translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation>eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation>eine Zeit</translation>
+    </message>
+    <message>
+        <source>a temperature</source>
+        <translation>eine Temperatur</translation>
+    </message>
+    <message>
+        <source>a frequency</source>
+        <translation>eine Frequenz</translation>
+    </message>
+    <message>
+        <source>a force on a length</source>
+        <translation>eine Kraft je Länge</translation>
+    </message>
+    <message>
+        <source>a viscosity</source>
+        <translation>eine Viskosität</translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation>eine Masse</translation>
+    </message>
+    <message>
+        <source>an energy</source>
+        <translation>eine Energie</translation>
+    </message>
+    <message>
+        <source>a power</source>
+        <translation>eine Leistung</translation>
+    </message>
+    <message>
+        <source>a voltage</source>
+        <translation>eine Spannung</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>ein Winkel</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>a wave number</source>
+        <translation>eine Wellenzahl</translation>
+    </message>
+    <message>
+        <source>a pure number</source>
+        <translation>eine reine Zahl</translation>
+    </message>
+    <message>
+        <source>a difference of temperatures</source>
+        <translation>ein Temperaturunterschied</translation>
+    </message>
+    <message>
+        <source>%1 is %2; wanted is %3, such as %4</source>
+        <translation>%1 ist %2; gefragt ist %3, etwa %4</translation>
+    </message>
+    <message>
+        <source>“%1” is no unit known here; wanted is %2, such as %3</source>
+        <translation>„%1“ ist hier keine bekannte Einheit; gefragt ist %2, etwa %3</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; allowed is %2</source>
+        <translation>„%1“ ist keine Zahl; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number; allowed is %2</source>
+        <translation>%1 ist keine ganze Zahl; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2</source>
+        <translation>%1 liegt außerhalb von %2</translation>
     </message>
 </context>
 <context>
@@ -1206,10 +1585,6 @@
         <translation>Gl. (14) der Arbeit: Normalkraft / (Schubmodul × RMS-Höhe × Länge)</translation>
     </message>
     <message>
-        <source>Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height)</source>
-        <translation>Gl. (13) der Arbeit: Relaxationszeit × Geschwindigkeit × RMS-Steigung / (√2 × RMS-Höhe)</translation>
-    </message>
-    <message>
         <source>Pictures of the contact shown in the last second</source>
         <translation>In der letzten Sekunde gezeigte Bilder des Kontakts</translation>
     </message>
@@ -1272,6 +1647,10 @@
     <message>
         <source>Coefficient of friction of this line, of a motion at this moment; in brackets the mean of all lines at this velocity with its standard error</source>
         <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
+    </message>
+    <message>
+        <source>Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of a motion at this moment</source>
+        <translation>Gl. (13) der Arbeit: Relaxationszeit × Geschwindigkeit × RMS-Steigung / (√2 × RMS-Höhe); bei einer Bewegung in diesem Augenblick</translation>
     </message>
 </context>
 <context>
@@ -1512,6 +1891,10 @@
 <context>
     <name>asperity::Words</name>
     <message>
+        <source>lines compared</source>
+        <translation>verglichene Linien</translation>
+    </message>
+    <message>
         <source>position</source>
         <translation>Ort</translation>
     </message>
@@ -1546,10 +1929,6 @@
     <message>
         <source>1 s on screen</source>
         <translation>1 s im Bild</translation>
-    </message>
-    <message>
-        <source>μ in this march in time</source>
-        <translation>μ in diesen Zeitschritten</translation>
     </message>
     <message>
         <source>rigid line at rest</source>
@@ -1686,6 +2065,110 @@
     <message>
         <source>dissipates</source>
         <translation>dissipiert</translation>
+    </message>
+    <message>
+        <source>only for scheme %1</source>
+        <translation>nur für das Verfahren %1</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>methods</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>one scene, %1 failed</source>
+        <translation>eine Szene, davon %1 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>%1 scenes, %2 failed</source>
+        <translation>%1 Szenen, davon %2 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>realizations</source>
+        <translation>Realisierungen</translation>
+    </message>
+    <message>
+        <source>figure %1</source>
+        <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Tangential over normal force in steady sliding: of this line at this velocity, computed without time steps.</source>
+        <translation>Tangential- durch Normalkraft bei stationärem Gleiten: dieser Linie bei dieser Geschwindigkeit, ohne Zeitschritte berechnet.</translation>
+    </message>
+    <message>
+        <source>Tangential over normal force at this moment of the motion, a mean over the time since the last picture.</source>
+        <translation>Tangential- durch Normalkraft in diesem Augenblick der Bewegung, im Mittel über die Zeit seit dem letzten Bild.</translation>
+    </message>
+    <message>
+        <source>Force that presses one period of the line into the elastomer.</source>
+        <translation>Kraft, die eine Periode der Linie in das Elastomer drückt.</translation>
+    </message>
+    <message>
+        <source>How deep the lowest point of the line lies below the undeformed surface.</source>
+        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt.</translation>
+    </message>
+    <message>
+        <source>Share of the line&apos;s length that touches the elastomer.</source>
+        <translation>Anteil der Länge der Linie, der das Elastomer berührt.</translation>
+    </message>
+    <message>
+        <source>Velocity of the line, to the right.</source>
+        <translation>Geschwindigkeit der Linie, nach rechts.</translation>
+    </message>
+    <message>
+        <source>Velocity of the line at this moment; below 0 it goes back.</source>
+        <translation>Geschwindigkeit der Linie in diesem Augenblick; unter 0 geht sie zurück.</translation>
+    </message>
+    <message>
+        <source>So much of the simulated time passes in one second here.</source>
+        <translation>So viel simulierte Zeit vergeht hier in einer Sekunde.</translation>
+    </message>
+    <message>
+        <source>μ of the moving picture</source>
+        <translation>μ des bewegten Bildes</translation>
+    </message>
+    <message>
+        <source>The moving picture is a simulation of its own: it follows every element in small steps of time. This is the friction of its last steps. It differs from the steady μ while the elastomer still relaxes after a change, and always a little, because its steps are not infinitely small.</source>
+        <translation>Das bewegte Bild ist eine eigene Simulation: Sie folgt jedem Element in kleinen Zeitschritten. Dies ist die Reibung ihrer letzten Schritte. Sie weicht vom stationären μ ab, solange das Elastomer nach einer Änderung noch relaxiert, und immer ein wenig, weil ihre Schritte nicht unendlich klein sind.</translation>
+    </message>
+    <message>
+        <source>since contact</source>
+        <translation>seit Kontakt</translation>
+    </message>
+    <message>
+        <source>power (log)</source>
+        <translation>Leistung (log)</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>same parameters</source>
+        <translation>gleiche Parameter</translation>
+    </message>
+    <message>
+        <source>the motion up to here</source>
+        <translation>die Bewegung bis hierher</translation>
     </message>
 </context>
 </TS>

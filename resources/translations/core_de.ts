@@ -66,16 +66,16 @@
         <translation>Lokale Reibungszahl im Kontakt; sie kommt zum Verformungsanteil hinzu und wird getrennt ausgewiesen; 0: keine.</translation>
     </message>
     <message>
-        <source>Of a dashpot beside the arms; 0: none.</source>
-        <translation>Eines Dämpfers neben den Armen; 0: keiner.</translation>
+        <source>Viscosity of a dashpot beside the arms; 0: none.</source>
+        <translation>Viskosität eines Dämpfers neben den Armen; 0: keiner.</translation>
     </message>
     <message>
-        <source>Of the elastomer; it shifts all relaxation times together.</source>
-        <translation>Des Elastomers; sie verschiebt alle Relaxationszeiten gemeinsam.</translation>
+        <source>Temperature of the elastomer; it shifts all relaxation times together.</source>
+        <translation>Temperatur des Elastomers; sie verschiebt alle Relaxationszeiten gemeinsam.</translation>
     </message>
     <message>
-        <source>Of the velocity about its mean: v = velocity + amplitude sin(2 pi frequency t).</source>
-        <translation>Der Geschwindigkeit um ihr Mittel: v = Geschwindigkeit + Amplitude · sin(2π · Frequenz · t).</translation>
+        <source>Amplitude of the velocity about its mean: v = velocity + amplitude sin(2 pi frequency t).</source>
+        <translation>Amplitude der Geschwindigkeit um ihr Mittel: v = Geschwindigkeit + Amplitude · sin(2π · Frequenz · t).</translation>
     </message>
     <message>
         <source>Oscillations of the velocity in a second.</source>
@@ -106,8 +106,8 @@
         <translation>Quadratischer Mittelwert der Höhe (ISO Rq), bestimmt von den langen Wellen.</translation>
     </message>
     <message>
-        <source>Second constant of that shift.</source>
-        <translation>Zweite Konstante dieser Verschiebung.</translation>
+        <source>Second constant of the shift with temperature (Williams, Landel and Ferry).</source>
+        <translation>Zweite Konstante der Verschiebung mit der Temperatur (Williams, Landel und Ferry).</translation>
     </message>
     <message>
         <source>Shear modulus that is left when all arms have relaxed; steady sliding needs more than 0.</source>
@@ -138,8 +138,8 @@
         <translation>Statischer Schubmodul des Elastomers.</translation>
     </message>
     <message>
-        <source>Tangential load on each length in contact instead of that coefficient; 0: none.</source>
-        <translation>Tangentiallast je Länge im Kontakt anstelle dieser Reibungszahl; 0: keine.</translation>
+        <source>Tangential load on each length in contact, instead of a local coefficient of friction; 0: none.</source>
+        <translation>Tangentiallast je Länge im Kontakt, anstelle einer lokalen Reibungszahl; 0: keine.</translation>
     </message>
     <message>
         <source>Temperature at which the relaxation times are as given.</source>
@@ -1766,7 +1766,7 @@
         <translation>Reibungszahl μ</translation>
     </message>
     <message>
-        <source>cubic x1 to x16</source>
+        <source>cubic ×1 to ×16</source>
         <translation>kubisch ×1 bis ×16</translation>
     </message>
     <message>
@@ -1774,7 +1774,7 @@
         <translation>Eindringung d</translation>
     </message>
     <message>
-        <source>linear x1 to x16</source>
+        <source>linear ×1 to ×16</source>
         <translation>linear ×1 bis ×16</translation>
     </message>
     <message>
@@ -1842,20 +1842,24 @@
         <translation>Geschwindigkeit v</translation>
     </message>
     <message>
-        <source>the force balance is not met in the comparison of methods</source>
-        <translation>das Kräftegleichgewicht ist beim Vergleich der Verfahren nicht erfüllt</translation>
+        <source>the force balance is not met at velocity %1: relative residual %2</source>
+        <translation>das Kräftegleichgewicht ist bei der Geschwindigkeit %1 nicht erfüllt: relativer Rest %2</translation>
     </message>
     <message>
-        <source>no indentation carries the normal force to working accuracy</source>
-        <translation>keine Eindringung trägt die Normalkraft mit der nötigen Genauigkeit</translation>
+        <source>the force balance is not met at velocity %1 on realization %2: relative residual %3</source>
+        <translation>das Kräftegleichgewicht ist bei der Geschwindigkeit %1 in Realisierung %2 nicht erfüllt: relativer Rest %3</translation>
+    </message>
+    <message>
+        <source>contact is too short, or moduli are too far apart, for the digits that numbers have, at velocity %1</source>
+        <translation>für die Stellen, die Zahlen haben, ist bei der Geschwindigkeit %1 der Kontakt zu kurz, oder die Moduln liegen zu weit auseinander</translation>
+    </message>
+    <message>
+        <source>contact is too short, or moduli are too far apart, for the digits that numbers have, at velocity %1 on realization %2</source>
+        <translation>für die Stellen, die Zahlen haben, ist bei der Geschwindigkeit %1 in Realisierung %2 der Kontakt zu kurz, oder die Moduln liegen zu weit auseinander</translation>
     </message>
     <message>
         <source>the force balance is not met</source>
         <translation>das Kräftegleichgewicht ist nicht erfüllt</translation>
-    </message>
-    <message>
-        <source>no steady state to begin from: the force balance is not met</source>
-        <translation>kein stationärer Zustand als Anfang: Das Kräftegleichgewicht ist nicht erfüllt</translation>
     </message>
     <message>
         <source>stands beside interface.friction_coefficient; only one of them may be above 0</source>
@@ -1884,6 +1888,14 @@
     <message>
         <source>cubic x%1</source>
         <translation>kubisch ×%1</translation>
+    </message>
+    <message>
+        <source>cubic ×%1</source>
+        <translation>kubisch ×%1</translation>
+    </message>
+    <message>
+        <source>linear ×%1</source>
+        <translation>linear ×%1</translation>
     </message>
     <message>
         <source>linear x%1</source>
@@ -2072,6 +2084,26 @@
     <message>
         <source>edges of contact are found inside the segments wherever contact is not complete</source>
         <translation>Kontaktränder werden innerhalb der Segmente gefunden, wo der Kontakt nicht vollständig ist</translation>
+    </message>
+    <message>
+        <source>edges of contact are found inside the segments</source>
+        <translation>Kontaktränder werden innerhalb der Segmente gefunden</translation>
+    </message>
+    <message>
+        <source>contact is complete above d = %1 at %2</source>
+        <translation>bei %2 ist der Kontakt ab d = %1 vollständig</translation>
+    </message>
+    <message>
+        <source>contact is complete above d = %1 at %2, and it is %3</source>
+        <translation>bei %2 ist der Kontakt ab d = %1 vollständig, und d ist %3</translation>
+    </message>
+    <message>
+        <source>at %1 of %2 velocities; at the other contact is complete, and depth and friction are known</source>
+        <translation>bei %1 von %2 Geschwindigkeiten; bei der anderen ist der Kontakt vollständig, Tiefe und Reibung sind bekannt</translation>
+    </message>
+    <message>
+        <source>at %1 of %2 velocities; at the others contact is complete, and depth and friction are known</source>
+        <translation>bei %1 von %2 Geschwindigkeiten; bei den anderen ist der Kontakt vollständig, Tiefe und Reibung sind bekannt</translation>
     </message>
     <message>
         <source>the friction curve is of steady sliding</source>

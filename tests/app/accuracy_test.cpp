@@ -48,7 +48,8 @@ TEST_F(AccuracyCommandTest, WritesTablesAndDiagrams) {
 TEST_F(AccuracyCommandTest, TheDefaultBeatsTheLiteralMarchByFar) {
   const Said said = program.run("accuracy s.json -o out --json --set surface.elements=2000");
   ASSERT_EQ(said.status, 0) << said.err;
-  for (const Json& region : Json::parse(said.out)["regions"]) {
+  const Json answer = Json::parse(said.out);
+  for (const Json& region : answer["regions"]) {
     const Json& methods = region["methods"];
     ASSERT_EQ(methods[0]["method"], "literal march");
     ASSERT_EQ(methods[8]["method"], "cubic x2");

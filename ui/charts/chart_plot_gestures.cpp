@@ -15,6 +15,7 @@ namespace {
 constexpr double kWheel = 1.25;  // for one notch of the wheel
 constexpr double kKeyZoom = 1.5;
 constexpr double kKeyStep = 0.05;  // decades for a key
+constexpr double kFinely = 0.1;    // of a drag or a key's step, with Shift
 
 double notches(const QWheelEvent& event) {
   return event.angleDelta().y() / 120.0;
@@ -28,7 +29,9 @@ void ChartPlotView::mousePressEvent(QMouseEvent* event) {
   pressed_ = targetAt(geometry(), plot_, place);
   pressedAt_ = panAt_ = place;
   gesture_ = Gesture::Press;
-  if (pressed_.isMarker) grip_ = geometry().xOf(plot_.marker->x) - place.x();
+  if (!pressed_.isMarker) return;
+  grippedX_ = geometry().xOf(plot_.marker->x);
+  gripMarker(place, event->modifiers() & Qt::ShiftModifier);
 }
 
 void ChartPlotView::mouseMoveEvent(QMouseEvent* event) {
@@ -39,10 +42,11 @@ void ChartPlotView::mouseMoveEvent(QMouseEvent* event) {
       (place - pressedAt_).manhattanLength() >= QApplication::startDragDistance() / 2.0;
   if (gesture_ == Gesture::Press && isFar) {
     gesture_ = pressed_.isMarker ? Gesture::Marker : Gesture::Pan;
+    if (pressed_.isMarker && !zoom_) held_ = plot_.x.range;
     tip_->clear();
     setCursor(pressed_.isMarker ? Qt::SizeHorCursor : Qt::ClosedHandCursor);
   }
-  if (gesture_ == Gesture::Marker) dragMarker(place);
+  if (gesture_ == Gesture::Marker) dragMarker(place, event->modifiers() & Qt::ShiftModifier);
   if (gesture_ == Gesture::Pan) {
     setZoom(panned(geometry(), place - panAt_));
     panAt_ = place;
@@ -56,6 +60,7 @@ void ChartPlotView::mouseReleaseEvent(QMouseEvent* event) {
     const PlotSeries& series = plot_.series[static_cast<std::size_t>(pressed_.series)];
     emit pointChosen(series.id, series.points[static_cast<std::size_t>(pressed_.point)].row);
   }
+  if (std::exchange(held_, std::nullopt)) showAll();
   read(event->position() - corner());
 }
 
@@ -83,10 +88,11 @@ void ChartPlotView::keyPressEvent(QKeyEvent* event) {
   const bool isRight = event->key() == Qt::Key_Right;
   if (isRight || event->key() == Qt::Key_Left) {
     if (event->modifiers() & Qt::ControlModifier) return chooseNextPoint(isRight);
-    if (!plot_.marker || !isPlottable(plot_.marker->x, 1)) return;
-    const double step = event->modifiers() & Qt::ShiftModifier ? kKeyStep / 10 : kKeyStep;
+    if (!plot_.marker || plot_.marker->isFixed || !isPlottable(plot_.marker->x, 1)) return;
+    const bool finely = event->modifiers() & Qt::ShiftModifier;
+    const double step = finely ? kFinely * kKeyStep : kKeyStep;
     const double from = std::isfinite(wantedX_) ? wantedX_ : plot_.marker->x;
-    return moveMarker(from * std::pow(10, isRight ? step : -step));
+    return moveMarker(from * std::pow(10, isRight ? step : -step), finely);
   }
   if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) return zoom(1 / kKeyZoom);
   if (event->key() == Qt::Key_Minus) return zoom(kKeyZoom);
@@ -136,15 +142,26 @@ void ChartPlotView::read(QPointF place) {
   tip_->show(text, at, target.span < 0, chart_->rect(), colours_, font());
 }
 
-void ChartPlotView::dragMarker(QPointF place) {
-  const PlotGeometry map = geometry();
-  moveMarker(map.valueAt(std::clamp(place.x() + grip_, map.area.left(), map.area.right())));
+void ChartPlotView::gripMarker(QPointF place, bool finely) {
+  gripAt_ = place;
+  gripsFinely_ = finely;
 }
 
-void ChartPlotView::moveMarker(double x) {
+/// Finely the marker goes a part of the pointer's way, from where it is.
+void ChartPlotView::dragMarker(QPointF place, bool finely) {
+  const PlotGeometry map = geometry();
+  if (finely != gripsFinely_) {
+    if (std::isfinite(wantedX_)) grippedX_ = map.xOf(wantedX_);
+    gripMarker(place, finely);
+  }
+  const double way = (place.x() - gripAt_.x()) * (finely ? kFinely : 1);
+  moveMarker(map.valueAt(std::clamp(grippedX_ + way, map.area.left(), map.area.right())), finely);
+}
+
+void ChartPlotView::moveMarker(double x, bool finely) {
   wantedX_ = x;
   updateMarker();
-  emit markerMoved(x);
+  emit markerMoved(x, finely);
 }
 
 /// Of the present curve; where there is none, nothing.

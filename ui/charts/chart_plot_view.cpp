@@ -95,10 +95,11 @@ void ChartPlotView::setPlot(const Plot& plot) {
 void ChartPlotView::setMarker(const std::optional<PlotMarker>& marker) {
   const bool isNewX = !plot_.marker || !marker || marker->x != plot_.marker->x;
   if (isNewX && gesture_ != Gesture::Marker) wantedX_ = std::numeric_limits<double>::quiet_NaN();
-  const bool wasThere = plot_.marker.has_value();
+  const auto nameOf = [](const auto& shown) { return shown ? shown->name : QString(); };
+  const bool isNamedAnew = nameOf(plot_.marker) != nameOf(marker);
   plot_.marker = marker;
   updateMarker();
-  if (wasThere != marker.has_value()) legend_->show(plot_, colours_);
+  if (isNamedAnew) legend_->show(plot_, colours_);
 }
 
 void ChartPlotView::setColours(const PlotColours& colours) {
@@ -129,7 +130,7 @@ QPointF ChartPlotView::stripPositionOf(double x, double y) const {
 }
 
 PlotWindow ChartPlotView::window() const {
-  return zoom_ ? *zoom_ : PlotWindow{plot_.x.range, plot_.y.range};
+  return zoom_ ? *zoom_ : PlotWindow{held_.value_or(plot_.x.range), plot_.y.range};
 }
 
 void ChartPlotView::resizeEvent(QResizeEvent* event) {
@@ -162,6 +163,7 @@ void ChartPlotView::focusOutEvent(QFocusEvent* event) {
 
 void ChartPlotView::showAll() {
   legend_->show(plot_, colours_);
+  layout()->activate();  // what the legend takes is not the chart's any more
   const double strip = plot_.strip ? std::round(kSlim * height()) : 0;
   placeArea(strip);
   x_->setLabelsVisible(!plot_.strip);
@@ -179,7 +181,7 @@ void ChartPlotView::placeArea(double strip) {
   const QFontMetricsF metrics(font());
   const double line = metrics.height();
   const double left = 12 + line + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
-  const double above = plot_.spans.empty() ? 9 : kSpanNames + 2;
+  const double above = plot_.spans.empty() ? 9 : namesHeight() + 2;
   // The strip and the labels of the common axis stand below the chart.
   const double below = 2 * line + 20 + (plot_.strip ? strip + kStripGap : 0);
   const QRectF area(left, above, view_->width() - left - 18, view_->height() - above - below);
@@ -194,13 +196,18 @@ void ChartPlotView::placeArea(double strip) {
 
 /// Upright the long title needs more room than the plot may have.
 void ChartPlotView::showTitles() {
-  const bool isLow = QFontMetricsF(y_->titleFont()).horizontalAdvance(plot_.y.title) + 4 >
-                     chart_->plotArea().height();
+  const QFontMetricsF metrics(y_->titleFont());
+  const auto fits = [&](const QString& title) {
+    return metrics.horizontalAdvance(title) + 4 <= chart_->plotArea().height();
+  };
+  const QString& brief = plot_.y.shortTitle;
   const auto set = [](QCategoryAxis& axis, const QString& title) {
     if (axis.titleText() != title) axis.setTitleText(title);
   };
   set(*x_, plot_.x.title);
-  set(*y_, isLow && !plot_.y.shortTitle.isEmpty() ? plot_.y.shortTitle : plot_.y.title);
+  set(*y_, fits(plot_.y.title) || brief.isEmpty() ? plot_.y.title
+           : fits(brief)                          ? brief
+                                                  : brief.section(' ', -1));  // the symbol
 }
 
 /// Labels at whole decades, at every second (third...) where they would not fit, and between them
@@ -258,8 +265,12 @@ void ChartPlotView::paintAxis(QCategoryAxis& axis) const {
   axis.setLinePen(showsFocus_ ? QPen(colours_.points, 2) : QPen(colours_.axis, 1));
 }
 
+double ChartPlotView::namesHeight() const {
+  return std::max(kSpanNames, std::ceil(QFontMetricsF(font()).height()));
+}
+
 PlotGeometry ChartPlotView::geometry() const {
-  PlotGeometry map{chart_->plotArea(), window().x, window().y, {}};
+  PlotGeometry map{chart_->plotArea(), window().x, window().y, {}, namesHeight()};
   if (plot_.strip)
     map.strip = QRectF(map.area.left(), map.area.bottom() + kStripGap, map.area.width(),
                        std::round(kSlim * height()));

@@ -59,14 +59,16 @@ class ChartPlotView : public PlotView {
   void paintAxis(QCategoryAxis& axis) const;
   void updateItems();
   void updateMarker();
+  double namesHeight() const;
   PlotGeometry geometry() const;
   QPointF corner() const;
 
   // In chart_plot_gestures.cpp.
   void setZoom(const std::optional<PlotWindow>& window);
   void read(QPointF place);
-  void dragMarker(QPointF place);
-  void moveMarker(double x);
+  void gripMarker(QPointF place, bool finely);
+  void dragMarker(QPointF place, bool finely);
+  void moveMarker(double x, bool finely);
   void chooseNextPoint(bool forward);
 
   Plot plot_;
@@ -91,7 +93,10 @@ class ChartPlotView : public PlotView {
   PlotTarget pressed_;  // what lay under the pointer
   QPointF pressedAt_, panAt_;
   std::optional<QPointF> hover_;  // where the pointer is, over the plot
-  double grip_ = 0;               // pixels from the pointer to the marker
+  QPointF gripAt_;                // where the pointer took the marker, and
+  double grippedX_ = 0;           // where that was then, pixels
+  bool gripsFinely_ = false;
+  std::optional<DecadeRange> held_;  // axis along, while the marker is dragged on it
   double wantedX_;  // of the marker while it is moved, until it is there; NaN: not moved
 };
 

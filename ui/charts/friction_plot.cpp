@@ -6,6 +6,7 @@
 
 #include "core/friction/law.h"
 #include "core/scene/element_law.h"
+#include "core/scene/motion.h"
 #include "ui/charts/decade_range.h"
 
 namespace asperity {
@@ -16,6 +17,7 @@ constexpr DecadeRange kEmptyVelocities{-5, 3};  // shown before anything is know
 constexpr DecadeRange kEmptyCoefficients{-6, -2};
 
 constexpr double kAir = 1.15;
+constexpr std::size_t kLongestTrace = 2000;  // samples of a motion
 
 bool isKnown(const CurvePoint& point) {
   return point.realizations > 0;
@@ -87,14 +89,32 @@ bool FrictionPlot::take(const CurveUpdate& update) {
 }
 
 void FrictionPlot::mark(const Frame& frame) {
-  const double velocity = frame.scene->sliding.velocity;
-  PlotMarker marker;
-  marker.label = tr("v = %1 m/s").arg(readingLabel(velocity));
-  marker.x = velocity;
-  marker.y = frame.muSteady;
-  marker_ = marker;
   markerFactors_ = factorsOf(frame);
+  if (frame.transient) {
+    markMotion(frame);
+  } else {
+    const double velocity = frame.scene->sliding.velocity;
+    marker_.emplace();
+    marker_->label = tr("v = %1 m/s").arg(readingLabel(velocity));
+    marker_->x = velocity;
+    marker_->y = frame.muSteady;
+  }
   fitRanges(false);
+}
+
+void FrictionPlot::markMotion(const Frame& frame) {
+  const std::vector<TransientSample>& samples = *frame.transient;
+  const double velocity = std::abs(samples.empty() ? frame.velocity : samples.back().velocity);
+  marker_.emplace();
+  marker_->label = tr("|v| = %1 m/s").arg(readingLabel(std::abs(frame.velocity)));
+  marker_->x = velocity;
+  marker_->isFixed = true;
+  const std::size_t first = samples.size() > kLongestTrace ? samples.size() - kLongestTrace : 0;
+  for (std::size_t i = first; i < samples.size(); ++i)
+    marker_->trace.push_back({std::abs(samples[i].velocity), samples[i].mu});
+  if (!samples.empty()) marker_->y = samples.back().mu;
+  const Motion motion(frame.scene->sliding);
+  fastest_ = motion.fastest(0, motion.duration());
 }
 
 void FrictionPlot::setAxes(CurveAxes axes) {
@@ -184,9 +204,15 @@ std::optional<PlotMarker> FrictionPlot::marker() const {
   if (axes_ == CurveAxes::Dimensionless) {
     marker.x *= markerFactors_.velocity;
     marker.y *= markerFactors_.friction;
+    for (PlotPoint& point : marker.trace) {
+      point.x *= markerFactors_.velocity;
+      point.y *= markerFactors_.friction;
+    }
     marker.label = tr("v̄ = %1").arg(readingLabel(marker.x));
   }
-  marker.name = curve_ && FrictionSeries::isOneLine(*curve_) ? tr("now") : tr("this line, now");
+  marker.name = marker.isFixed                                 ? tr("this motion, now")
+                : curve_ && FrictionSeries::isOneLine(*curve_) ? tr("now")
+                                                               : tr("this line, now");
   return marker;
 }
 
@@ -277,11 +303,15 @@ void FrictionPlot::fitRanges(bool newCurve) {
   }
   for (const PinnedCurve& pinned : pinned_)
     addCurve(*pinned.curve, axes_, velocities, coefficients);
-  if (const std::optional<PlotMarker> shown = marker()) {
+  if (const std::optional<PlotMarker> shown = marker(); shown && shown->isFixed) {
+    // A motion comes to rest again and again: the axes go up with it, not down.
+    velocities.add(fastest_ * (axes_ == CurveAxes::Physical ? 1 : markerFactors_.velocity));
+    if (shown->y > coefficients.high) coefficients.add(shown->y);
+  } else if (shown) {
     velocities.add(shown->x);
     coefficients.add(shown->y);
   }
-  velocities_ = steadyRange(velocities_, velocities.decades(), newCurve);
+  if (const DecadeRange needed = velocities.decades(); !needed.isEmpty()) velocities_ = needed;
   coefficients_ =
       steadyRange(coefficients_, neededCoefficients(coefficients.decades(kAir)), newCurve);
 }

@@ -37,7 +37,8 @@ class FrictionPlot {
   /// Returns whether it is shown.
   bool take(const CurveUpdate& update);
 
-  /// The velocity of this frame and the steady friction of its line.
+  /// The velocity of this frame and the steady friction of its line; of a motion the magnitude of
+  /// its velocity at the moment, its friction then, and both since it began.
   void mark(const Frame& frame);
 
   void setAxes(CurveAxes axes);
@@ -75,6 +76,7 @@ class FrictionPlot {
   QString blank() const;
   void fitRanges(bool newCurve);
   DecadeRange neededCoefficients(const DecadeRange& data) const;
+  void markMotion(const Frame& frame);
 
   std::optional<Scene> expected_;
   std::shared_ptr<const CurveUpdate> curve_;
@@ -84,6 +86,7 @@ class FrictionPlot {
   CurveAxes axes_ = CurveAxes::Physical;
   std::optional<PlotMarker> marker_;  // on physical axes
   AxesFactors markerFactors_{1, 1};   // of the frame's line, to dimensionless ones
+  double fastest_ = 0;                // m/s, of the marked motion
   DecadeRange velocities_, coefficients_;
 };
 

@@ -69,12 +69,14 @@ struct PlotSpan {
   bool operator==(const PlotSpan&) const = default;
 };
 
-/// A vertical line at x, with a dot at y where y has a place.
+/// A vertical line at x, with a dot at y where y has a place, and the way that it came.
 struct PlotMarker {
   QString name;   // for the legend
   QString label;  // beside the line
   double x = 0;
   double y = std::numeric_limits<double>::quiet_NaN();
+  bool isFixed = false;            // moves by itself, not by hand
+  std::vector<PlotPoint> trace{};  // in its order; interrupted where a point has no place
 };
 
 struct PlotAxis {
@@ -104,7 +106,7 @@ struct Plot {
   std::optional<PlotMarker> marker;
   std::optional<PlotStrip> strip;
   QString note;         // how far it is: "37 of 200 realizations"
-  double progress = 0;  // 0 to 1, beside the note
+  double progress = 0;  // 0 to 1, of the present curve; shown elsewhere
   QString blank;        // in the middle: why there is nothing to see
 };
 

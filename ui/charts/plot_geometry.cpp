@@ -86,9 +86,9 @@ PlotTarget targetAt(const PlotGeometry& geometry, const Plot& plot, QPointF plac
   const QRectF& area = geometry.area;
   if (area.adjusted(-kMarkerReach, -kMarkerReach, kMarkerReach, kMarkerReach).contains(place)) {
     findPoint(geometry, plot, place, target);
-    target.isMarker = plot.marker && isPlottable(plot.marker->x, 1) &&
+    target.isMarker = plot.marker && !plot.marker->isFixed && isPlottable(plot.marker->x, 1) &&
                       std::abs(geometry.xOf(plot.marker->x) - place.x()) <= kMarkerReach;
-  } else if (QRectF(area.left(), area.top() - kSpanNames, area.width(), kSpanNames)
+  } else if (QRectF(area.left(), area.top() - geometry.names, area.width(), geometry.names)
                  .contains(place)) {
     findSpan(geometry, plot, place, target);
   } else if (plot.strip && geometry.strip.contains(place)) {

@@ -10,11 +10,15 @@
 
 namespace asperity {
 
+/// Least height of the names above the plot area, pixels.
+inline constexpr double kSpanNames = 18;
+
 /// Maps values to positions inside the plot area, both axes logarithmic; below it lies the strip.
 struct PlotGeometry {
   QRectF area;
   DecadeRange x, y;
-  QRectF strip;  // empty: none
+  QRectF strip{};             // empty: none
+  double names = kSpanNames;  // pixels, height of the names above
 
   double xOf(double value) const;
   double yOf(double value) const;
@@ -35,9 +39,6 @@ struct PlotTarget {
 
 /// Pixels from which a marker and a point can be gripped.
 inline constexpr double kMarkerReach = 6, kPointReach = 9;
-
-/// Height of the names above the plot area, pixels.
-inline constexpr double kSpanNames = 18;
 
 PlotTarget targetAt(const PlotGeometry& geometry, const Plot& plot, QPointF place);
 

@@ -67,7 +67,7 @@ void PlotItem::update(const PlotGeometry& geometry, const Plot& plot, const Plot
 }
 
 QRectF PlotItem::boundingRect() const {
-  return geometry_.area.adjusted(-8, -kSpanNames - 2, 8, 8);
+  return geometry_.area.adjusted(-8, -geometry_.names - 2, 8, 8);
 }
 
 void SpanItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -77,7 +77,8 @@ void SpanItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   for (const PlotSpan& span : plot_.spans) {
     const double left = std::clamp(geometry_.xOf(span.from), area.left(), area.right());
     const double right = std::clamp(geometry_.xOf(span.to), area.left(), area.right());
-    const QRectF box(left, area.top() - kSpanNames, right - left, area.height() + kSpanNames);
+    const QRectF box(left, area.top() - geometry_.names, right - left,
+                     area.height() + geometry_.names);
     painter->setOpacity(span.faded ? kFadedOpacity : 1);
     if (shaded) painter->fillRect(box, colours_.span);
     shaded = !shaded;
@@ -86,7 +87,7 @@ void SpanItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     const QString& text = fits ? whole : span.name;
     if (metrics.horizontalAdvance(text) + 4 > box.width()) continue;
     painter->setPen(colours_.faintText);
-    painter->drawText(QRectF(box.left(), box.top(), box.width(), kSpanNames), Qt::AlignCenter,
+    painter->drawText(QRectF(box.left(), box.top(), box.width(), geometry_.names), Qt::AlignCenter,
                       text);
   }
   painter->setOpacity(1);

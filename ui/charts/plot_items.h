@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QGraphicsItem>
+#include <QPainterPath>
 #include <QRectF>
 #include <QString>
 
@@ -77,8 +78,12 @@ class MarkerItem : public QGraphicsItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
  private:
+  void layTrace();
+  void paintTrace(QPainter& painter) const;
+
   PlotGeometry geometry_;
   std::optional<PlotMarker> marker_;
+  QPainterPath trace_;
   double lineX_ = 0;
   PlotColours colours_;
   QFont font_;

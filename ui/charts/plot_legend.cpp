@@ -18,9 +18,25 @@ constexpr double kSample = 22;    // width of a sample of a mark, pixels
 constexpr double kSampleGap = 6;  // between it and its name
 constexpr double kCross = 16;     // that lets a pinned curve go
 constexpr double kGap = 18;       // between entries
-constexpr double kBarWidth = 72;  // of the progress bar
-constexpr double kBarHeight = 4;
 constexpr int kMostRows = 3;
+constexpr int kMostLines = 2;  // of one entry
+
+/// A text that is too long for its room, broken after commas.
+QStringList brokenInto(const QString& text, double room, const QFontMetricsF& metrics) {
+  QStringList lines(1);
+  const QStringList parts = text.split(QStringLiteral(", "));
+  for (qsizetype i = 0; i < parts.size(); ++i) {
+    const QString part = i + 1 < parts.size() ? parts[i] + ',' : parts[i];
+    const QString longer = lines.last().isEmpty() ? part : lines.last() + ' ' + part;
+    const bool fits = metrics.horizontalAdvance(longer) <= room || lines.last().isEmpty();
+    if (fits || lines.size() == kMostLines)
+      lines.last() = longer;
+    else
+      lines += part;
+  }
+  for (QString& line : lines) line = metrics.elidedText(line, Qt::ElideRight, room);
+  return lines;
+}
 
 bool hasErrors(const PlotSeries& series) {
   return std::any_of(series.points.begin(), series.points.end(),
@@ -66,8 +82,7 @@ QRectF PlotLegend::placeOf(int id) const {
 }
 
 double PlotLegend::noteWidth() const {
-  const bool hasBar = plot_.progress > 0 && plot_.progress < 1;
-  return QFontMetricsF(font()).horizontalAdvance(plot_.note) + (hasBar ? kBarWidth + 10 : 0);
+  return QFontMetricsF(font()).horizontalAdvance(plot_.note);
 }
 
 /// Entries in rows; the first one ends at the note. The last place says how many found none.
@@ -79,9 +94,12 @@ void PlotLegend::arrange() {
   int row = 0, missing = 0;
   const auto end = [&] { return width() - kSide - (row == 0 ? noteWidth() + kGap : 0); };
   const auto add = [&](Entry entry, double extra) {
-    const double room = width() - 2 * kSide - kSample - kSampleGap - extra;
-    entry.text = metrics.elidedText(entry.text, Qt::ElideRight, std::max(40.0, room));
-    const double wide = kSample + kSampleGap + metrics.horizontalAdvance(entry.text) + extra;
+    const double room = std::max(40.0, width() - 2 * kSide - kSample - kSampleGap - extra);
+    entry.lines = brokenInto(entry.text, room, metrics);
+    double widest = 0;
+    for (const QString& part : entry.lines)
+      widest = std::max(widest, metrics.horizontalAdvance(part));
+    const double wide = kSample + kSampleGap + widest + extra;
     if (x + wide > end() && (x > kSide || row == 0)) {
       if (row + 1 >= kMostRows || missing > 0) {
         ++missing;
@@ -91,24 +109,46 @@ void PlotLegend::arrange() {
       x = kSide;
       y += height;
     }
-    entry.box = QRectF(x, y, wide, height);
+    const auto more = static_cast<int>(entry.lines.size()) - 1;
+    entry.box = QRectF(x, y, wide, height * (more + 1));
+    row += more;
+    y += more * height;
     x += wide + kGap;
     entries_.push_back(std::move(entry));
   };
   const std::vector<int> order = orderOf(plot_);
   const auto addSeries = [&](int i) {
     const PlotSeries& series = plot_.series[static_cast<std::size_t>(i)];
-    add({series.name, i, false, {}}, series.isPinned() ? kCross : 0);
+    add({series.name, {}, i, false, {}}, series.isPinned() ? kCross : 0);
   };
   for (const int i : order)
     if (!plot_.series[static_cast<std::size_t>(i)].isPinned()) addSeries(i);
-  if (plot_.marker && !plot_.marker->name.isEmpty()) add({plot_.marker->name, -1, true, {}}, 0);
+  if (plot_.marker && !plot_.marker->name.isEmpty()) add({plot_.marker->name, {}, -1, true, {}}, 0);
   for (const int i : order)
     if (plot_.series[static_cast<std::size_t>(i)].isPinned()) addSeries(i);
-  if (missing > 0)
-    entries_.push_back({tr("and %n more", nullptr, missing), -1, false, QRectF(x, y, 120, height)});
+  if (missing > 0) {
+    const QString text = tr("and %n more", nullptr, missing);
+    entries_.push_back({text, {text}, -1, false, QRectF(x, y, 120, height)});
+  }
   const int all = static_cast<int>(y + height + 4);
   if (minimumHeight() != all || maximumHeight() != all) setFixedHeight(all);
+}
+
+QStringList PlotLegend::linesOf(int id) const {
+  for (const Entry& entry : entries_)
+    if (entry.series >= 0 && plot_.series[static_cast<std::size_t>(entry.series)].id == id)
+      return entry.lines;
+  return {};
+}
+
+/// The whole of a name, which may be shortened, and what a click does.
+QString PlotLegend::tipAt(QPointF place) const {
+  for (const Entry& entry : entries_) {
+    if (!entry.box.contains(place)) continue;
+    if (pinAt(place)) return entry.text + '\n' + tr("Click to unpin this curve");
+    if (entry.lines.join(' ') != entry.text) return entry.text;
+  }
+  return {};
 }
 
 void PlotLegend::resizeEvent(QResizeEvent* event) {
@@ -134,7 +174,7 @@ void PlotLegend::mouseMoveEvent(QMouseEvent* event) {
   const std::optional<int> pin = pinAt(event->position());
   const int under = pin.value_or(0);
   setCursor(pin ? Qt::PointingHandCursor : Qt::ArrowCursor);
-  setToolTip(pin ? tr("Click to unpin this curve") : QString());
+  setToolTip(tipAt(event->position()));
   if (under == under_) return;
   under_ = under;
   update();
@@ -167,26 +207,15 @@ void PlotLegend::paintEvent(QPaintEvent*) {
 /// At the right end of the first row.
 void PlotLegend::paintNote(QPainter& painter) const {
   const QFontMetricsF metrics(font());
-  const double height = metrics.height() + 6, middle = 4 + height / 2;
-  double x = width() - kSide;
-  if (plot_.progress > 0 && plot_.progress < 1) {
-    x -= kBarWidth;
-    const QRectF bar(x, middle - kBarHeight / 2, kBarWidth, kBarHeight);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colours_.grid);
-    painter.drawRoundedRect(bar, 2, 2);
-    painter.setBrush(colours_.points);
-    painter.drawRoundedRect(QRectF(bar.topLeft(), QSizeF(kBarWidth * plot_.progress, kBarHeight)),
-                            2, 2);
-    x -= 10;
-  }
   painter.setPen(colours_.faintText);
-  painter.drawText(QRectF(0, 4, x, height), Qt::AlignRight | Qt::AlignVCenter, plot_.note);
+  painter.drawText(QRectF(0, 4, width() - kSide, metrics.height() + 6),
+                   Qt::AlignRight | Qt::AlignVCenter, plot_.note);
 }
 
 void PlotLegend::paintEntry(QPainter& painter, const Entry& entry) const {
   const QRectF& box = entry.box;
-  const QPointF centre(box.left() + kSample / 2, box.center().y());
+  const double height = box.height() / static_cast<double>(entry.lines.size());
+  const QPointF centre(box.left() + kSample / 2, box.top() + height / 2);
   const bool isPinned =
       entry.series >= 0 && plot_.series[static_cast<std::size_t>(entry.series)].isPinned();
   const bool isUnder =
@@ -206,11 +235,13 @@ void PlotLegend::paintEntry(QPainter& painter, const Entry& entry) const {
     painter.drawEllipse(centre, 4.5, 4.5);
   }
   painter.setPen(entry.series < 0 && !entry.isMarker ? colours_.faintText : colours_.text);
-  painter.drawText(box.adjusted(kSample + kSampleGap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                   entry.text);
+  for (qsizetype i = 0; i < entry.lines.size(); ++i)
+    painter.drawText(QRectF(box.left() + kSample + kSampleGap,
+                            box.top() + static_cast<double>(i) * height, box.width(), height),
+                     Qt::AlignLeft | Qt::AlignVCenter, entry.lines[i]);
   if (!isPinned) return;
   painter.setPen(isUnder ? colours_.text : colours_.faintText);
-  painter.drawText(QRectF(box.right() - kCross, box.top(), kCross, box.height()),
+  painter.drawText(QRectF(box.right() - kCross, box.top(), kCross, height),
                    Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("✕"));
 }
 

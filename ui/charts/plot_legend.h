@@ -2,6 +2,7 @@
 // lets it go when it is clicked. As many rows as are needed, up to a few. GUI thread.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -21,6 +22,8 @@ class PlotLegend : public QWidget {
 
   /// Where the entry of a pinned curve is; empty where it is not shown.
   QRectF placeOf(int id) const;
+  /// Its text as it is broken into lines.
+  QStringList linesOf(int id) const;
 
  signals:
   void unpinWanted(int id);
@@ -37,14 +40,16 @@ class PlotLegend : public QWidget {
 
  private:
   struct Entry {
-    QString text;     // shortened where it has no room
-    int series = -1;  // of the plot; -1: the marker or what has no room
+    QString text;
+    QStringList lines{};  // of it; the last one shortened where there is no room
+    int series = -1;      // of the plot; -1: the marker or what has no room
     bool isMarker = false;
     QRectF box;
   };
 
   void arrange();
   double noteWidth() const;
+  QString tipAt(QPointF place) const;
   std::optional<int> pinAt(QPointF place) const;
   void paintNote(QPainter& painter) const;
   void paintEntry(QPainter& painter, const Entry& entry) const;

@@ -25,7 +25,9 @@ void MarkerItem::update(const PlotGeometry& geometry, const std::optional<PlotMa
   colours_ = colours;
   font_ = font;
   bounds_ = label_ = QRectF();
-  if (!marker_ || !isPlottable(marker_->x, 1)) return;
+  if (!marker_) return;
+  layTrace();
+  if (!isPlottable(marker_->x, 1)) return;
   lineX_ = geometry.xOf(std::isfinite(lineX) ? lineX : marker_->x);
   const QRectF& area = geometry.area;
   const QFontMetricsF metrics(font_);
@@ -34,16 +36,33 @@ void MarkerItem::update(const PlotGeometry& geometry, const std::optional<PlotMa
   const QPointF baseline(left ? lineX_ - 8 - width : lineX_ + 8, area.bottom() - 8);
   label_ = {baseline.x() - 3, baseline.y() - metrics.ascent(), width + 6, metrics.height()};
   const double dot = geometry.xOf(marker_->x);
-  bounds_ = QRectF(std::min(lineX_, dot) - kDot - 2, area.top() - kDot - 2,
-                   std::abs(lineX_ - dot) + 2 * kDot + 4, area.height() + 2 * kDot + 4) |
-            label_;
+  bounds_ |= QRectF(std::min(lineX_, dot) - kDot - 2, area.top() - kDot - 2,
+                    std::abs(lineX_ - dot) + 2 * kDot + 4, area.height() + 2 * kDot + 4) |
+             label_;
+}
+
+/// The way that the marker came, as far as it has a place.
+void MarkerItem::layTrace() {
+  trace_.clear();
+  bool draws = false;
+  for (const PlotPoint& point : marker_->trace) {
+    const bool hasPlace = isPlottable(point.x, point.y);
+    if (hasPlace) {
+      const QPointF at(geometry_.xOf(point.x), geometry_.yOf(point.y));
+      draws ? trace_.lineTo(at) : trace_.moveTo(at);
+    }
+    draws = hasPlace;
+  }
+  if (!trace_.isEmpty()) bounds_ = geometry_.area;
 }
 
 void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const QRectF& area = geometry_.area;
-  if (bounds_.isEmpty() || lineX_ < area.left() - 1 || lineX_ > area.right() + 1) return;
-  painter->setFont(font_);
+  if (bounds_.isEmpty()) return;
   painter->setRenderHint(QPainter::Antialiasing);
+  paintTrace(*painter);
+  if (label_.isEmpty() || lineX_ < area.left() - 1 || lineX_ > area.right() + 1) return;
+  painter->setFont(font_);
   const double sharp = std::floor(lineX_) + 0.5;  // covers whole pixels
   painter->setPen(QPen(colours_.marker, 1.5));
   painter->drawLine(QPointF(sharp, area.top()), QPointF(sharp, area.bottom()));
@@ -57,6 +76,18 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->setBrush(colours_.marker);
   const QPointF dot(geometry_.xOf(marker_->x), geometry_.yOf(marker_->y));
   if (area.adjusted(-1, -1, 1, 1).contains(dot)) painter->drawEllipse(dot, kDot, kDot);
+}
+
+void MarkerItem::paintTrace(QPainter& painter) const {
+  if (trace_.isEmpty()) return;
+  QColor colour = colours_.marker;
+  colour.setAlphaF(0.75F);
+  painter.save();
+  painter.setClipRect(geometry_.area);
+  painter.setPen(QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(trace_);
+  painter.restore();
 }
 
 /// Beside its place, on the side where there is room.

@@ -1,10 +1,11 @@
 // A widget that shows a Plot and lets a person read and move in it. The interface hides the library
 // that draws it, so that the library can be replaced: makePlotView() is the only place that knows
 // which one it is.
-// Pointer: the marker is dragged; a click takes a point; the wheel zooms (over an axis' labels that
-// axis alone), dragging pans, a double click fits. Keys: left and right move the marker by a part
-// of a decade (with Shift a tenth of it, with Control to the next point), + and - zoom, Home fits.
-// GUI thread; owned by its parent like any widget. Cannot fail: what has no place is not drawn.
+// Pointer: the marker is dragged (with Shift at a tenth of the pace); a click takes a point; the
+// wheel zooms (over an axis' labels that axis alone), dragging pans, a double click fits. Keys:
+// left and right move the marker by a part of a decade (with Shift a tenth of it, with Control to
+// the next point), + and - zoom, Home fits. GUI thread; owned by its parent like any widget. Cannot
+// fail: what has no place is not drawn.
 #pragma once
 
 #include <QColor>
@@ -57,8 +58,9 @@ class PlotView : public QWidget {
   virtual QString reading() const = 0;
 
  signals:
-  /// The marker is to stand at x, once for each step of a drag and each key.
-  void markerMoved(double x);
+  /// The marker is to stand at x, once for each step of a drag and each key. finely: all digits of
+  /// it are meant.
+  void markerMoved(double x, bool finely);
   void pointChosen(int id, int row);
   void unpinWanted(int id);
   void zoomChanged(bool isZoomed);

@@ -38,9 +38,8 @@ void addAlong(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
              layout.theme.faintText);
   }
   if (!layout.axisTitles) return;
-  addLabel(list, Words::tr("position") + " (" + layout.xTicks.unit + ")",
-           {layout.plot.x + layout.plot.width / 2, std::round(baseline + s.small * 1.45F)}, s.small,
-           TextAnchor::Centre, layout.theme.text);
+  addLabel(list, axisTitleAlong(layout), layout.axisTitle, s.small, TextAnchor::Centre,
+           layout.theme.text);
 }
 
 void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
@@ -62,10 +61,22 @@ void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
            s.small, TextAnchor::Centre, layout.theme.text, 1.57079633F);
 }
 
+/// Both ends, on the title's line.
+void addNumbersBeside(DrawList& list, const ContactLayout& layout) {
+  const Sizes& s = layout.sizes;
+  const Box& bar = layout.legend.bar;
+  const std::vector<LegendTick> ticks = layout.scale.ticks(2);
+  const float gap = kNumberGap * s.unit, baseline = layout.legend.titleEnd.y;
+  addLabel(list, ticks.front().label, {bar.x - gap, baseline}, s.small, TextAnchor::Right,
+           layout.theme.faintText);
+  addLabel(list, ticks.back().label, {bar.right() + gap, baseline}, s.small, TextAnchor::Left,
+           layout.theme.faintText);
+}
+
 /// Both ends always, within the bar or nearly so; others where there is room.
 void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
-  const Box& bar = layout.legend;
+  const Box& bar = layout.legend.bar;
   const std::vector<LegendTick> ticks = layout.scale.ticks(6);
   const float baseline = std::round(bar.bottom() + s.small * 1.15F);
   const float wide = std::max(1.0F, std::round(s.unit));
@@ -81,19 +92,19 @@ void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layo
   const bool isZero = first.label == "0";
   write(first, isZero ? TextAnchor::Centre : TextAnchor::Left);
   write(last, TextAnchor::Right);
-  float from = bar.x + (isZero ? 1 : 2) * half(first) + s.small;
-  const float to = bar.right() - 2 * half(last) - s.small;
+  const float gap = 0.6F * s.small;
+  float from = bar.x + (isZero ? 1 : 2) * half(first) + gap;
+  const float to = bar.right() - 2 * half(last) - gap;
   for (std::size_t i = 1; i + 1 < ticks.size(); ++i) {
     const float x = bar.x + ticks[i].share * bar.width;
     if (x - half(ticks[i]) < from || x + half(ticks[i]) > to) continue;
     write(ticks[i], TextAnchor::Centre);
-    from = x + half(ticks[i]) + s.small;
+    from = x + half(ticks[i]) + gap;
   }
 }
 
 void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
-  const Sizes& s = layout.sizes;
-  const Box& bar = layout.legend;
+  const Box& bar = layout.legend.bar;
   constexpr int kSteps = 20;  // twice the control colours of the maps, or finer
   const float step = bar.width / kSteps;
   for (int i = 0; i < kSteps; ++i) {
@@ -101,10 +112,7 @@ void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
     addRectangleAcross(layer, part, layout.scale.colourAt(static_cast<float>(i) / kSteps),
                        layout.scale.colourAt(static_cast<float>(i + 1) / kSteps));
   }
-  addLegendLabels(list, layer, layout);
-  addLabel(list, layout.scale.title(),
-           {bar.x - 10 * s.unit, std::round(bar.y + bar.height / 2 + s.small * 0.36F)}, s.small,
-           TextAnchor::Right, layout.theme.text);
+  layout.legend.inLine ? addNumbersBeside(list, layout) : addLegendLabels(list, layer, layout);
 }
 
 /// As many of the notes as have room, the more important first.
@@ -126,7 +134,10 @@ void addAxes(DrawList& list, const ContactLayout& layout, const Notes& notes) {
   addFrame(layer, layout);
   addAlong(list, layer, layout);
   addUp(list, layer, layout);
-  if (layout.legend.width > 0) addLegend(list, layer, layout);
+  if (layout.legend.bar.width > 0) addLegend(list, layer, layout);
+  if (!layout.legend.title.empty())
+    addLabel(list, layout.legend.title, layout.legend.titleEnd, layout.sizes.small,
+             TextAnchor::Right, layout.theme.text);
   if (layout.footer > 0) addFooter(list, layout, notes);
   list.layers.push_back(std::move(layer));
 }

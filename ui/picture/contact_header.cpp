@@ -14,10 +14,23 @@ struct Reading {
   TextRuns label;
   std::string value;
   int rank = 0;  // the highest goes first where there is no room
+  std::string tip;
+};
+
+/// Where it stands: the label's left end, and the baseline of the row before.
+struct PlacedReading {
+  Reading reading;
+  Place at;
 };
 
 float widthOf(const Reading& reading, const Sizes& s) {
   return std::max(textWidth(reading.label, s.small), textWidth(reading.value, s.body, true));
+}
+
+std::string plainText(const TextRuns& runs) {
+  std::string text;
+  for (const TextRun& run : runs) text += run.utf8;
+  return text;
 }
 
 std::string percent(double fraction) {
@@ -30,21 +43,47 @@ std::vector<Reading> readingsOf(const Frame& frame) {
   const bool isSteady = !frame.transient;
   const double mu = isSteady ? frame.muSteady : frame.muMarch;
   readings.push_back(
-      {{{Words::tr("friction coefficient \u03BC")}}, shortNumber(mu, 3, Zeros::Keep), 0});
+      {{{Words::tr("friction coefficient \u03BC")}},
+       shortNumber(mu, 3, Zeros::Keep),
+       0,
+       isSteady ? Words::tr("Tangential over normal force in steady sliding: of this line at this "
+                            "velocity, computed without time steps.")
+                : Words::tr("Tangential over normal force at this moment of the motion, a mean "
+                            "over the time since the last picture.")});
+  readings.push_back({{{Words::tr("normal force F")}, {"N", false, true}},
+                      quantity(frame.normalForce, "N"),
+                      1,
+                      Words::tr("Force that presses one period of the line into the elastomer.")});
   readings.push_back(
-      {{{Words::tr("normal force F")}, {"N", false, true}}, quantity(frame.normalForce, "N"), 1});
-  readings.push_back({{{Words::tr("indentation d")}}, quantity(frame.indentation, "m"), 3});
-  readings.push_back({{{Words::tr("in contact")}}, percent(frame.contactFraction), 2});
+      {{{Words::tr("indentation d")}},
+       quantity(frame.indentation, "m"),
+       3,
+       Words::tr("How deep the lowest point of the line lies below the undeformed surface.")});
+  readings.push_back({{{Words::tr("in contact")}},
+                      percent(frame.contactFraction),
+                      2,
+                      Words::tr("Share of the line's length that touches the elastomer.")});
   if (frame.scene)
     readings.push_back({{{Words::tr("velocity v")}},
                         quantity(isSteady ? frame.scene->sliding.velocity : frame.velocity, "m/s"),
-                        4});
+                        4,
+                        isSteady ? Words::tr("Velocity of the line, to the right.")
+                                 : Words::tr("Velocity of the line at this moment; below 0 it goes "
+                                             "back.")});
   if (frame.timeScale > 0)
-    readings.push_back({{{Words::tr("1 s on screen")}}, "= " + quantity(frame.timeScale, "s"), 6});
+    readings.push_back({{{Words::tr("1 s on screen")}},
+                        "= " + quantity(frame.timeScale, "s"),
+                        6,
+                        Words::tr("So much of the simulated time passes in one second here.")});
   if (isSteady && std::isfinite(frame.muMarch))
-    readings.push_back({{{Words::tr("\u03BC in this march in time")}},
-                        shortNumber(frame.muMarch, 3, Zeros::Keep),
-                        5});
+    readings.push_back(
+        {{{Words::tr("\u03BC of the moving picture")}},
+         shortNumber(frame.muMarch, 3, Zeros::Keep),
+         5,
+         Words::tr("The moving picture is a simulation of its own: it follows every element in "
+                   "small steps of time. This is the friction of its last steps. It differs from "
+                   "the steady \u03BC while the elastomer still relaxes after a change, and always "
+                   "a little, because its steps are not infinitely small.")});
   return readings;
 }
 
@@ -107,9 +146,13 @@ std::string progressOf(const Frame& frame) {
                  quantity(slid > kRounding * frame.length ? slid : 0, "m", 3, Zeros::Keep)});
 }
 
-float addTitle(DrawList& list, const Frame& frame, const Sizes& s, const Theme& theme, float side) {
+float titleBaseline(const Sizes& s) {
+  return std::round(10 * s.unit + s.title);
+}
+
+void addTitle(DrawList& list, const Frame& frame, const Sizes& s, const Theme& theme, float side) {
   const auto width = static_cast<float>(list.width);
-  const float baseline = std::round(10 * s.unit + s.title);
+  const float baseline = titleBaseline(s);
   const std::string progress = progressOf(frame);
   const float progressWidth = textWidth(progress, s.small);
   const bool both = !progress.empty() && progressWidth < 0.4F * width;
@@ -119,7 +162,44 @@ float addTitle(DrawList& list, const Frame& frame, const Sizes& s, const Theme& 
   if (both)
     addText(list, {{progress}}, {std::floor(width - side - progressWidth), baseline}, s.small,
             theme.faintText);
-  return baseline;
+}
+
+float titleHeight(const Sizes& s) {
+  return std::round(10 * s.unit + s.title * 1.25F);
+}
+
+float rowHeight(const Sizes& s) {
+  return std::round(s.small + s.body + 14 * s.unit);
+}
+
+/// As many as have room below a title whose baseline this is.
+std::vector<PlacedReading> placedReadings(const Frame& frame, const ContactPictureOptions& options,
+                                          float baseline) {
+  const Sizes s = sizesFor(options);
+  const float side = std::round(16 * s.unit), gap = std::round(26 * s.unit);
+  const float most = 0.4F * static_cast<float>(options.height);
+  const float width = static_cast<float>(options.width) - 2 * side;
+  std::vector<Reading> readings = readingsOf(frame);
+  const auto tooMuch = [&](const auto& rows) {
+    return titleHeight(s) + static_cast<float>(rows.size()) * rowHeight(s) > most ||
+           widthOf(rows[0][0], s) > width;
+  };
+  while (!readings.empty() && tooMuch(flow(readings, width, gap, s))) dropLeastImportant(readings);
+  std::vector<PlacedReading> placed;
+  if (readings.empty()) return placed;
+  for (const auto& row : flow(readings, width, gap, s)) {
+    float x = side;
+    for (const Reading& reading : row) {
+      placed.push_back({reading, {x, baseline}});
+      x += std::round(widthOf(reading, s) + gap);
+    }
+    baseline += rowHeight(s);
+  }
+  return placed;
+}
+
+bool hasHeader(const ContactPictureOptions& options) {
+  return titleHeight(sizesFor(options)) <= 0.4F * static_cast<float>(options.height);
 }
 
 }  // namespace
@@ -127,35 +207,30 @@ float addTitle(DrawList& list, const Frame& frame, const Sizes& s, const Theme& 
 float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions& options) {
   const Sizes s = sizesFor(options);
   const Theme& theme = options.theme;
-  const float side = std::round(16 * s.unit), gap = std::round(26 * s.unit);
-  const float rowHeight = std::round(s.small + s.body + 14 * s.unit);
-  const float titleHeight = std::round(10 * s.unit + s.title * 1.25F);
-  const float most = 0.4F * static_cast<float>(list.height);
-  if (titleHeight > most) return 0;
-  float baseline = addTitle(list, frame, s, theme, side);
-
-  std::vector<Reading> readings = readingsOf(frame);
-  const float width = static_cast<float>(list.width) - 2 * side;
-  const auto tooMuch = [&](const auto& rows) {
-    return titleHeight + static_cast<float>(rows.size()) * rowHeight > most ||
-           widthOf(rows[0][0], s) > width;
-  };
-  while (!readings.empty() && tooMuch(flow(readings, width, gap, s))) dropLeastImportant(readings);
-  if (readings.empty()) return titleHeight;
-
-  for (const auto& row : flow(readings, width, gap, s)) {
-    float x = side;
-    for (const Reading& reading : row) {
-      addText(list, reading.label, {x, std::round(baseline + 11 * s.unit + s.small * 0.8F)},
-              s.small, theme.faintText);
-      const bool first = reading.rank == 0;
-      addText(list, {{reading.value, true}}, {x, std::round(baseline + rowHeight)}, s.body,
-              first ? theme.highlight : theme.text);
-      x += std::round(widthOf(reading, s) + gap);
-    }
-    baseline += rowHeight;
+  if (!hasHeader(options)) return 0;
+  addTitle(list, frame, s, theme, std::round(16 * s.unit));
+  const std::vector<PlacedReading> readings = placedReadings(frame, options, titleBaseline(s));
+  if (readings.empty()) return titleHeight(s);
+  for (const auto& [reading, at] : readings) {
+    addText(list, reading.label, {at.x, std::round(at.y + 11 * s.unit + s.small * 0.8F)}, s.small,
+            theme.faintText);
+    const bool first = reading.rank == 0;
+    addText(list, {{reading.value, true}}, {at.x, std::round(at.y + rowHeight(s))}, s.body,
+            first ? theme.highlight : theme.text);
   }
-  return std::round(baseline + s.body * 0.4F);
+  return std::round(readings.back().at.y + rowHeight(s) + s.body * 0.4F);
+}
+
+std::vector<ContactReading> contactReadings(const Frame& frame,
+                                            const ContactPictureOptions& options) {
+  std::vector<ContactReading> places;
+  if (!options.title || !hasHeader(options)) return places;
+  const Sizes s = sizesFor(options);
+  for (const auto& [reading, at] : placedReadings(frame, options, titleBaseline(s)))
+    places.push_back({{at.x, at.y + 0.25F * s.body, widthOf(reading, s), rowHeight(s)},
+                      plainText(reading.label),
+                      reading.tip});
+  return places;
 }
 
 }  // namespace asperity

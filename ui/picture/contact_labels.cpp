@@ -127,7 +127,8 @@ Notes notesFor(const Frame& frame, const ContactLayout& layout) {
   if (layout.marked)
     notes.push_back(pressed ? Words::tr("dot: the deepest contact")
                             : Words::tr("dot: contact between two points"));
-  if (layout.scale.overlay == ContactOverlay::Power) notes.push_back(freePowerText(frame));
+  if (layout.scale.overlay == ContactOverlay::Power && layout.scale.isShown())
+    notes.push_back(freePowerText(frame));
   if (pressed && layout.scale.overlay == ContactOverlay::Pressure)
     notes.push_back(Words::tr("glow: pressure, not depth"));
   return notes;

@@ -11,8 +11,10 @@
 namespace asperity {
 namespace {
 
+constexpr float kLowest = 50;        // units of height for a plot with a legend
 constexpr float kFarOutside = 1e5F;  // pixels; keeps coordinates small enough for floats
 constexpr float kNarrow = 4;         // units; a contact less wide than this is marked by a dot
+constexpr float kTitleGap = 10;      // units, from the legend's title to what follows
 
 int tickCount(float pixels, float each) {
   return std::clamp(static_cast<int>(pixels / each), 2, 12);
@@ -24,7 +26,70 @@ float widestLabel(const AxisTicks& axis, float size) {
   return widest;
 }
 
+/// Pixels of a row for the legend in one line, with this title, and the bar in it.
+struct LineNeeds {
+  float width = 0, bar = 0;
+};
+
+LineNeeds lineNeeds(const ContactLayout& layout, const std::string& title) {
+  const Sizes& s = layout.sizes;
+  const float wide = title.empty() ? 0 : textWidth(title, s.small) + kTitleGap * s.unit;
+  if (!layout.scale.isShown()) return {wide, 0};
+  const std::vector<LegendTick> ends = layout.scale.ticks(2);
+  const float numbers = textWidth(ends.front().label, s.small) +
+                        textWidth(ends.back().label, s.small) + 2 * kNumberGap * s.unit;
+  const float bar =
+      std::round(std::clamp(static_cast<float>(layout.width) * 0.12F, 60 * s.unit, 150 * s.unit));
+  return {wide + numbers + bar, bar};
+}
+
+/// The legend at the right end of the axis title's line; false where it would run into the title.
+bool placeLegend(ContactLayout& layout, const std::string& title, float from) {
+  const Sizes& s = layout.sizes;
+  const LineNeeds needs = lineNeeds(layout, title);
+  const float right = layout.plot.right(), baseline = layout.axisTitle.y;
+  if (needs.width > right - from) return false;
+  layout.legend.title = title;
+  layout.legend.titleEnd = {right, baseline};
+  if (!layout.scale.isShown()) return true;
+  const float last = textWidth(layout.scale.ticks(2).back().label, s.small);
+  const float height = std::round(10 * s.unit);
+  layout.legend.bar = {std::round(right - last - kNumberGap * s.unit - needs.bar),
+                       std::round(baseline - s.small * 0.36F - height / 2), needs.bar, height};
+  layout.legend.titleEnd.x = right - needs.width + textWidth(title, s.small);
+  return true;
+}
+
+/// A low picture has one line for all: exaggeration at the left, the axis' title, the legend at the
+/// right. The title of the axis makes room where it must, that of the legend gets shorter.
+void placeInLine(ContactLayout& layout, const std::string& reason) {
+  const Sizes& s = layout.sizes;
+  const float gap = 16 * s.unit;
+  const Box& plot = layout.plot;
+  const float axis = layout.axisTitles ? textWidth(axisTitleAlong(layout), s.small) : 0;
+  std::vector<std::string> titles;
+  if (layout.scale.isShown())
+    titles = {layout.scale.title(), layout.scale.shortTitle(), std::string()};
+  else if (!reason.empty())
+    titles = {reason};
+  layout.legend.inLine = true;
+  for (const std::string& title : titles)
+    for (const float middle : {layout.axisTitle.x, plot.x + axis / 2}) {
+      if (!layout.legend.title.empty() || layout.legend.bar.width > 0) break;
+      if (placeLegend(layout, title, middle + axis / 2 + (axis > 0 ? gap : 0)))
+        layout.axisTitle.x = middle;
+    }
+  const float room = layout.axisTitle.x - axis / 2 - plot.x - gap;
+  if (textWidth(exaggerationText(layout), s.small) > room) return;
+  layout.footer = layout.axisTitle.y;
+  layout.footerWidth = room;
+}
+
 }  // namespace
+
+std::string axisTitleAlong(const ContactLayout& layout) {
+  return Words::tr("position") + " (" + layout.xTicks.unit + ")";
+}
 
 Sizes sizesFor(const ContactPictureOptions& options) {
   const float scale = options.scale > 0 ? options.scale : 1;
@@ -70,6 +135,8 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.scale = {options.overlay, endIn(layout.view, options.overlay)};
   if (valuesOf(frame, options.overlay).size() != frame.lineHeight.size())
     layout.scale = {};  // the frame lacks them
+  const std::string reason = layout.scale.isShown() ? "" : reasonUncoloured(frame, options.overlay);
+  const bool hasLegend = layout.scale.isShown() || !reason.empty();
   const Sizes& s = layout.sizes;
   const float u = s.unit;
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
@@ -85,10 +152,15 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   // Sideways: the height axis' labels decide.
   const float plotTop = std::round(headerBottom + pad);
   float below = tickRow + pad * 0.6F;
-  if (layout.axisTitles) below += titleRow;
+  const bool hasLine = layout.axisTitles || (hasLegend && room - tickRow - titleRow > kLowest * u);
+  if (hasLine) below += titleRow;
   const float exaggeration = textWidth(exaggerationText(layout) + "0000", s.small);
-  const float titleWidth = textWidth(layout.scale.title(), s.small);
-  const float barWidth = std::round(std::clamp(width * 0.2F, 110 * u, 300 * u));
+  const std::string title = layout.scale.isShown() ? layout.scale.title() : reason;
+  const float titleWidth = textWidth(title, s.small);
+  // Decades need more room for their numbers than even steps do.
+  const bool isPower = layout.scale.overlay == ContactOverlay::Power;
+  const float barWidth = std::round(isPower ? std::clamp(width * 0.26F, 150 * u, 360 * u)
+                                            : std::clamp(width * 0.2F, 110 * u, 300 * u));
   const bool oneRow = exaggeration + titleWidth + barWidth + 5 * pad < width;
   const bool titleFits = titleWidth + barWidth + 4 * pad < width;
   if (footer) below += oneRow ? footerRow : footerRow + titleRow;
@@ -103,17 +175,28 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.xTicks = roomyTicks(layout.view.left, layout.view.left + layout.view.width,
                              layout.plot.width, s.small, "m");
   layout.marked = narrowContact(frame, kNarrow * u / layout.pixelsPerMetreAlong());
-  if (!footer) return layout;
+  const float ticks = std::round(layout.plot.bottom() + 8 * u + s.small * 0.9F);
+  layout.axisTitle = {layout.plot.x + layout.plot.width / 2, std::round(ticks + s.small * 1.45F)};
+  if (!footer) {
+    if (hasLine) placeInLine(layout, reason);
+    return layout;
+  }
 
   const float bar = std::round(10 * u);
   const float legendTop = std::round(height - s.small * 1.6F - bar - 3 * u);
-  const bool hasLegend = titleFits && layout.scale.isShown();
-  layout.legend = {std::round(width - 2 * pad - barWidth), legendTop, hasLegend ? barWidth : 0,
-                   bar};
+  const float middle = std::round(legendTop + bar / 2 + s.small * 0.36F);
+  if (titleFits && layout.scale.isShown()) {
+    layout.legend.bar = {std::round(width - 2 * pad - barWidth), legendTop, barWidth, bar};
+    layout.legend.titleEnd = {layout.legend.bar.x - kTitleGap * u, middle};
+  } else {
+    layout.legend.titleEnd = {layout.plot.right(), middle};
+  }
+  if (titleFits && hasLegend) layout.legend.title = title;
   layout.footer = oneRow ? std::round(legendTop + bar * 0.5F + s.small * 0.36F)
                          : std::round(legendTop - s.small * 0.8F);
-  const float footerEnd =
-      oneRow && hasLegend ? layout.legend.x - titleWidth - 4 * pad : width - 2 * pad;
+  const float footerEnd = oneRow && !layout.legend.title.empty()
+                              ? layout.legend.titleEnd.x - titleWidth - 3 * pad
+                              : width - 2 * pad;
   layout.footerWidth = std::max(0.0F, footerEnd - layout.plot.x);
   return layout;
 }

@@ -16,6 +16,17 @@ struct Sizes {
 };
 Sizes sizesFor(const ContactPictureOptions& options);
 
+inline constexpr float kNumberGap = 6;  // units, from a legend's bar to a number beside it
+
+/// What the colours mean: a title, a bar, and numbers below it or, where the picture is low, beside
+/// it in one line.
+struct LegendPlace {
+  Box bar;              // no width: nothing is coloured, or there is no room
+  bool inLine = false;  // numbers stand beside the bar
+  std::string title;    // or why nothing is coloured; may be empty
+  Place titleEnd;       // of its baseline, at the right
+};
+
 struct ContactLayout {
   int width = 0, height = 0;
   Sizes sizes;
@@ -25,7 +36,8 @@ struct ContactLayout {
   AxisTicks xTicks, heightTicks;
   ColourScale scale;
   bool axisTitles = true;
-  Box legend;        // the colour bar; no width: no room for one, or nothing coloured
+  Place axisTitle;  // of the axis along: middle of its baseline
+  LegendPlace legend;
   float footer = 0;  // baseline of the footer's text; 0: none
   float footerWidth = 0;
   std::optional<std::size_t> marked;  // point of a contact so narrow that a dot has to show it
@@ -40,6 +52,8 @@ struct ContactLayout {
 ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& options,
                             float headerBottom);
 
+/// "position (mm)".
+std::string axisTitleAlong(const ContactLayout& layout);
 std::string exaggerationText(const ContactLayout& layout);
 
 }  // namespace asperity

@@ -8,6 +8,8 @@
 #include "core/scene/element_law.h"
 #include "ui/language/words.h"
 #include "ui/picture/colours.h"
+#include "ui/picture/contact_forces.h"
+#include "ui/picture/decimate.h"
 #include "ui/picture/narrow_contact.h"
 #include "ui/picture/ticks.h"
 
@@ -86,22 +88,48 @@ std::string ColourScale::title() const {
   }
 }
 
+std::string ColourScale::shortTitle() const {
+  switch (overlay) {
+    case ContactOverlay::Relaxation:
+      return Words::tr("since contact");
+    case ContactOverlay::Power:
+      return Words::tr("power (log)");
+    default:
+      return Words::tr("pressure");
+  }
+}
+
 std::vector<LegendTick> ColourScale::ticks(int most) const {
   const std::string last = quantity(end, unitOf(overlay));
+  const AxisTicks round = linearTicks(0, end, most, unitOf(overlay));
   std::vector<LegendTick> ticks;
   if (overlay == ContactOverlay::Power) {
+    // One unit for all: numbers alone are short enough to stand at each decade.
     for (int decade = kPowerDecades; decade > 0; --decade) {
       const double value = end * std::pow(10, -decade);
-      ticks.push_back({share(value), quantity(value, unitOf(overlay))});
+      ticks.push_back({share(value), shortNumber(value / round.unitSize)});
     }
   } else {
-    const AxisTicks round = linearTicks(0, end, most, unitOf(overlay));
     for (const Tick& tick : round.ticks)
       if (tick.value < end * (1 - 1e-9))
         ticks.push_back({share(tick.value), tick.value == 0 ? "0" : tick.label});
   }
   ticks.push_back({1, last});
   return ticks;
+}
+
+std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
+  const std::vector<double>& values = valuesOf(frame, overlay);
+  if (!isDrawable(frame) || values.size() != frame.lineHeight.size() || greatestOf(values) > 0)
+    return {};
+  const bool rests = velocityOf(frame) == 0;
+  if (overlay == ContactOverlay::Pressure) return Words::tr("no colours: nothing touches");
+  if (overlay == ContactOverlay::Power)
+    return rests ? Words::tr("no colours: nothing is dissipated at rest")
+                 : Words::tr("no colours: nothing is dissipated");
+  if (frame.contactFraction >= 1) return Words::tr("no colours: all of the surface is in contact");
+  return rests ? Words::tr("no colours: at rest nothing leaves contact")
+               : Words::tr("no colours: nothing has left contact yet");
 }
 
 const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay) {

@@ -35,9 +35,14 @@ struct ColourScale {
   Rgba colour(double value) const { return colourAt(share(value)); }
   Rgba colourAt(float share) const;
   std::string title() const;
-  /// Both ends, and round values between them that keep this distance (shares of the bar).
+  std::string shortTitle() const;  // where there is no room for it
+  /// Both ends, and between them round values or, of power, decades; the last one has the unit.
   std::vector<LegendTick> ticks(int most) const;
 };
+
+/// A few words on why the frame has nothing to colour; empty where it has, or where it is not known
+/// because the frame lacks the values.
+std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay);
 
 /// The values of the scale at the frame's points; empty where the frame lacks them.
 const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay);

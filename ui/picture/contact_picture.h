@@ -5,6 +5,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/run/frame.h"
 #include "ui/render/draw_list.h"
@@ -68,6 +70,14 @@ ContactView resolvedView(const Frame& frame, const ContactView& view);
 
 /// Where composeContact puts the axes' rectangle: the view's left, width, bottom and top fill it.
 Clip contactPlotArea(const Frame& frame, const ContactPictureOptions& options);
+
+/// A reading above the axes: where it stands (pixels), what it is called, and a sentence on it.
+struct ContactReading {
+  Clip place;
+  std::string name, tip;
+};
+std::vector<ContactReading> contactReadings(const Frame& frame,
+                                            const ContactPictureOptions& options);
 
 /// Shapes and texts. A frame without points gives empty axes; never throws for what a frame holds.
 /// At most two vertices a pixel column and curve, so the cost does not grow with the points.

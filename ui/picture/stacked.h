@@ -5,6 +5,9 @@
 
 namespace asperity {
 
+/// Of the height, for a contact above a diagram.
+inline constexpr double kContactPart = 0.54;
+
 /// All of `part`, with its background, this far right and down on `list`.
 void addPicture(DrawList& list, DrawList part, float right, float down);
 

@@ -2,14 +2,19 @@
 
 #include <QFileInfo>
 #include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/scene/assignments.h"
+#include "core/scene/parameters.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
+#include "ui/picture/contact_overlay.h"
+#include "ui/picture/stacked.h"
 #include "ui/window/scene_library.h"
 
 namespace asperity {
@@ -52,6 +57,92 @@ QStringList sceneWords(const SceneOrigin& known, const Scene& scene) {
   return words;
 }
 
+QString range(double from, double to) {
+  return numberText(from) + ':' + numberText(to);
+}
+
+/// With the digits that are seen where the view is so wide.
+double seen(double position, double width) {
+  constexpr double kUnseen = 1e-5;  // of the width, less than a pixel
+  const double grid = std::pow(10, std::floor(std::log10(kUnseen * width)));
+  const double rounded = std::round(position / grid) * grid;
+  if (!std::isfinite(rounded) || rounded == 0) return std::isfinite(position) ? 0 : position;
+  const double digits = std::floor(std::log10(std::abs(rounded))) - std::log10(grid) + 1.5;
+  return roundedToDigits(rounded, static_cast<int>(std::clamp(digits, 1.0, 17.0)));
+}
+
+/// Where somebody looks. Heights and the end of the colours are always said: fitted ones would be
+/// those of the first moment.
+QStringList viewWords(const PictureWish& wish) {
+  const Frame& frame = *wish.frame;
+  const ContactPictureOptions& options = wish.options;
+  const ContactView view = resolvedView(frame, options.view);
+  const double width = view.width;
+  QStringList words;
+  if (view.left != 0 || std::abs(width - frame.length) > 1e-9 * frame.length)
+    words += {"--view", range(seen(view.left, width), seen(view.left + width, width))};
+  const double size = view.top - view.bottom;
+  words += {"--heights", range(seen(view.bottom, size), seen(view.top, size))};
+  if (const double end = endIn(view, options.overlay); end > 0)
+    words += {"--colours-to", numberText(roundedToDigits(end, 6))};
+  if (options.probe) words += {"--probe", numberText(seen(*options.probe, width))};
+  if (options.magnifier)
+    words += {"--magnify", numberText(seen(options.magnifier->position, width))};
+  return words;
+}
+
+/// The moment: of a motion its time, which says all; of steady sliding how far the line has come
+/// and, where the velocity was another one meanwhile, how long that took.
+QStringList momentWords(const PictureWish& wish) {
+  const Frame& frame = *wish.frame;
+  if (frame.transient) return {"--at", numberText(frame.time)};
+  QStringList words;
+  const double width = resolvedView(frame, wish.options.view).width;
+  if (frame.distance != 0) words += {"--slid", numberText(seen(frame.distance, width))};
+  const double needed = frame.velocity != 0 ? frame.distance / frame.velocity : 0;
+  if (std::abs(needed - frame.time) > 1e-3 * frame.time)
+    words += {"--at", numberText(roundedToDigits(frame.time, 6))};
+  return words;
+}
+
+QString settingText(const CurveSetting& setting) {
+  const auto& schemes = std::get<ChoiceField>(findParameter("accuracy.scheme")->field).choices;
+  return QStringLiteral("%1:%2:%3")
+      .arg(fromUtf8(schemes[static_cast<std::size_t>(setting.scheme)]))
+      .arg(setting.oversampling)
+      .arg(setting.realizations);
+}
+
+/// The scene of a pinned curve as keys set over the present one.
+QString pinnedText(Scene pinned, const Scene& scene) {
+  if (pinned.folder != scene.folder) pinned = withAbsoluteProfile(pinned);
+  pinned.title = scene.title;
+  pinned.description = scene.description;
+  pinned.chapter = scene.chapter;
+  pinned.sliding = scene.sliding;
+  QStringList assignments;
+  for (const std::string& assignment : assignmentsFrom(scene, pinned))
+    assignments += QString::fromStdString(assignment);
+  return assignments.join(';');
+}
+
+/// The curves that are compared, and the axes.
+QStringList curveWords(const CurveWish& wish, const Scene& scene) {
+  QStringList words;
+  if (wish.compared) words += {"--compare", settingText(*wish.compared)};
+  if (!wish.shown) return words;
+  const CurveSet& curves = *wish.shown;
+  if (curves.axes == CurveAxes::Dimensionless) words += {"--axes", "dimensionless"};
+  if (curves.xFrom < curves.xTo)
+    words += {"--x-range", range(roundedToDigits(curves.xFrom, 5), roundedToDigits(curves.xTo, 5))};
+  if (curves.yFrom < curves.yTo)
+    words += {"--y-range", range(roundedToDigits(curves.yFrom, 5), roundedToDigits(curves.yTo, 5))};
+  for (const NamedCurve& pinned : curves.pinned)
+    if (const QString text = pinnedText(pinned.scene, scene); !text.isEmpty())
+      words += {"--with", text};
+  return words;
+}
+
 QString command(const QStringList& words) {
   QStringList quoted;
   for (const QString& word : words) quoted += shellQuoted(word);
@@ -65,18 +156,24 @@ QString renderCommand(const SceneOrigin& origin, const Scene& scene, const Pictu
   words += sceneWords(origin, scene);
   words += {"-o", "picture.png"};
   if (wish.layout != "contact") words += {"--layout", wish.layout};
-  if (!wish.size.isEmpty())
-    words += {"--size", QStringLiteral("%1x%2").arg(wish.size.width()).arg(wish.size.height())};
+  if (!wish.size.isEmpty()) {
+    const double part = wish.layout == "contact" ? 1 : kContactPart;
+    words += {
+        "--size",
+        QStringLiteral("%1x%2").arg(wish.size.width()).arg(std::lround(wish.size.height() / part))};
+  }
   if (wish.scale != 1) words += {"--scale", numberText(wish.scale)};
   if (wish.dark) words += {"--theme", "dark"};
   if (wish.overlay != "pressure") words += {"--overlay", wish.overlay};
+  if (wish.frame) words += momentWords(wish) + viewWords(wish);
+  if (wish.hasCurves) words += curveWords(wish.curves, scene);
   if (presentLanguage() != "en") words += {"--language", fromUtf8(presentLanguage())};
   return command(words);
 }
 
-QString curveCommand(const SceneOrigin& origin, const Scene& scene) {
+QString curveCommand(const SceneOrigin& origin, const Scene& scene, const CurveWish& curves) {
   return command(QStringList{"asperity", "curve"} + sceneWords(origin, scene) +
-                 QStringList{"-o", "curve.csv"});
+                 QStringList{"-o", "curve.csv"} + curveWords(curves, scene));
 }
 
 QString shellQuoted(const QString& word) {

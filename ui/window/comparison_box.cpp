@@ -13,6 +13,7 @@ namespace asperity {
 
 namespace {
 
+constexpr int kHeight = 24;  // pixels of its entries
 constexpr int kMostOversampling = 64, kMostLines = 10000;
 
 QSpinBox* spin(const char* name, int value, int most, const QString& label) {
@@ -50,6 +51,9 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   lines_ = spin("comparisonLines", suggested_, kMostLines, tr("lines to compare with"));
   lines_->setSuffix(tr(" lines"));
 
+  for (QWidget* entry : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(oversampling_),
+                         static_cast<QWidget*>(lines_)})
+    entry->setMinimumHeight(kHeight);
   auto* choice = new QHBoxLayout;
   choice->setContentsMargins(22, 0, 0, 0);
   choice->addWidget(scheme_);
@@ -78,6 +82,15 @@ std::optional<CurveSetting> ComparisonBox::setting() const {
   setting.oversampling = setting.scheme == Scheme::Nodal ? 1 : oversampling_->value();
   setting.realizations = lines_->value();
   return setting;
+}
+
+void ComparisonBox::setSetting(const std::optional<CurveSetting>& setting) {
+  if (setting) {
+    scheme_->setCurrentIndex(static_cast<int>(setting->scheme));
+    oversampling_->setValue(static_cast<int>(setting->oversampling));
+    lines_->setValue(static_cast<int>(setting->realizations));
+  }
+  wanted_->setChecked(setting.has_value());
 }
 
 void ComparisonBox::suggestLines(std::int64_t lines) {

@@ -96,6 +96,7 @@ class ContactCanvas : public QWidget {
   ViewPlace focusPlace() const;
   void showCrosshair(const QPointF& position);
   void movePointer(int elements);
+  QString tipAt(const QPointF& position) const;
   void pinch(const QPointF& position, double factor);
   void changed();
 
@@ -106,6 +107,7 @@ class ContactCanvas : public QWidget {
   Theme theme_ = lightTheme();
   double textScale_ = 1;
   std::optional<QPointF> dragged_;  // the cursor's last place while a button is down
+  bool isPinching_ = false;
   QElapsedTimer clock_;
   mutable std::deque<qint64> pictures_;  // when they were shown, ms
 };

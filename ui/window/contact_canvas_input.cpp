@@ -1,11 +1,14 @@
 // The contact view's wheel, buttons, gestures and keys.
 #include <QGestureEvent>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QNativeGestureEvent>
 #include <QPinchGesture>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <cmath>
 
+#include "ui/window/command_words.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/picture_request.h"
 
@@ -133,6 +136,7 @@ void ContactCanvas::mousePressEvent(QMouseEvent* event) {
 }
 
 void ContactCanvas::mouseMoveEvent(QMouseEvent* event) {
+  if (isPinching_) return;  // the first finger, as a cursor
   if (dragged_) {
     const QRectF plot = plotArea();
     const QPointF moved = event->position() - *dragged_;
@@ -176,12 +180,30 @@ void ContactCanvas::keyPressEvent(QKeyEvent* event) {
   }
 }
 
+/// The sentence on the reading there.
+QString ContactCanvas::tipAt(const QPointF& position) const {
+  if (!viewer_.frame()) return {};
+  const PictureRequest shown = request();
+  const QPointF pixel = position * shown.scale;
+  for (const ContactReading& reading : contactReadings(*shown.frame, sizedOptions(shown))) {
+    const Clip& place = reading.place;
+    if (QRectF(place.x, place.y, place.width, place.height).contains(pixel))
+      return QString::fromStdString(reading.tip);
+  }
+  return {};
+}
+
 void ContactCanvas::pinch(const QPointF& position, double factor) {
   viewer_.zoom(placeAt(position).value_or(ViewPlace{}), stepsOf(factor));
   changed();
 }
 
 bool ContactCanvas::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QToolTip::showText(help->globalPos(), wrappedTip(tipAt(help->pos())), this);  // none: hides
+    return true;
+  }
   if (event->type() == QEvent::NativeGesture) {
     auto* native = static_cast<QNativeGestureEvent*>(event);
     if (native->gestureType() == Qt::ZoomNativeGesture) {
@@ -191,6 +213,9 @@ bool ContactCanvas::event(QEvent* event) {
   } else if (event->type() == QEvent::Gesture) {
     auto* gestures = static_cast<QGestureEvent*>(event);
     if (auto* gesture = static_cast<QPinchGesture*>(gestures->gesture(Qt::PinchGesture))) {
+      isPinching_ =
+          gesture->state() == Qt::GestureStarted || gesture->state() == Qt::GestureUpdated;
+      dragged_.reset();
       if (gesture->changeFlags() & QPinchGesture::ScaleFactorChanged)
         pinch(mapFromGlobal(gesture->centerPoint()), gesture->scaleFactor());
       gestures->accept(gesture);

@@ -27,6 +27,9 @@ class CurveCommands : public QObject {
 
   void fill(QMenu& menu);
 
+  /// The curves as they are shown; nothing before the first.
+  std::optional<CurveSet> shown() const;
+
   /// As PNG, SVG, PDF or CSV, by the extension.
   void save(const QString& file);
 
@@ -41,7 +44,6 @@ class CurveCommands : public QObject {
   void askSave();
   void copyPicture();
   void setAxes(bool dimensionless);
-  std::optional<CurveSet> shown() const;
 
   Session& session_;
   PlotView& view_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/scene/parameters.h"
+#include "ui/panels/number_text.h"
 #include "ui/window/session.h"
 
 namespace asperity {
@@ -11,7 +12,8 @@ namespace asperity {
 namespace {
 
 constexpr int kPause = 80;  // ms; painting a diagram costs as much as several pictures
-constexpr int kFade = 30;   // ms, for a new curve to come before the old one is drawn faded
+constexpr int kDigits = 3, kFineDigits = 5;  // of a velocity set by hand
+constexpr int kFade = 30;  // ms, for a new curve to come before the old one is drawn faded
 
 }  // namespace
 
@@ -24,8 +26,9 @@ CurveDisplay::CurveDisplay(Session& session, PlotView& view, QObject* parent)
   connect(&session_, &Session::plotChanged, this, &CurveDisplay::showSoon);
   connect(&session_, &Session::markChanged, this, &CurveDisplay::showMarker);
   view_.setDescribe([this](int id, int row) { return session_.friction().describe(id, row); });
-  connect(&view_, &PlotView::markerMoved, this, [this](double x) {
-    if (const auto velocity = session_.friction().velocityAt(x)) setVelocity(*velocity);
+  connect(&view_, &PlotView::markerMoved, this, [this](double x, bool finely) {
+    const auto velocity = session_.friction().velocityAt(x);
+    if (velocity) setVelocity(roundedToDigits(*velocity, finely ? kFineDigits : kDigits));
   });
   connect(&view_, &PlotView::pointChosen, this, [this](int id, int row) {
     if (const auto velocity = session_.friction().velocityOf(id, row)) setVelocity(*velocity);

@@ -11,9 +11,11 @@
 
 #include "ui/charts/plot_view.h"
 #include "ui/charts/transient_strips.h"
+#include "ui/window/accuracy_panel.h"
 #include "ui/window/appearance.h"
 #include "ui/window/command_text.h"
 #include "ui/window/contact_canvas.h"
+#include "ui/window/curve_commands.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/picture_files.h"
@@ -39,9 +41,9 @@ void MainWindow::buildCopyCommands() {
   copyRender_ =
       addCommand("copyCommand", tr("Copy as command line"), Qt::CTRL | Qt::SHIFT | Qt::Key_C,
                  Symbol::None, [this] { copyText(pictureCommand()); });
-  copyCurve_ =
-      addCommand("copyCurveCommand", tr("Copy the curve's command line"), {}, Symbol::None,
-                 [this] { copyText(curveCommand(document_->origin(), document_->scene())); });
+  copyCurve_ = addCommand(
+      "copyCurveCommand", tr("Copy the curve's command line"), {}, Symbol::None,
+      [this] { copyText(curveCommand(document_->origin(), document_->scene(), shownCurves())); });
 }
 
 /// The picture that is on the screen; none before the first.
@@ -100,18 +102,31 @@ void MainWindow::savePicture(const QString& file) {
             });
 }
 
+CurveWish MainWindow::shownCurves() const {
+  return {curveCommands_->shown(), accuracy_->comparison()};
+}
+
 /// The contact with what is in front under it.
 QString MainWindow::pictureCommand() const {
   PictureWish wish;
   const QWidget* front = tabs_->currentWidget();
   wish.size = devicePixels(*canvas_);
-  if (front == plot_ || front == strips_) {
-    wish.layout = front == plot_ ? QStringLiteral("both") : QStringLiteral("transient");
-    wish.size.rheight() += devicePixels(*tabs_).height();
+  if (front == plot_) {
+    wish.layout = QStringLiteral("both");
+    wish.hasCurves = true;
+    wish.curves = shownCurves();
+  } else if (front == strips_ && document_->scene().sliding.kind != SlidingKind::Steady) {
+    wish.layout = QStringLiteral("transient");
   }
-  wish.scale = canvas_->devicePixelRatioF();
+  wish.scale = canvas_->devicePixelRatioF() * canvas_->textScale();
   wish.dark = dark_;
   wish.overlay = QString::fromUtf8(wordFor(canvas_->viewer().overlay()).data());
+  const std::optional<ContactShot> present = shot();
+  // A frame of the scene before has not yet been replaced: fitted ones will do.
+  if (present && present->frame->sceneNumber == session_->sceneNumber()) {
+    wish.frame = present->frame;
+    wish.options = present->options;
+  }
   return renderCommand(document_->origin(), document_->scene(), wish);
 }
 

@@ -2,6 +2,7 @@
 // is not saved would be lost; the title.
 #include <QAction>
 #include <QCloseEvent>
+#include <QDir>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
@@ -18,9 +19,7 @@
 
 namespace asperity {
 
-void MainWindow::buildDocument(const Scene& scene) {
-  gestures_ = new GestureCounter(this);
-  document_ = new SceneDocument(scene, this);
+void MainWindow::connectDocument() {
   connect(document_, &SceneDocument::sceneWanted, this, [this](const Scene& wanted) {
     panel_->setScene(wanted);
     session_->setScene(wanted);
@@ -39,7 +38,7 @@ void MainWindow::buildEditCommands() {
   if (const QKeySequence y(Qt::CTRL | Qt::Key_Y); !again.contains(y)) again += y;
   redo_->setShortcuts(again);
   revert_ = addCommand("revert", tr("Back to the scene as opened"), {}, Symbol::None, [this] {
-    editScene(document_->origin().scene, tr("Back to the scene as opened"));
+    editScene(document_->origin().scene, QT_TR_NOOP("Back to the scene as opened"));
   });
   resetAll_ = addCommand("resetAll", tr("All parameters to their defaults"), {}, Symbol::None,
                          [this] { resetAll(); });
@@ -68,9 +67,14 @@ void MainWindow::showHistory() {
   showTitle();
 }
 
-void MainWindow::showTitle() {
+/// Its title, or else its file's name; may be empty.
+QString MainWindow::nameOfScene() const {
   const QString title = translatedText(document_->scene().title);
-  const QString name = title.isEmpty() ? QFileInfo(document_->file()).fileName() : title;
+  return title.isEmpty() ? QFileInfo(document_->file()).fileName() : title;
+}
+
+void MainWindow::showTitle() {
+  const QString name = nameOfScene();
   setWindowTitle(name.isEmpty() ? tr("Asperity[*]") : tr("%1[*] – Asperity").arg(name));
   setWindowModified(document_->isChanged());
 }
@@ -82,7 +86,7 @@ void MainWindow::takeStep(const Scene& scene) {
   showAboutScene();
 }
 
-void MainWindow::editScene(const Scene& scene, const QString& what) {
+void MainWindow::editScene(const Scene& scene, const char* what) {
   if (scene == document_->scene()) return;
   document_->change(scene, gestures_->present(), what);
   panel_->setScene(scene);
@@ -95,7 +99,7 @@ void MainWindow::editScene(const Scene& scene, const QString& what) {
 void MainWindow::resetAll() {
   Scene scene;
   scene.folder = document_->scene().folder;
-  editScene(scene, tr("All parameters"));
+  editScene(scene, QT_TR_NOOP("All parameters"));
 }
 
 void MainWindow::showScene(const Scene& scene) {
@@ -104,10 +108,12 @@ void MainWindow::showScene(const Scene& scene) {
 
 void MainWindow::showScene(const SceneOrigin& origin) {
   endTour();
+  messages_->hide();  // whatever was said of the scene before
+  complaint_.reset();
   described_.reset();
   document_->open(origin);
   panel_->setScene(origin.scene);
-  session_->setScene(origin.scene);
+  session_->setScene(origin.scene, Session::Begin::Opened);
   showAboutScene();
   showDescription();
 }
@@ -120,12 +126,23 @@ void MainWindow::replaceScene(const SceneOrigin& origin) {
 /// was tried on the tour is not asked about.
 bool MainWindow::mayLeaveScene() {
   if (!document_->isChanged() || isTouring_) return true;
+  const QString name = nameOfScene();
   QMessageBox box(QMessageBox::Question, tr("Asperity"),
-                  tr("The scene was changed. Save the changes?"),
+                  name.isEmpty() ? tr("The scene was changed. Save the changes?")
+                                 : tr("“%1” was changed. Save the changes?").arg(name),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setObjectName("saveQuestion");
-  box.setInformativeText(tr("They are lost otherwise."));
+  const QString file = document_->file();
+  box.setInformativeText(
+      (file.isEmpty() ? tr("They go into a new file.")
+                      : tr("They go into %1.")
+                            .arg(QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath()))) +
+      ' ' + tr("Otherwise they are lost."));
   box.setDefaultButton(QMessageBox::Save);
+  // Not every desktop gives its standard buttons a letter.
+  box.button(QMessageBox::Save)->setText(tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
+  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
   switch (box.exec()) {
     case QMessageBox::Save:
       return save();

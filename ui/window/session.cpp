@@ -17,7 +17,8 @@ bool sameOrBothMissing(double a, double b) {
 
 /// Whether two frames put the diagram's marker at the same place.
 bool sameMark(const Frame* before, const Frame& now) {
-  return before && before->scene->sliding.velocity == now.scene->sliding.velocity &&
+  return before && !before->transient && !now.transient &&
+         before->scene->sliding.velocity == now.scene->sliding.velocity &&
          sameOrBothMissing(before->muSteady, now.muSteady);
 }
 
@@ -64,7 +65,7 @@ void Session::editCurve(const std::function<void(FrictionPlot&)>& edit) {
   emit plotChanged();
 }
 
-void Session::setScene(const Scene& scene) {
+void Session::setScene(const Scene& scene, Begin begin) {
   const bool sameCurve = sceneTime_.isValid() && haveSameCurve(scene, scene_);
   scene_ = scene;
   sceneTime_.start();
@@ -74,7 +75,7 @@ void Session::setScene(const Scene& scene) {
   }
   const bool wasStale = friction_.isStale();
   friction_.expect(scene_);
-  sceneNumber_ = runner_.post(scene_);
+  sceneNumber_ = begin == Begin::Opened ? runner_.open(scene_) : runner_.post(scene_);
   // Names of pinned curves say in what they differ from the scene.
   if (wasStale != friction_.isStale() || !friction_.pinned().empty()) emit plotChanged();
 }

@@ -27,8 +27,9 @@ class Session : public QObject {
   /// the processors that the runner takes.
   void begin();
 
-  /// Makes this the scene; the newest wins.
-  void setScene(const Scene& scene);
+  /// Makes this the scene; the newest wins. Opened: it begins at time 0, whatever was there.
+  enum class Begin { GoesOn, Opened };
+  void setScene(const Scene& scene, Begin begin = Begin::GoesOn);
   const Scene& scene() const { return scene_; }
   std::uint64_t sceneNumber() const { return sceneNumber_; }
 

@@ -14,6 +14,7 @@
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/curve_reading.h"
+#include "ui/window/said_label.h"
 
 namespace asperity {
 
@@ -58,7 +59,8 @@ double dimensionlessForce(const Frame& frame) {
 double dimensionlessVelocity(const Frame& frame) {
   const ElementLaw law = lawOf(frame.scene->elastomer);
   if (law.kind() != ElementKind::Kelvin) return kNotApplicable;
-  return orMissing(law.relaxationTime * frame.scene->sliding.velocity * frame.rmsSlope /
+  const double velocity = frame.transient ? frame.velocity : frame.scene->sliding.velocity;
+  return orMissing(law.relaxationTime * velocity * frame.rmsSlope /
                    (std::sqrt(2.0) * frame.rmsHeight));
 }
 
@@ -78,14 +80,13 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
               tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
   velocity_ = addFact(*line, "factVelocity",
                       tr("Eq. (13) of the paper: relaxation time × velocity × rms slope / "
-                         "(√2 × rms height)"));
-  said_ = addFact(*line, "said", {});
-  said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  said_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  line->setStretchFactor(said_, 1);
+                         "(√2 × rms height); of a motion at this moment"));
+  said_ = new SaidLabel;
+  said_->setObjectName("said");
+  line->addWidget(said_, 1);
   silence_ = new QTimer(this);
   silence_->setSingleShot(true);
-  connect(silence_, &QTimer::timeout, said_, &QLabel::clear);
+  connect(silence_, &QTimer::timeout, this, &StatusLine::fallSilent);
   addWork(*line);
   simulations_ = addFact(*line, "factSimulations",
                          tr("Lines at one velocity each, computed in a second for the curve"));
@@ -158,7 +159,13 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
 
 void StatusLine::say(const QString& text) {
   said_->setText(text);
+  for (QLabel* fact : {simulations_, rate_, backend_}) fact->hide();
   silence_->start(kSaidFor);
+}
+
+void StatusLine::fallSilent() {
+  said_->clear();
+  for (QLabel* fact : {simulations_, rate_, backend_}) fact->show();
 }
 
 void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {

@@ -15,6 +15,8 @@ class QToolButton;
 
 namespace asperity {
 
+class SaidLabel;
+
 struct CurveReading;
 
 /// What is under way.
@@ -34,7 +36,7 @@ class StatusLine : public QWidget {
   void showFrame(const Frame& frame, const CurveReading& reading);
   void showWork(const Work& work);
 
-  /// For a few seconds, in the room between the facts.
+  /// For a few seconds, in the room between the facts and in that of those at the right.
   void say(const QString& text);
 
   void showDrawing(int framesPerSecond, const QString& backend);
@@ -49,9 +51,10 @@ class StatusLine : public QWidget {
   QLabel* addFact(QHBoxLayout& line, const char* name, const QString& tip);
   void addWork(QHBoxLayout& line);
   void pressed();
+  void fallSilent();
 
   Work::State state_ = Work::State::Idle;
-  QLabel* said_;
+  SaidLabel* said_;
   QTimer* silence_;
   QLabel* regime_;
   QLabel* mu_;
@@ -67,7 +70,8 @@ class StatusLine : public QWidget {
 /// Eq. (14), F_N / (G h L); NaN where it does not apply.
 double dimensionlessForce(const Frame& frame);
 
-/// Eq. (13), tau v grad / (sqrt(2) h), with the rms slope of the whole line; NaN likewise.
+/// Eq. (13), tau v grad / (sqrt(2) h), with the rms slope of the whole line and, of a motion, its
+/// velocity at the moment; NaN likewise.
 double dimensionlessVelocity(const Frame& frame);
 
 }  // namespace asperity

@@ -6,17 +6,15 @@
 #include <functional>
 #include <thread>
 
+#include "tests/core/small_scene.h"
+
 namespace asperity {
 namespace {
 
 using namespace std::chrono_literals;
 
 Scene smallScene() {
-  Scene scene;
-  scene.surface.elements = 100;
-  scene.sweep.points = 5;
-  scene.ensemble.realizations = 9;
-  return scene;
+  return sceneOfSize(100, 5, 9);
 }
 
 /// Polls until the condition holds; a test that waits for ever has failed.
@@ -130,6 +128,27 @@ TEST(Runner, PausedItMakesFramesOnlyWhenAsked) {
   waitFor([&] { return runner.newestFrame()->step == 0; });
   runner.play();
   waitFor([&] { return runner.newestFrame()->step > 3; });
+}
+
+/// The next scene of one document goes on; one that was opened has its own beginning.
+TEST(Runner, AnOpenedSceneBeginsAtTimeZero) {
+  Runner runner;
+  runner.pause();
+  runner.post(smallScene());
+  for (std::uint64_t step = 1; step <= 3; ++step) {
+    runner.singleStep();
+    waitFor([&] { return runner.newestFrame() && runner.newestFrame()->step == step; });
+  }
+  Scene next = smallScene();
+  next.load.normalForce *= 2;
+  const std::uint64_t posted = runner.post(next);
+  waitFor([&] { return runner.newestFrame()->sceneNumber == posted; });
+  EXPECT_GT(runner.newestFrame()->time, 0);
+  const std::uint64_t opened = runner.open(smallScene());
+  waitFor([&] { return runner.newestFrame()->sceneNumber == opened; });
+  EXPECT_EQ(runner.newestFrame()->time, 0);
+  EXPECT_EQ(runner.newestFrame()->distance, 0);
+  EXPECT_EQ(runner.newestFrame()->step, 0U);
 }
 
 TEST(Runner, ASceneThatCannotRunIsAMessageAndTheNextOneRuns) {

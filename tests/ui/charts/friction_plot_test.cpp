@@ -70,7 +70,7 @@ TEST(DecadeRange, GrowsAtOnceAndShrinksReluctantly) {
 
 TEST(DecadeRange, ReadingsReadLikePrint) {
   EXPECT_EQ(readingLabel(0.125), QStringLiteral("0.125"));
-  EXPECT_EQ(readingLabel(2.5e-5), QStringLiteral("2.5·10⁻⁵"));
+  EXPECT_EQ(readingLabel(2.5e-5), QStringLiteral("2.5×10⁻⁵"));
   EXPECT_EQ(readingLabel(1e-6), QStringLiteral("10⁻⁶"));
   EXPECT_EQ(readingLabel(0.01234, 2), QStringLiteral("0.012"));
   EXPECT_EQ(readingLabel(std::nan("")), QStringLiteral("–"));
@@ -106,6 +106,79 @@ TEST(FrictionPlot, MarksThePresentVelocityOfTheFrame) {
   EXPECT_EQ(plot.marker->x, 0.25);
   EXPECT_EQ(plot.marker->y, 3e-3);
   EXPECT_EQ(plot.marker->label, QStringLiteral("v = 0.25 m/s"));
+}
+
+Frame motionFrame(const std::vector<TransientSample>& samples) {
+  Scene scene;
+  scene.sliding.kind = SlidingKind::Oscillation;
+  scene.sliding.velocity = 0;
+  scene.sliding.amplitude = 30;
+  Frame moving = frame(scene, kNotApplicable);
+  moving.velocity = samples.empty() ? 0 : samples.back().velocity;
+  moving.transient = std::make_shared<const std::vector<TransientSample>>(samples);
+  return moving;
+}
+
+TransientSample sample(double velocity, double mu) {
+  TransientSample sample;
+  sample.velocity = velocity;
+  sample.mu = mu;
+  return sample;
+}
+
+/// Friction of the moment over the magnitude of the velocity, and the way there.
+TEST(FrictionPlot, AMotionMovesItsMarkerAndLeavesATrace) {
+  FrictionPlot diagram;
+  diagram.take(update({}, {point(1e-5, 1e-5), point(1e3, 2e-3)}));
+  diagram.mark(motionFrame({sample(0.5, 1e-3), sample(-0.25, 8e-4)}));
+  const Plot plot = diagram.plot();
+  ASSERT_TRUE(plot.marker);
+  EXPECT_TRUE(plot.marker->isFixed);
+  EXPECT_EQ(plot.marker->x, 0.25);
+  EXPECT_EQ(plot.marker->y, 8e-4);
+  EXPECT_EQ(plot.marker->label, QStringLiteral("|v| = 0.25 m/s"));
+  EXPECT_EQ(plot.marker->name, QStringLiteral("this motion, now"));
+  ASSERT_EQ(plot.marker->trace.size(), 2U);
+  EXPECT_EQ(plot.marker->trace[0].x, 0.5);
+  EXPECT_EQ(plot.marker->trace[1].y, 8e-4);
+}
+
+/// At its turning points a motion is at rest, which has no place on a logarithmic axis.
+TEST(FrictionPlot, AMotionAtItsTurningPointLeavesTheAxesAlone) {
+  FrictionPlot diagram;
+  diagram.take(update({}, {point(1e-5, 1e-5), point(1e3, 2e-3)}));
+  diagram.mark(motionFrame({sample(0.5, 1e-3)}));
+  const Plot before = diagram.plot();
+  diagram.mark(motionFrame({sample(0.5, 1e-3), sample(1e-12, 1e-15)}));
+  EXPECT_EQ(diagram.plot().x.range, before.x.range);
+  EXPECT_EQ(diagram.plot().y.range, before.y.range);
+  diagram.mark(motionFrame({sample(0, kNotApplicable)}));
+  EXPECT_EQ(diagram.plot().x.range, before.x.range);
+  EXPECT_EQ(diagram.plot().marker->x, 0);
+}
+
+/// A velocity far outside is left again, by Undo or otherwise, and the axis with it.
+TEST(FrictionPlot, TheVelocityAxisFollowsBack) {
+  FrictionPlot diagram;
+  Scene scene;
+  diagram.expect(scene);
+  diagram.take(update(scene, {point(1e-5, 1e-5), point(1e3, 2e-3)}));
+  diagram.mark(frame(scene, 1e-3));
+  const DecadeRange before = diagram.plot().x.range;
+  Scene fast = scene;
+  fast.sliding.velocity = 2e6;
+  diagram.expect(fast);
+  diagram.mark(frame(fast, 1e-3));
+  EXPECT_EQ(diagram.plot().x.range.to, 7);
+  diagram.expect(scene);
+  diagram.mark(frame(scene, 1e-3));
+  EXPECT_EQ(diagram.plot().x.range, before);
+  scene.sweep.velocityTo = 1e4;
+  diagram.expect(scene);
+  EXPECT_EQ(diagram.plot().x.range.to, 4);
+  scene.sweep.velocityTo = 1e3;
+  diagram.expect(scene);
+  EXPECT_EQ(diagram.plot().x.range, before);
 }
 
 TEST(FrictionPlot, FadesTheOldCurveUntilTheNewOneArrives) {

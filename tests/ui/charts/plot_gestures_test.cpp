@@ -1,6 +1,8 @@
 // What a person does with the plot's widget: pointer, wheel and keys.
 #include <gtest/gtest.h>
 
+#include <QFontMetricsF>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
@@ -47,6 +49,9 @@ class PlotGestures : public testing::Test {
     for (int i = 1; i <= 8; ++i) QTest::mouseMove(view_.get(), from + (to - from) * i / 8);
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, to);
   }
+  double pixelsPerDecade() const {
+    return view_->positionOf(10, 0.1).x() - view_->positionOf(1, 0.1).x();
+  }
   void turnWheel(QPoint place, int delta) {
     QWheelEvent event(place, view_->mapToGlobal(place), {}, {0, delta}, Qt::NoButton, {},
                       Qt::NoScrollPhase, false);
@@ -77,6 +82,67 @@ TEST_F(PlotGestures, AMarkerStaysInsideTheAxes) {
   QSignalSpy moved(view_.get(), &PlotView::markerMoved);
   drag(at(3, 0.3), QPoint(-200, at(3, 0.3).y()));
   EXPECT_NEAR(moved.last()[0].toDouble() / 1e-3, 1, 1e-9);
+}
+
+/// With Shift the marker goes a tenth of the pointer's way, from where it is.
+TEST_F(PlotGestures, ShiftDragsFinely) {
+  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+  const QPoint from = at(3, 0.3), coarse = from - QPoint(50, 0), fine = coarse - QPoint(50, 0);
+  QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
+  QTest::mouseMove(view_.get(), coarse);
+  EXPECT_FALSE(moved.last()[1].toBool());
+  const double there = std::log10(moved.last()[0].toDouble());
+  EXPECT_NEAR(there, std::log10(3) - 50 / pixelsPerDecade(), 0.01);
+  const auto moveFinely = [&](QPoint to) {
+    QMouseEvent event(QEvent::MouseMove, to, view_->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                      Qt::ShiftModifier);
+    QCoreApplication::sendEvent(view_.get(), &event);
+  };
+  moveFinely(coarse);  // the key goes down: nothing jumps
+  EXPECT_TRUE(moved.last()[1].toBool());
+  EXPECT_NEAR(std::log10(moved.last()[0].toDouble()), there, 1e-9);
+  moveFinely(fine);
+  EXPECT_NEAR(std::log10(moved.last()[0].toDouble()), there - 5 / pixelsPerDecade(), 1e-9);
+  QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, fine);
+}
+
+/// An axis that follows the marker would run away from under the pointer.
+TEST_F(PlotGestures, TheAxisStandsStillWhileTheMarkerIsDragged) {
+  const QPoint from = at(3, 0.3);
+  QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
+  QTest::mouseMove(view_.get(), from - QPoint(60, 0));
+  Plot plot = samplePlot();
+  plot.x.range = {-3, 1};
+  view_->setPlot(plot);
+  EXPECT_EQ(view_->window().x, (DecadeRange{-3, 3}));
+  QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, from - QPoint(60, 0));
+  EXPECT_EQ(view_->window().x, (DecadeRange{-3, 1}));
+}
+
+TEST_F(PlotGestures, AMotionsMarkerIsNotDragged) {
+  Plot plot = samplePlot();
+  plot.marker->isFixed = true;
+  plot.marker->trace = {{0.01, 0.01}, {1, 0.1}, {3, 0.05}};
+  view_->setPlot(plot);
+  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+  drag(at(3, 0.3), at(0.1, 0.3));
+  view_->setFocus();
+  QTest::keyClick(view_.get(), Qt::Key_Right);
+  EXPECT_EQ(moved.count(), 0);
+  // Its trace is drawn: the pixels in the middle of a stretch have the marker's colour.
+  PlotColours colours;
+  colours.background = Qt::white;
+  colours.marker = Qt::red;
+  view_->setColours(colours);
+  view_->fit();
+  const QImage image = view_->grab().toImage();
+  const QPoint middle = at(0.1, std::sqrt(0.01 * 0.1));
+  bool drawn = false;
+  for (int dy = -2; dy <= 2; ++dy) {
+    const QColor pixel = image.pixelColor(middle + QPoint(0, dy));
+    drawn = drawn || (pixel.red() > 150 && pixel.green() < 60);
+  }
+  EXPECT_TRUE(drawn);
 }
 
 TEST_F(PlotGestures, ThePointerShowsWhatCanBeDone) {
@@ -212,6 +278,45 @@ TEST_F(PlotGestures, TheLegendTakesMoreRowsAndCountsWhatHasNoRoom) {
   EXPECT_LT(legend->height(), 4 * one);
   EXPECT_FALSE(legend->placeOf(10).isEmpty());
   EXPECT_TRUE(legend->placeOf(39).isEmpty());
+}
+
+/// Rows that come and go with pinned curves leave room for the axis' labels and title below.
+TEST_F(PlotGestures, TheChartGivesTheLegendItsRoomAtOnce) {
+  Plot plot = samplePlot();
+  for (int id = 10; id < 20; ++id) {
+    plot.series.push_back(plot.series[0]);
+    plot.series.back().id = id;
+  }
+  const double line = QFontMetricsF(view_->font()).height();
+  const auto bottom = [&] { return view_->positionOf(1, 1e-4).y(); };
+  const double before = bottom();
+  view_->setPlot(plot);
+  QTest::qWait(1);
+  EXPECT_LE(bottom() + 2 * line, view_->height());
+  view_->setPlot(samplePlot());
+  QTest::qWait(1);
+  EXPECT_NEAR(bottom(), before, 1);
+}
+
+/// A name that says in much what a curve differs is broken into lines; its tooltip has all of it.
+TEST_F(PlotGestures, LongNamesAreBrokenAndWholeInTheirTooltip) {
+  Plot plot = samplePlot();
+  QStringList parts;
+  for (int i = 0; i < 14; ++i) parts += QStringLiteral("parameter %1 = %2 MPa").arg(i).arg(10 * i);
+  plot.series[0].name = parts.mid(0, 6).join(", ");
+  view_->setPlot(plot);
+  auto* legend = view_->findChild<PlotLegend*>();
+  ASSERT_TRUE(legend);
+  EXPECT_GE(legend->linesOf(7).size(), 2);
+  EXPECT_EQ(legend->linesOf(7).join(' '), plot.series[0].name);  // nothing is lost
+  const QFontMetricsF metrics(legend->font());
+  for (const QString& line : legend->linesOf(7))
+    EXPECT_LE(metrics.horizontalAdvance(line), legend->width());
+  plot.series[0].name = parts.join(", ");
+  view_->setPlot(plot);
+  EXPECT_NE(legend->linesOf(7).join(' '), plot.series[0].name);
+  QTest::mouseMove(legend, legend->placeOf(7).center().toPoint());
+  EXPECT_TRUE(legend->toolTip().contains(plot.series[0].name));
 }
 
 }  // namespace

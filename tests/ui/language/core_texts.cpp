@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "core/accuracy/work_precision_file.h"
+#include "core/contact/unmet_balance.h"
 #include "core/friction/curve_diagram.h"
 #include "core/friction/curve_regions.h"
 #include "core/friction/curve_words.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/figures/figure.h"
+#include "core/friction/line_plan.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/steady_frames.h"
 #include "core/run/transient_diagram.h"
@@ -98,6 +100,17 @@ void addLineDiagrams(Texts& texts) {
   }
 }
 
+/// Where contact is sought: at all velocities, at some, at all but one, at none.
+void addPlansOnLines(Texts& texts) {
+  for (const double force : {1e-3, 1.0, 2.0, 4.0, 8.0, 1e3}) {
+    Scene scene;
+    scene.surface.elements = 64;
+    scene.load.normalForce = force;
+    scene.sweep = {1e-3, 1, 7};
+    for (const PlanStage& stage : planOnLine(scene, Purpose::Curve)) texts.insert(stage.reason);
+  }
+}
+
 }  // namespace
 
 Texts tableTexts() {
@@ -123,6 +136,7 @@ Texts sceneTexts() {
 
 Texts planTexts() {
   Texts texts;
+  addPlansOnLines(texts);
   std::vector<Scene> scenes = shippedScenes();
   std::ranges::copy(furtherScenes(), std::back_inserter(scenes));
   for (const Scene& scene : scenes)
@@ -135,6 +149,12 @@ Texts planTexts() {
 
 Texts refusalTexts() {
   Texts texts;
+  SteadyResult unmet;
+  for (const double residual : {0.0, 0.03}) {
+    unmet.residual = residual;
+    for (const char* where : {"", " on realization 3"})
+      texts.insert(unmetBalance(unmet, 0.5, where).what());
+  }
   const auto refused = [&](const Parameter& row, const auto& give) {
     Scene scene;
     try {

@@ -51,7 +51,66 @@ TEST(Overlay, LegendSpansTheBar) {
     for (std::size_t i = 1; i < ticks.size(); ++i) EXPECT_GT(ticks[i].share, ticks[i - 1].share);
   }
   EXPECT_EQ((ColourScale{ContactOverlay::Relaxation, 4e-3}).ticks(6).back().label, "4 ms");
-  EXPECT_EQ((ColourScale{ContactOverlay::Power, 5}).ticks(6)[1].label, "50 mW/m");
+}
+
+/// Numbers in one unit, which the last one says: short enough for a label at every decade.
+TEST(Overlay, DecadesOfPowerAreLabelledInOneUnit) {
+  const auto labels = [](double end) {
+    std::string all;
+    for (const LegendTick& tick : (ColourScale{ContactOverlay::Power, end}).ticks(6))
+      all += tick.label + "|";
+    return all;
+  };
+  EXPECT_EQ(labels(5), "0.005|0.05|0.5|5 W/m|");
+  EXPECT_EQ(labels(2e-3), "0.002|0.02|0.2|2 mW/m|");
+  Frame frame = *sampleFrame({});
+  frame.power.assign(frame.pressure.size(), 1.2e-3);
+  ContactPictureOptions options;
+  options.overlay = ContactOverlay::Power;
+  for (const int width : {900, 1280, 1920}) {
+    options.width = width;
+    int found = 0;
+    for (const DrawText& text : composeContact(frame, options).texts)
+      for (const char* label : {"0.0015", "0.015", "0.15", "1.5 mW/m"})
+        found += text.utf8 == label ? 1 : 0;
+    EXPECT_EQ(found, 4) << width;
+  }
+}
+
+/// Where a colour is asked for and none is seen, a few words say why.
+TEST(Overlay, SaysWhyNothingIsColoured) {
+  SampleOptions sample;
+  sample.velocity = 0;
+  Frame resting = *sampleFrame(sample), sliding = *sampleFrame({});
+  for (Frame* frame : {&resting, &sliding}) {
+    frame->sinceContact.assign(frame->pressure.size(), std::numeric_limits<double>::infinity());
+    frame->power.assign(frame->pressure.size(), 0.0);
+  }
+  EXPECT_EQ(reasonUncoloured(resting, ContactOverlay::Relaxation),
+            "no colours: at rest nothing leaves contact");
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Relaxation),
+            "no colours: nothing has left contact yet");
+  EXPECT_EQ(reasonUncoloured(resting, ContactOverlay::Power),
+            "no colours: nothing is dissipated at rest");
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Power), "no colours: nothing is dissipated");
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Pressure), "");
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::None), "");
+  sliding.contactFraction = 1;
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Relaxation),
+            "no colours: all of the surface is in contact");
+  sliding.pressure.assign(sliding.pressure.size(), 0.0);
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Pressure), "no colours: nothing touches");
+  sliding.power.clear();  // not asked for: nothing is known
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Power), "");
+  for (const int height : {260, 720}) {
+    ContactPictureOptions options;
+    options.height = height;
+    options.overlay = ContactOverlay::Relaxation;
+    bool said = false;
+    for (const DrawText& text : composeContact(resting, options).texts)
+      said = said || text.utf8 == "no colours: at rest nothing leaves contact";
+    EXPECT_TRUE(said) << height;
+  }
 }
 
 TEST(Overlay, ScaleFitsTheFrameAndKeepsStill) {

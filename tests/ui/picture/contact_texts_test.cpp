@@ -95,11 +95,11 @@ TEST(ContactTexts, SayWhatIsShown) {
         "position (mm)", "undeformed surface (\u00B5m)", "vertical exaggeration",
         "contact pressure (line load)", "N/m", "1 s on screen", "= 2 ms"})
     EXPECT_NE(words.find(part), std::string::npos) << part;
-  EXPECT_EQ(words.find("march"), std::string::npos);
+  EXPECT_EQ(words.find("moving picture"), std::string::npos);
   frame.muMarch = 0.5;
   frame.timeScale = 0;
   words = allTexts(frame);
-  EXPECT_NE(words.find("\u03BC in this march in time|0.500|"), std::string::npos);
+  EXPECT_NE(words.find("\u03BC of the moving picture|0.500|"), std::string::npos);
   EXPECT_EQ(words.find("on screen"), std::string::npos);
 }
 
@@ -140,7 +140,7 @@ TEST(ContactTexts, FrictionIsShownOnlyWhereThereIsSome) {
   }
 }
 
-/// Texts of the colour bar lie below it, the last of them flush with its end.
+/// Numbers of the colour bar lie below it or, in a low picture, beside it.
 TEST(ContactTexts, ColourBarHasItsZeroAndItsMaximum) {
   SampleOptions options;
   options.points = 300;
@@ -161,7 +161,7 @@ TEST(ContactTexts, ColourBarHasItsZeroAndItsMaximum) {
       if (title == list.texts.end()) continue;  // no room for a bar
       bool zero = false, most = false;
       for (const DrawText& text : list.texts) {
-        if (text.y <= title->y) continue;
+        if (text.y < title->y - 0.5F) continue;
         zero = zero || text.utf8 == "0";
         if (!text.utf8.ends_with("N/m")) continue;
         EXPECT_EQ(text.utf8, quantity(pressure, "N/m"));
@@ -171,6 +171,67 @@ TEST(ContactTexts, ColourBarHasItsZeroAndItsMaximum) {
       EXPECT_TRUE(zero && most) << pressure << " N/m " << size.width << "x" << size.height;
     }
   }
+}
+
+/// However low the view is: under a comparison, or with the large texts of a presentation.
+TEST(ContactTexts, LowPicturesKeepTheirLegend) {
+  SampleOptions sample;
+  sample.points = 300;
+  Frame frame = *sampleFrame(sample);
+  frame.power = frame.pressure;
+  frame.sinceContact.assign(frame.pressure.size(), 1e-3);
+  for (const ContactOverlay overlay :
+       {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power})
+    for (const Size& size : {Size{960, 330, 1},
+                             {960, 260, 1},
+                             {960, 200, 1},
+                             {640, 200, 1},
+                             {480, 170, 1},
+                             {1280, 300, 1.6F},
+                             {1280, 420, 1.6F}}) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      options.overlay = overlay;
+      const DrawList list = composeContact(frame, options);
+      const Clip plot = contactPlotArea(frame, options);
+      const bool hasEnd = std::ranges::any_of(list.texts, [&](const DrawText& text) {
+        return (text.utf8.ends_with("N/m") || text.utf8.ends_with("W/m") ||
+                text.utf8.ends_with("ms")) &&
+               text.y > plot.y + plot.height;
+      });
+      const std::string where = std::to_string(size.width) + "x" + std::to_string(size.height);
+      EXPECT_TRUE(hasEnd) << where;
+      EXPECT_GT(plot.height, 40 * size.scale) << where;
+      expectTidy(list, where);
+    }
+}
+
+/// What the readings above the axes mean is told where they stand.
+TEST(ContactTexts, EveryReadingHasItsSentence) {
+  SampleOptions sample;
+  sample.points = 300;
+  Frame frame = *sampleFrame(sample);
+  frame.muMarch = 0.5;
+  const std::vector<ContactReading> readings = contactReadings(frame, {});
+  ASSERT_EQ(readings.size(), 7U);
+  const DrawList list = composeContact(frame, {});
+  for (const ContactReading& reading : readings) {
+    EXPECT_GT(reading.tip.size(), 20U) << reading.name;
+    const Clip& place = reading.place;
+    int texts = 0;  // the label and the value
+    for (const DrawText& text : list.texts)
+      if (text.x >= place.x - 1 && text.x < place.x + place.width && text.y > place.y &&
+          text.y <= place.y + place.height)
+        ++texts;
+    EXPECT_GE(texts, 2) << reading.name;
+  }
+  EXPECT_EQ(readings.back().name, "\u03BC of the moving picture");
+  EXPECT_NE(readings.back().tip.find("small steps of time"), std::string::npos);
+  ContactPictureOptions plain;
+  plain.title = false;
+  EXPECT_TRUE(contactReadings(frame, plain).empty());
 }
 
 TEST(ContactTexts, NoColourBarWithoutAPressure) {

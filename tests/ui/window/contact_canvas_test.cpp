@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QHelpEvent>
 #include <QMenu>
+#include <QNativeGestureEvent>
+#include <QPointingDevice>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -109,6 +113,74 @@ TEST_F(ContactCanvasTest, DraggingMovesWhatIsUnderTheCursor) {
   QTest::mouseMove(&canvas_, from);  // no longer held
   EXPECT_NEAR(std::remainder(view().left - before.left + moved, frameOf()->length), 0,
               0.02 * moved);
+}
+
+/// As a touchpad's driver tells it: steps of the scale at the cursor.
+TEST_F(ContactCanvasTest, APinchOnATouchpadZoomsAtTheCursor) {
+  const QPointF at = place(0.7, 0.4);
+  const double x = view().left + 0.7 * view().width;
+  const auto pinch = [&](double value) {
+    QNativeGestureEvent event(Qt::ZoomNativeGesture, QPointingDevice::primaryPointingDevice(), 2,
+                              at, at, canvas_.mapToGlobal(at), value, {});
+    QApplication::sendEvent(&canvas_, &event);
+  };
+  for (const double value : {0.1, 0.25, 0.2}) pinch(value);
+  EXPECT_NEAR(view().width, frameOf()->length / (1.1 * 1.25 * 1.2), 1e-9);
+  EXPECT_NEAR(view().left + 0.7 * view().width, x, 0.02 * view().width);
+  for (int i = 0; i < 8; ++i) pinch(-0.2);
+  EXPECT_TRUE(canvas_.viewer().navigation().isFitted());
+}
+
+/// Two fingers on a touch screen, through Qt's own recognition of gestures, with the view inside of
+/// a window as it always is.
+TEST_F(ContactCanvasTest, TwoFingersZoomBetweenThem) {
+  static QPointingDevice* const screen = QTest::createTouchDevice();
+  QWidget window;
+  auto* canvas = new ContactCanvas(&window);
+  canvas->resize(900, 500);
+  canvas->setFrame(frameOf());
+  window.resize(900, 500);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  const auto seen = [&] { return canvas->viewer().options().view; };
+  const QPoint at = canvas->plotArea().center().toPoint();
+  const double middle = seen().left + 0.5 * seen().width;
+  const auto fingers = [&](int apart) {
+    return std::pair{at - QPoint(apart / 2, 0), at + QPoint(apart / 2, 0)};
+  };
+  const auto move = [&](int apart) {
+    const auto [first, second] = fingers(apart);
+    QTest::touchEvent(canvas, screen).move(0, first, canvas).move(1, second, canvas);
+  };
+  const auto [first, second] = fingers(120);
+  QTest::touchEvent(canvas, screen).press(0, first, canvas).press(1, second, canvas);
+  for (int apart = 130; apart <= 360; apart += 10) move(apart);
+  EXPECT_NEAR(seen().width * 360 / 120, frameOf()->length, 0.1 * frameOf()->length);
+  EXPECT_NEAR(seen().left + 0.5 * seen().width, middle, 0.1 * seen().width);
+  const double closest = seen().width;
+  for (int apart = 350; apart >= 180; apart -= 10) move(apart);
+  EXPECT_NEAR(seen().width, 2 * closest, 0.1 * closest);
+  const auto [left, right] = fingers(180);
+  QTest::touchEvent(canvas, screen).release(0, left, canvas).release(1, right, canvas);
+}
+
+/// What a reading means is told where it stands, and nothing elsewhere.
+TEST_F(ContactCanvasTest, ReadingsExplainThemselves) {
+  const auto tipAt = [&](QPointF position) {
+    QHelpEvent help(QEvent::ToolTip, position.toPoint(), canvas_.mapToGlobal(position.toPoint()));
+    QApplication::sendEvent(&canvas_, &help);
+    return QToolTip::text();
+  };
+  ContactPictureOptions options = canvas_.viewer().options();
+  options.width = canvas_.width();
+  options.height = canvas_.height();
+  for (const ContactReading& reading : contactReadings(*canvas_.frame(), options)) {
+    const Clip& box = reading.place;
+    const QString tip = tipAt({box.x + 0.5 * box.width, box.y + 0.5 * box.height});
+    EXPECT_TRUE(tip.contains(QString::fromStdString(reading.tip).toHtmlEscaped())) << reading.name;
+  }
+  tipAt(place(0.5, 0.5));  // in the plot: whatever was told is taken away
+  EXPECT_TRUE(QTest::qWaitFor([] { return !QToolTip::isVisible(); }));
 }
 
 TEST_F(ContactCanvasTest, DoubleClickShowsAll) {

@@ -2,18 +2,26 @@
 // readers take.
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QClipboard>
+#include <QComboBox>
 #include <QFile>
 #include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <cmath>
 
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
+#include "ui/charts/plot_view.h"
 #include "ui/window/command_text.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/message_bar.h"
@@ -133,6 +141,149 @@ TEST_F(CopyTest, ThePictureIsSaidAsItIsShown) {
   EXPECT_EQ(words.value(words.indexOf("--size") + 1),
             QStringLiteral("%1x%2").arg(size.width()).arg(size.height()));
   window_.setDark(false);
+}
+
+/// What a copied call draws.
+class CallTest : public MainWindowTest {
+ protected:
+  void pause() {
+    if (session().isPlaying()) session().setPlaying(false);
+    // What was under way is over when two polls find the same frame.
+    ASSERT_TRUE(waitFor([&] {
+      const Frame* before = frame();
+      QTest::qWait(60);
+      session().poll();
+      return frame() && frame() == before && before->sceneNumber == session().sceneNumber();
+    }));
+  }
+  QStringList copied() {
+    action("copyCommand").trigger();
+    return wordsOf(clipboardText());
+  }
+  static void drop(QStringList& words, const QString& option) {
+    const qsizetype at = words.indexOf(option);
+    if (at >= 0) words.remove(at, 2);
+  }
+  QImage drawn(QStringList words) {
+    const QString file = folder_.filePath("drawn.png");
+    words.removeFirst();
+    words[words.indexOf("-o") + 1] = file;
+    QProcess program;
+    program.start(ASPERITY_PROGRAM, words + QStringList{"--json"});
+    EXPECT_TRUE(program.waitForFinished(60000));
+    EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+    said_ = QJsonDocument::fromJson(program.readAllStandardOutput()).object();
+    return QImage(file);
+  }
+  QImage shown() {
+    const QString file = folder_.filePath("shown.png");
+    QSignalSpy exported(&window_, &MainWindow::exported);
+    window_.savePicture(file);
+    EXPECT_TRUE(waitFor([&] { return exported.count() == 1; }));
+    return QImage(file);
+  }
+  /// Share of the pixels in the plot that are not much the same: the readings above it and the
+  /// points between which lines are straight may differ.
+  double difference(const QImage& a, const QImage& b) {
+    const QRect plot = window_.canvas().plotArea().toRect();
+    int differ = 0;
+    for (int y = plot.top(); y < plot.bottom(); ++y)
+      for (int x = plot.left(); x < plot.right(); ++x) {
+        const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+        const int apart = std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) +
+                          std::abs(p.blue() - q.blue());
+        differ += apart > 90 ? 1 : 0;
+      }
+    return static_cast<double>(differ) / (plot.width() * plot.height());
+  }
+
+  const QTemporaryDir folder_;
+  QJsonObject said_;
+};
+
+TEST_F(CallTest, DrawsTheMomentAndThePlaceThatAreShown) {
+  ASSERT_TRUE(waitFor([&] { return frame() && frame()->distance > 0.1 * frame()->length; }));
+  pause();
+  control<QTabWidget>("tabs").setCurrentIndex(2);
+  ContactCanvas& canvas = window_.canvas();
+  for (int i = 0; i < 5; ++i) canvas.zoom(1);
+  canvas.exaggerate(-1);
+  const QStringList words = copied();
+  const QImage inWindow = shown(), byCall = drawn(words);
+  ASSERT_EQ(inWindow.size(), byCall.size());
+  EXPECT_LT(difference(inWindow, byCall), 0.03);
+  for (const char* option : {"--view", "--slid", "--heights"}) {
+    QStringList without = words;
+    ASSERT_TRUE(words.contains(option)) << words.join(' ').toStdString();
+    drop(without, option);
+    EXPECT_GT(difference(inWindow, drawn(without)), 0.05) << option;
+  }
+}
+
+TEST_F(CallTest, DrawsColoursCrosshairAndMagnifier) {
+  pause();
+  control<QTabWidget>("tabs").setCurrentIndex(2);
+  ContactCanvas& canvas = window_.canvas();
+  canvas.setOverlay(ContactOverlay::Power);
+  canvas.magnify(true);
+  QTest::mouseMove(&canvas, canvas.plotArea().center().toPoint());
+  ASSERT_TRUE(waitFor([&] { return !frame()->power.empty() && !frame()->lineSlope.empty(); }));
+  const QStringList words = copied();
+  for (const char* option : {"--overlay", "--colours-to", "--probe", "--magnify"})
+    EXPECT_TRUE(words.contains(option)) << words.join(' ').toStdString();
+  EXPECT_LT(difference(shown(), drawn(words)), 0.04);
+}
+
+TEST_F(CallTest, DrawsTheMomentOfAMotion) {
+  Scene moving = smallScene();
+  moving.sliding.kind = SlidingKind::Oscillation;
+  moving.sliding.velocity = 0;
+  moving.sliding.amplitude = 0.05;
+  moving.sliding.frequency = 2;
+  moving.sliding.duration = 1;
+  window_.showScene(moving);
+  ASSERT_TRUE(waitFor([&] {
+    return frame() && frame()->sceneNumber == session().sceneNumber() && frame()->time > 0.1;
+  }));
+  pause();
+  control<QTabWidget>("tabs").setCurrentIndex(2);
+  const double time = frame()->time, mu = frame()->muMarch;
+  const QStringList words = copied();
+  EXPECT_EQ(words.value(words.indexOf("--at") + 1).toDouble(), time);
+  EXPECT_LT(difference(shown(), drawn(words)), 0.03);
+  double most = 0;  // at a turning point a single step changes much of what is little there
+  for (const TransientSample& sample : *frame()->transient)
+    if (std::isfinite(sample.mu)) most = std::max(most, std::abs(sample.mu));
+  EXPECT_NEAR(said_["mu"].toDouble(), mu, 0.05 * most);
+  // The chart in front is drawn, too, with the motion on it.
+  control<QTabWidget>("tabs").setCurrentWidget(&window_.plotView());
+  const QStringList both = copied();
+  EXPECT_EQ(both.value(both.indexOf("--layout") + 1), "both");
+  const QImage picture = drawn(both);
+  EXPECT_LT(difference(shown(), picture), 0.03);
+  EXPECT_GT(picture.height(), 1.5 * window_.canvas().height());
+}
+
+TEST_F(CallTest, DrawsWhatTheCurveIsComparedWith) {
+  ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+  action("pinCurve").trigger();
+  type("load.normal_force", "0.02 N");
+  control<QComboBox>("comparisonScheme").setCurrentIndex(static_cast<int>(Scheme::Linear));
+  control<QSpinBox>("comparisonOversampling").setValue(3);
+  control<QSpinBox>("comparisonLines").setValue(5);
+  control<QCheckBox>("comparisonWanted").setChecked(true);
+  ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+  action("dimensionlessAxes").trigger();
+  pause();
+  const QStringList words = copied();
+  EXPECT_EQ(words.value(words.indexOf("--compare") + 1), "linear:3:5");
+  EXPECT_EQ(words.value(words.indexOf("--axes") + 1), "dimensionless");
+  EXPECT_EQ(words.value(words.indexOf("--with") + 1), "load.normal_force=0.0034");
+  EXPECT_FALSE(drawn(words).isNull());
+  action("copyCurveCommand").trigger();
+  const QStringList curve = wordsOf(clipboardText());
+  for (const char* option : {"--compare", "--axes", "--with"})
+    EXPECT_TRUE(curve.contains(option)) << option;
 }
 
 TEST_F(CopyTest, ThePictureGoesToTheClipboard) {

@@ -157,6 +157,30 @@ TEST_F(DocumentTest, AnUnchangedSceneIsLeftWithoutAQuestion) {
   EXPECT_EQ(asked_, 0);
 }
 
+/// Who is asked knows what would be lost, and answers by a letter.
+TEST_F(DocumentTest, TheQuestionNamesTheSceneAndItsFileAndHasLetters) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("mine.json");
+  ASSERT_TRUE(window_.saveScene(file));
+  press("load.normal_force");
+  QString text, detail;
+  QStringList buttons;
+  QTimer::singleShot(50, &window_, [&] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_TRUE(box);
+    text = box->text();
+    detail = box->informativeText();
+    for (const QAbstractButton* button : box->buttons()) buttons += button->text();
+    QTest::keyClick(box, Qt::Key_C, Qt::AltModifier);
+  });
+  EXPECT_FALSE(window_.close());
+  EXPECT_TRUE(text.contains("small")) << text.toStdString();
+  EXPECT_TRUE(detail.contains(file)) << detail.toStdString();
+  ASSERT_EQ(buttons.size(), 3);
+  for (const QString& button : buttons) EXPECT_TRUE(button.contains('&')) << button.toStdString();
+  window_.showScene(smallScene());
+}
+
 TEST_F(DocumentTest, CancelStaysWithTheChangedScene) {
   press("load.normal_force");
   const Scene changed = session().scene();

@@ -2,8 +2,10 @@
 // that stops the averaging, and a picture that cannot be drawn here.
 #include <gtest/gtest.h>
 
+#include <QHelpEvent>
 #include <QProgressBar>
 #include <QToolButton>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +13,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/curve_reading.h"
+#include "ui/window/said_label.h"
 #include "ui/window/status_line.h"
 
 namespace asperity {
@@ -99,6 +102,51 @@ TEST_F(StatusTest, ALongCurveIsStoppedAndBegunAnew) {
   QTest::mouseClick(&button, Qt::LeftButton);
   EXPECT_EQ(session().averaging(), Session::Averaging::Running);
   ASSERT_TRUE(waitFor([&] { return session().curve() != nullptr; }));
+}
+
+Frame movingFrame(double velocity) {
+  Frame frame = frameAt(0);
+  frame.rmsHeight = 5e-7;
+  frame.rmsSlope = 0.01;
+  frame.length = 0.02;
+  frame.velocity = velocity;
+  frame.transient = std::make_shared<const std::vector<TransientSample>>();
+  return frame;
+}
+
+/// Eq. (13), of a motion at the moment: its mean velocity may well be 0.
+TEST(StatusLine, TheDimensionlessVelocityOfAMotionIsThatOfTheMoment) {
+  const Frame moving = movingFrame(0.3);
+  const double time = moving.scene->elastomer.relaxationTime;
+  EXPECT_DOUBLE_EQ(dimensionlessVelocity(moving), time * 0.3 * 0.01 / (std::sqrt(2.0) * 5e-7));
+  EXPECT_LT(dimensionlessVelocity(movingFrame(-0.3)), 0);
+  Frame steady = movingFrame(0.3);
+  steady.transient.reset();
+  EXPECT_EQ(dimensionlessVelocity(steady), 0);
+}
+
+/// A confirmation has the room of the facts at the right, and where that is not enough it is
+/// shortened in the middle and stands whole in the tooltip.
+TEST(StatusLine, WhatIsSaidIsSeenWholeOrInItsTooltip) {
+  StatusLine line;
+  line.showFrame(movingFrame(1), {});
+  line.showDrawing(60, "software (OSMesa)");
+  line.resize(1280, 30);
+  line.show();
+  const QString text = "On the clipboard: asperity render figure_1.json …";
+  line.say(text);
+  QTest::qWait(1);  // the layout is made with the first events
+  auto* said = line.findChild<SaidLabel*>("said");
+  ASSERT_TRUE(said);
+  EXPECT_EQ(said->shownText(), text);
+  EXPECT_FALSE(line.findChild<QLabel*>("factBackend")->isVisible());
+  line.say(text + text + text + text);
+  QTest::qWait(1);
+  EXPECT_NE(said->shownText(), said->text());
+  EXPECT_LE(said->fontMetrics().horizontalAdvance(said->shownText()), said->width());
+  QHelpEvent help(QEvent::ToolTip, {5, 5}, said->mapToGlobal(QPoint(5, 5)));
+  QApplication::sendEvent(said, &help);
+  EXPECT_TRUE(QToolTip::text().contains("On the clipboard"));
 }
 
 TEST(StatusLine, WaitingCanBeLeft) {

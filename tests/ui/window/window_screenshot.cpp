@@ -2,9 +2,10 @@
 // Usage: window_screenshot FILE.png [--dark] [--size WxH] [--scene FILE [--set KEY=VALUE]...]
 //        [--wait MS] [--expect-message] [--figure WORD] [--tab NUMBER]
 //        [--do ACTION]... [--point X,Y] [--zoom X,Y,STEPS] [--language CODE]
-// ACTION: an action's object name; X and Y: shares of the contact's plot from its left lower
-// corner. Exit: 0 when the window was exposed, animated and showed a curve (or, with
+// ACTION: object name of an action or a button; X and Y: shares of the contact's plot from its left
+// lower corner. Exit: 0 when the window was exposed, animated and showed a curve (or, with
 // --expect-message, a message); 1 with the reason otherwise.
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QCommandLineParser>
@@ -82,6 +83,8 @@ Wish readWish(const QApplication& application) {
   return wish;
 }
 
+constexpr int kPictureWait = 60000;  // ms, far more than they take
+
 const char* complaint(MainWindow& window, const Wish& wish, int frames) {
   if (wish.message) return window.messages().isVisible() ? nullptr : "no message appeared";
   if (frames < 5) return "the contact is not animated";
@@ -119,7 +122,10 @@ QPointF placeOn(const ContactCanvas& canvas, const QStringList& shares) {
 void handle(MainWindow& window, const Wish& wish) {
   ContactCanvas& canvas = window.canvas();
   for (const QString& name : wish.actions)
-    if (auto* action = window.findChild<QAction*>(name)) action->trigger();
+    if (auto* action = window.findChild<QAction*>(name))
+      action->trigger();
+    else if (auto* button = window.findChild<QAbstractButton*>(name))
+      button->click();
   if (wish.zoom.size() == 3) {
     const QPointF place = placeOn(canvas, wish.zoom);
     QWheelEvent wheel(place, canvas.mapToGlobal(place), {},
@@ -155,7 +161,9 @@ int main(int argc, char** argv) {
   QTest::qWait(wish.wait / 2);
   handle(window, wish);
   QTest::qWait(wish.wait / 2);
-  if (const char* reason = complaint(window, wish, pictures)) {
+  // However slow the machine is.
+  if (!QTest::qWaitFor([&] { return !complaint(window, wish, pictures); }, kPictureWait)) {
+    const char* reason = complaint(window, wish, pictures);
     std::fprintf(stderr, "window_screenshot: %s\n", reason);
     return 1;
   }

@@ -1,0 +1,207 @@
+#include "app/curve_choice.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "app/command_line.h"
+#include "app/number_range.h"
+#include "app/progress_bar.h"
+#include "core/accuracy/target_curve.h"
+#include "core/friction/curve_words.h"
+#include "core/scene/input_error.h"
+#include "core/scene/parameters.h"
+#include "core/scene/scene_file.h"
+#include "ui/language/words.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char *kAxes = "--axes", *kCompare = "--compare", *kWith = "--with";
+constexpr const char *kXRange = "--x-range", *kYRange = "--y-range";
+constexpr std::int64_t kMostOversampling = 64;
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == at)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+[[noreturn]] void refuseComparison(const std::string& text) {
+  throw InputError(
+      "", kCompare,
+      fmt::format("{} is not SCHEME[:OVERSAMPLING[:LINES]] with nodal, linear or cubic, "
+                  "1 to {} (nodal: 1) and 1 line or more",
+                  text.substr(0, 60), kMostOversampling));
+}
+
+std::int64_t wholeFrom(const std::string& part, const std::string& all, std::int64_t most) {
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
+  if (error != std::errc{} || end != part.data() + part.size() || number < 1 || number > most)
+    refuseComparison(all);
+  return number;
+}
+
+CurveSetting settingFrom(const std::string& text, const Scene& scene) {
+  const std::vector<std::string> parts = split(text, ':');
+  const auto& schemes = std::get<ChoiceField>(findParameter("accuracy.scheme")->field).choices;
+  const auto& lines = std::get<IntegerField>(findParameter("ensemble.realizations")->field);
+  CurveSetting setting;
+  const auto found = std::find(schemes.begin(), schemes.end(), parts[0]);
+  if (found == schemes.end() || parts.size() > 3) refuseComparison(text);
+  setting.scheme = static_cast<Scheme>(found - schemes.begin());
+  const bool isNodal = setting.scheme == Scheme::Nodal;
+  if (isNodal) setting.oversampling = 1;
+  if (parts.size() > 1)
+    setting.oversampling = wholeFrom(parts[1], text, isNodal ? 1 : kMostOversampling);
+  setting.realizations =
+      scene.surface.kind == SurfaceKind::SelfAffine ? scene.ensemble.realizations : 1;
+  if (parts.size() > 2) setting.realizations = wholeFrom(parts[2], text, lines.maximum);
+  return setting;
+}
+
+CurveAxes axesFrom(const std::string& name) {
+  if (name == "physical") return CurveAxes::Physical;
+  if (name == "dimensionless") return CurveAxes::Dimensionless;
+  throw InputError("", kAxes, name.substr(0, 60) + " is not one of physical, dimensionless");
+}
+
+/// On logarithmic axes.
+NumberRange positiveRange(const char* option, const std::string& text) {
+  const NumberRange range = rangeFrom(option, text, "");
+  if (!(range.from > 0))
+    throw InputError("", option, text.substr(0, 60) + " is not above 0 on a logarithmic axis");
+  return range;
+}
+
+/// The scene with the assignments set over it.
+Scene sceneWith(const Scene& scene, const std::string& assignments) {
+  try {
+    return readScene(writeScene(scene), kWith, scene.folder, split(assignments, ';'));
+  } catch (const InputError& error) {
+    throw InputError(kWith, error.key(), error.message());
+  }
+}
+
+std::vector<CurvePoint> pointsOf(const Scene& scene, const CommonOptions& common) {
+  ProgressBar bar(Words::tr("realizations"), common.quiet);
+  CurveOptions options;
+  options.threads = common.threads;
+  options.progress = [&bar](const CurveProgress& progress) {
+    bar.show(progress.realizationsDone, progress.realizationsTotal);
+  };
+  return curveOf(scene, options).points;
+}
+
+nlohmann::ordered_json numberOr(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+}
+
+}  // namespace
+
+const char* CurveChoice::firstOption() const {
+  if (axes != "physical") return kAxes;
+  if (!xRange.empty()) return kXRange;
+  if (!yRange.empty()) return kYRange;
+  if (!compare.empty()) return kCompare;
+  return with.empty() ? nullptr : kWith;
+}
+
+void CurveChoice::addTo(nlohmann::ordered_json& picture) const {
+  if (axes != "physical") picture["axes"] = axes;
+  if (!xRange.empty()) picture["x_range"] = xRange;
+  if (!yRange.empty()) picture["y_range"] = yRange;
+  if (!compare.empty()) picture["compared_with"] = compare;
+  if (!with.empty()) picture["with"] = with;
+}
+
+void addCurveOptions(CLI::App& verb, CurveChoice& choice) {
+  verb.add_option(kCompare, choice.compare,
+                  "Also computed in this way on the same lines; the difference stands below the "
+                  "curve and in tables: nodal, linear or cubic, points per element, lines")
+      ->type_name("SCHEME[:OVERSAMPLING[:LINES]]");
+  verb.add_option(kWith, choice.with,
+                  "Another curve beside, of the scene with these keys set; may repeat")
+      ->type_name("KEY=VALUE[;KEY=VALUE...]")
+      ->take_all()
+      ->allow_extra_args(false);
+  verb.add_option(kAxes, choice.axes, "physical, or dimensionless: Eq. (13), and mu over the slope")
+      ->capture_default_str();
+  verb.add_option(kXRange, choice.xRange, "Of the axis along, in its unit; else as needed")
+      ->type_name("FROM:TO");
+  verb.add_option(kYRange, choice.yRange, "Of the axis of friction; else as needed")
+      ->type_name("FROM:TO");
+}
+
+void checkCurves(const CurveChoice& choice, const Scene& scene) {
+  axesFrom(choice.axes);
+  if (!choice.xRange.empty()) positiveRange(kXRange, choice.xRange);
+  if (!choice.yRange.empty()) positiveRange(kYRange, choice.yRange);
+  if (!choice.compare.empty()) settingFrom(choice.compare, scene);
+  if (!choice.compare.empty() && choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "--compare needs the same resolution at every velocity, not a target");
+  for (const std::string& assignments : choice.with) sceneWith(scene, assignments);
+}
+
+CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<CurvePoint> own,
+                  const CommonOptions& common) {
+  CurveSet set;
+  set.present = {{}, scene, std::move(own), 0};
+  set.axes = axesFrom(choice.axes);
+  if (!choice.xRange.empty()) {
+    const NumberRange range = positiveRange(kXRange, choice.xRange);
+    set.xFrom = range.from;
+    set.xTo = range.to;
+  }
+  if (!choice.yRange.empty()) {
+    const NumberRange range = positiveRange(kYRange, choice.yRange);
+    set.yFrom = range.from;
+    set.yTo = range.to;
+  }
+  for (const std::string& assignments : choice.with) {
+    const Scene other = sceneWith(scene, assignments);
+    const std::string words = differencesInWords(other, scene);
+    set.pinned.push_back({words.empty() ? Words::tr("same parameters") : words, other,
+                          pointsOf(other, common), static_cast<int>(set.pinned.size())});
+  }
+  if (choice.compare.empty()) return set;
+  ProgressBar bar(Words::tr("lines compared"), common.quiet);
+  DifferenceOptions options;
+  options.threads = common.threads;
+  options.progress = [&bar](const CurveDifference& part) { bar.show(part.done, part.total); };
+  set.difference = curveDifference(scene, settingFrom(choice.compare, scene), options);
+  return set;
+}
+
+void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
+  for (const NamedCurve& curve : set.pinned) {
+    auto points = nlohmann::ordered_json::array();
+    for (const CurvePoint& point : curve.points)
+      points.push_back({{"velocity", point.velocity},
+                        {"mu", numberOr(point.mu)},
+                        {"mu_standard_error", numberOr(point.muStandardError)}});
+    answer["with"].push_back({{"name", curve.name}, {"points", std::move(points)}});
+  }
+  if (!set.difference) return;
+  auto points = nlohmann::ordered_json::array();
+  for (const DifferencePoint& point : set.difference->points)
+    points.push_back({{"velocity", point.velocity},
+                      {"mu", numberOr(point.mu)},
+                      {"mu_standard_error", numberOr(point.muStandardError)},
+                      {"relative_difference", numberOr(point.relative)},
+                      {"relative_difference_standard_error", numberOr(point.standardError)}});
+  answer["compared"] = {{"setting", nameOf(set.difference->setting)},
+                        {"points", std::move(points)}};
+}
+
+}  // namespace asperity

@@ -1,0 +1,47 @@
+// What a user says about the curves in a friction diagram: axes and their ranges, another setting
+// to compare with, other curves beside. Main thread.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/friction/curve_set.h"
+
+namespace CLI {
+class App;
+}
+
+namespace asperity {
+
+struct CommonOptions;
+
+/// As written on the command line; empty: not said.
+struct CurveChoice {
+  std::string axes = "physical";
+  std::string xRange, yRange;     // FROM:TO, in the units of the axes
+  std::string compare;            // SCHEME[:OVERSAMPLING[:LINES]]
+  std::vector<std::string> with;  // KEY=VALUE[;KEY=VALUE...], one for each curve beside
+
+  /// One that is said; null where none is.
+  const char* firstOption() const;
+  /// Whether there are more curves than the scene's own.
+  bool hasMore() const { return !compare.empty() || !with.empty(); }
+  void addTo(nlohmann::ordered_json& picture) const;
+};
+
+void addCurveOptions(CLI::App& verb, CurveChoice& choice);
+
+/// Reads all of it before anything is computed. Throws InputError naming the option.
+void checkCurves(const CurveChoice& choice, const Scene& scene);
+
+/// The curves: the scene's own as given, and what is asked for beside. Shows progress. Throws
+/// InputError.
+CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<CurvePoint> own,
+                  const CommonOptions& common);
+
+/// The curves as JSON, one object for each beside the scene's own; nothing is added to `answer`
+/// where there is none.
+void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set);
+
+}  // namespace asperity

@@ -1,0 +1,123 @@
+#include "app/view_choice.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "app/number_range.h"
+#include "core/scene/input_error.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kMostPeriods = 50;       // as wide as a view may be
+constexpr double kLeastPeriods = 1e-9;    // and as narrow
+constexpr double kFarthestPeriods = 1e6;  // from 0
+constexpr const char *kAlong = "--view", *kHeights = "--heights", *kColours = "--colours-to",
+                     *kExaggeration = "--exaggeration", *kProbe = "--probe",
+                     *kMagnify = "--magnify";
+
+void checkPlace(const char* option, const std::optional<double>& place, double length) {
+  if (place && !(std::abs(*place) <= kFarthestPeriods * length))
+    throw InputError(
+        "", option,
+        fmt::format("{} is not within {:g} periods of the line", *place, kFarthestPeriods));
+}
+
+/// The heights around the middle of the fitted ones at which heights are so many times as large as
+/// lengths. Labels of other heights are of another width, which moves the plot's edge a little.
+void exaggerate(double exaggeration, const Frame& frame, ContactPictureOptions& options) {
+  const ContactView fitted = resolvedView(frame, options.view);
+  const double middle = 0.5 * (fitted.bottom + fitted.top);
+  constexpr int kTurns = 4;
+  for (int i = 0; i < kTurns; ++i) {
+    const Clip plot = contactPlotArea(frame, options);
+    const double size = fitted.width * plot.height / (plot.width * exaggeration);
+    options.view.bottom = middle - 0.5 * size;
+    options.view.top = middle + 0.5 * size;
+  }
+}
+
+double& endOf(ContactView& view, ContactOverlay overlay) {
+  if (overlay == ContactOverlay::Relaxation) return view.age;
+  return overlay == ContactOverlay::Power ? view.power : view.pressure;
+}
+
+}  // namespace
+
+const char* ViewChoice::firstOption() const {
+  if (!along.empty()) return kAlong;
+  if (!heights.empty()) return kHeights;
+  if (exaggeration) return kExaggeration;
+  if (coloursTo) return kColours;
+  if (probe) return kProbe;
+  return magnified ? kMagnify : nullptr;
+}
+
+void ViewChoice::addTo(nlohmann::ordered_json& picture) const {
+  if (!along.empty()) picture["view"] = along;
+  if (!heights.empty()) picture["heights"] = heights;
+  if (exaggeration) picture["exaggeration"] = *exaggeration;
+  if (coloursTo) picture["colours_to"] = *coloursTo;
+  if (probe) picture["probe"] = *probe;
+  if (magnified) picture["magnified"] = *magnified;
+}
+
+void addViewOptions(CLI::App& verb, ViewChoice& choice) {
+  verb.add_option(kAlong, choice.along, "Part of the line that is shown, in m; else one period")
+      ->type_name("FROM:TO");
+  auto* heights = verb.add_option(kHeights, choice.heights,
+                                  "Heights that are shown, in m above the undeformed surface; else "
+                                  "all that occur")
+                      ->type_name("FROM:TO");
+  verb.add_option(kExaggeration, choice.exaggeration,
+                  "Heights are drawn so many times as large as lengths, instead of --heights")
+      ->check(CLI::Range(1e-6, 1e12))
+      ->excludes(heights);
+  verb.add_option(kColours, choice.coloursTo,
+                  "Value at the bright end of the colours, in N/m, s or W/m; else as needed")
+      ->check(CLI::Range(1e-300, 1e300));
+  verb.add_option(kProbe, choice.probe, "Crosshair with its readings at this position, in m");
+  verb.add_option(kMagnify, choice.magnified, "Magnified inset of what is at this position, in m");
+}
+
+void checkView(const ViewChoice& choice, ContactOverlay overlay, double length) {
+  if (!choice.along.empty()) {
+    const NumberRange range = rangeFrom(kAlong, choice.along, "m");
+    const double width = range.to - range.from;
+    if (width > kMostPeriods * length || width < kLeastPeriods * length)
+      throw InputError(
+          "", kAlong,
+          fmt::format("{:g} m are not {:g} to {:g} periods of the line, which are {:g} "
+                      "m each",
+                      width, kLeastPeriods, kMostPeriods, length));
+    checkPlace(kAlong, range.from, length);
+  }
+  if (!choice.heights.empty()) rangeFrom(kHeights, choice.heights, "m");
+  if (choice.coloursTo && overlay == ContactOverlay::None)
+    throw InputError("", kColours, "there are no colours with --overlay none");
+  checkPlace(kProbe, choice.probe, length);
+  checkPlace(kMagnify, choice.magnified, length);
+}
+
+void applyView(const ViewChoice& choice, const Frame& frame, ContactPictureOptions& options) {
+  ContactView& view = options.view;
+  if (!choice.along.empty()) {
+    const NumberRange range = rangeFrom(kAlong, choice.along, "m");
+    view.left = range.from;
+    view.width = range.to - range.from;
+  }
+  if (choice.coloursTo) endOf(view, options.overlay) = *choice.coloursTo;
+  options.probe = choice.probe;
+  if (choice.magnified) options.magnifier = Magnifier{*choice.magnified};
+  if (!choice.heights.empty()) {
+    const NumberRange range = rangeFrom(kHeights, choice.heights, "m");
+    view.bottom = range.from;
+    view.top = range.to;
+  } else if (choice.exaggeration) {
+    exaggerate(*choice.exaggeration, frame, options);
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,206 @@
+// What a call says about where to look and with what to compare, in the pictures and tables.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program_test.h"
+
+namespace asperity {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kPicture = " --size 900x500 --set surface.elements=64 ";
+constexpr const char* kMotion =
+    " --set sliding.kind=oscillation --set sliding.velocity=0 --set sliding.amplitude=2"
+    " --set sliding.frequency=10 --set sliding.duration=0.1 ";
+
+class ViewTest : public ProgramTest {
+ protected:
+  std::string read(const std::string& name) const {
+    return TemporaryFolder::read(program.folder / name);
+  }
+  void run(const std::string& arguments) {
+    const Said said = program.run(arguments);
+    ASSERT_EQ(said.status, 0) << arguments << "\n" << said.err;
+  }
+  /// The SVG of the contact without what it says of itself and without fonts.
+  std::string drawing(const std::string& arguments) {
+    run("render s.json -o c.svg" + std::string(kPicture) + arguments);
+    const std::string svg = read("c.svg");
+    return svg.substr(std::min(svg.size(), svg.find("</style>")));
+  }
+  /// Its texts, "a|b|".
+  std::string texts(const std::string& arguments) {
+    const std::string svg = drawing(arguments);
+    std::string all;
+    for (std::size_t end = svg.find("</text>"); end != svg.npos;
+         end = svg.find("</text>", end + 1)) {
+      const std::size_t from = svg.rfind("<text", end);
+      const std::size_t begin = svg.find('>', from) + 1;
+      bool isInside = false;
+      for (const char c : svg.substr(begin, end - begin)) {
+        if (c == '<') isInside = true;
+        if (!isInside) all += c;
+        if (c == '>') isInside = false;
+      }
+      all += '|';
+    }
+    return all;
+  }
+};
+
+TEST_F(ViewTest, APartOfTheLineIsShownBetweenItsEnds) {
+  EXPECT_THAT(texts("--view 4e-3:6e-3"),
+              AllOf(HasSubstr("|4.0|"), HasSubstr("|6.0|"), Not(HasSubstr("|14|"))));
+  EXPECT_THAT(texts(""), HasSubstr("|14|"));
+  EXPECT_EQ(drawing("--view 0:0.02"), drawing(""));  // the whole period
+}
+
+TEST_F(ViewTest, HeightsAreSaidInMetresOrAsTheirExaggeration) {
+  EXPECT_THAT(texts("--heights -1e-5:1e-5"), AllOf(HasSubstr("|10|"), HasSubstr("\u221210|")));
+  for (const char* times : {"100", "450", "2000"})
+    EXPECT_THAT(texts(std::string("--exaggeration ") + times),
+                HasSubstr("vertical exaggeration " + std::string(times) + "×"));
+}
+
+TEST_F(ViewTest, ColoursEndWhereTheyAreTold) {
+  EXPECT_THAT(texts("--colours-to 1234"), HasSubstr("1.23 kN/m"));
+  EXPECT_THAT(texts("--overlay power --colours-to 3"), HasSubstr("3 W/m"));
+  EXPECT_THAT(texts("--overlay relaxation --colours-to 5e-3"), HasSubstr("5 ms"));
+}
+
+TEST_F(ViewTest, CrosshairAndMagnifierStandWhereTheyAreTold) {
+  EXPECT_THAT(texts("--probe 0.005"), HasSubstr("gap"));
+  EXPECT_THAT(texts(""), Not(HasSubstr("gap")));
+  EXPECT_NE(drawing("--magnify 0.005"), drawing(""));
+}
+
+/// After a whole period everything is where it was; after half of one it is not.
+TEST_F(ViewTest, SteadySlidingIsShownAtItsMoment) {
+  const std::string velocity = " --set sliding.velocity=2";
+  EXPECT_EQ(drawing("--slid 0.005" + velocity), drawing("--at 0.0025" + velocity));
+  const auto paths = [this](const std::string& arguments) {
+    // Without the readings above, which say how far the line has come.
+    std::string svg = drawing(arguments);
+    for (std::size_t at = svg.find("<text"); at != svg.npos; at = svg.find("<text"))
+      svg.erase(at, svg.find("</text>", at) + 7 - at);
+    std::erase(svg, '\n');
+    return svg;
+  };
+  EXPECT_NE(paths("--slid 0.01"), paths(""));
+  EXPECT_EQ(paths("--slid 0.02"), paths(""));
+  EXPECT_THAT(texts("--slid 0.005"), HasSubstr("slid 5.00 mm"));
+  EXPECT_THAT(texts("--slid 0.005 --at 3"), HasSubstr("t = 3.00 s, slid 5.00 mm"));
+}
+
+/// The moments of a motion are those of its film.
+TEST_F(ViewTest, AMotionIsShownAtItsMoment) {
+  EXPECT_THAT(texts(kMotion + std::string("--at 0.05")), HasSubstr("t = 50."));
+  EXPECT_EQ(texts(kMotion + std::string("--at 0")).find("t = "), std::string::npos);
+  const std::string whole = texts(kMotion);
+  EXPECT_THAT(whole, HasSubstr("t = 100 ms"));
+  const Said end =
+      program.run("render s.json -o c.svg --json --at 0.1" + std::string(kPicture) + kMotion);
+  const Said usual = program.run("render s.json -o c.svg --json" + std::string(kPicture) + kMotion);
+  EXPECT_EQ(Json::parse(end.out)["indentation"], Json::parse(usual.out)["indentation"]);
+  EXPECT_EQ(Json::parse(end.out)["picture"]["at"], 0.1);
+}
+
+TEST_F(ViewTest, ThePictureSaysHowItWasLookedAt) {
+  run("render s.json -o c.svg --view 1e-3:2e-3 --heights -1e-6:1e-6 --colours-to 100 --probe 1e-3"
+      " --slid 0.001 --layout both --compare linear:2:3" +
+      std::string(kPicture));
+  const std::string text = read("c.svg");
+  for (const char* part : {"view", "heights", "colours_to", "probe", "slid", "compared_with"})
+    EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST_F(ViewTest, WhatCannotBeMeantIsRefused) {
+  const auto refused = [this](const std::string& arguments, const std::string& says) {
+    expectRefused("render s.json -o c.png " + arguments, 2, says);
+  };
+  for (const char* text : {"1e-3", "2e-3:1e-3", "1:1", "a:b", "0:inf", "0:1e-3x"})
+    refused(std::string("--view ") + text, "--view: ");
+  refused("--view 0:2", "50 periods");
+  refused("--view 1e9:1000000000.01", "within 1e+06 periods");
+  refused("--heights 1e-6", "--heights: 1e-6 is not FROM:TO in m");
+  refused("--exaggeration 0", "--exaggeration");
+  refused("--exaggeration 10 --heights 0:1", "--exaggeration");
+  refused("--colours-to -1", "--colours-to");
+  refused("--colours-to 1 --overlay none", "no colours");
+  refused("--probe 1e9", "--probe");
+  refused("--magnify nan", "--magnify");
+  refused("--at -1", "--at: -1 is not a time");
+  refused("--at nan", "--at");
+  refused("--slid 1e300", "--slid");
+  refused("--at 1" + std::string(kMotion), "after the motion's end");
+  refused("--slid 1e-3" + std::string(kMotion), "--slid: belongs to steady sliding");
+  expectRefused("render s.json -o c.gif --at 1e-3", 2, "--at: shows one moment");
+  expectRefused("render s.json -o frames --slid 1e-3", 2, "--slid: shows one moment");
+}
+
+/// An option of a part that is not shown does nothing: that is said, not done.
+TEST_F(ViewTest, OptionsOfAnotherLayoutAreRefused) {
+  for (const char* option :
+       {"--overlay power", "--overlay pressure", "--view 0:1e-3", "--heights 0:1", "--probe 0",
+        "--exaggeration 9", "--colours-to 3", "--magnify 0", "--slid 1e-3", "--at 1e-3"})
+    expectRefused(std::string("render s.json -o c.png --layout curve ") + option, 2,
+                  "is of the contact, which --layout curve does not show");
+  for (const char* option : {"--compare linear", "--with load.normal_force=1", "--x-range 1:2",
+                             "--y-range 1:2", "--axes dimensionless"})
+    expectRefused(std::string("render s.json -o c.png ") + option, 2,
+                  "is of the curve, which --layout contact does not show");
+}
+
+TEST_F(ViewTest, ComparedCurvesAreInPictureAndTables) {
+  run("curve s.json -o c.svg -o c.csv -o c.json --compare linear:4:5 --with load.normal_force=0.1"
+      " --with 'surface.hurst=0.5;load.normal_force=1'");
+  EXPECT_THAT(read("c.svg"), AllOf(HasSubstr("linear x4, 5 lines"), HasSubstr("100 mN")));
+  const std::string table = read("c.csv");
+  EXPECT_THAT(table, AllOf(StartsWith("# asperity: "), HasSubstr("relative_difference"),
+                           HasSubstr("pinned 2: "), HasSubstr("compared: ")));
+  const Json answer = Json::parse(read("c.json"));
+  EXPECT_EQ(answer["points"].size(), 5U);
+  EXPECT_EQ(answer["with"].size(), 2U);
+  EXPECT_EQ(answer["compared"]["points"].size(), 5U);
+  // One of the beside is the curve that its scene has by itself.
+  const Said own = program.run("curve s.json --json --set load.normal_force=0.1");
+  EXPECT_EQ(answer["with"][0]["points"][2]["mu"], Json::parse(own.out)["points"][2]["mu"]);
+  EXPECT_THAT(program.run("open --json c.csv").out, HasSubstr("\"realizations\": 6"));
+}
+
+/// The scene's own table keeps the columns that people script against.
+TEST_F(ViewTest, ThePlainTableStaysAsItIs) {
+  EXPECT_THAT(program.run("curve s.json").out, StartsWith("velocity,mu,mu_standard_error,mu_law"));
+  EXPECT_THAT(program.run("curve s.json --axes dimensionless").out,
+              StartsWith("velocity,mu,mu_standard_error,mu_law"));
+}
+
+TEST_F(ViewTest, AxesAndRangesOfTheCurve) {
+  run("curve s.json -o a.svg --axes dimensionless");
+  EXPECT_THAT(read("a.svg"), HasSubstr("normalized friction"));
+  run("curve s.json -o r.svg --x-range 1e-2:1e1");
+  run("curve s.json -o p.svg");
+  EXPECT_NE(read("r.svg"), read("p.svg"));
+}
+
+TEST_F(ViewTest, ComparisonsThatCannotBeMeantAreRefused) {
+  for (const char* text :
+       {"quadratic", "linear:0", "linear:65", "nodal:2", "linear:2:0", "linear:2:3:4", "linear:x"})
+    expectRefused(std::string("curve s.json --compare ") + text, 2, "--compare: ");
+  expectRefused("curve s.json --compare linear --set accuracy.target_relative_error=0.01", 2,
+                "--compare needs the same resolution");
+  expectRefused("curve s.json --with load.normal_farce=1", 2, "--with: load.normal_farce");
+  expectRefused("curve s.json --with load.normal_force", 2, "--with");
+  expectRefused("curve s.json --x-range 0:1", 2, "not above 0");
+  expectRefused("curve s.json --axes round", 2, "--axes: round is not one of");
+}
+
+}  // namespace
+}  // namespace asperity
