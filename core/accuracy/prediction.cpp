@@ -48,9 +48,8 @@ class Pilot {
   double largestResidual() const { return residual_; }
   double memoryOfLine() const {
     double bytes = 0;
-    for (const auto* values :
-         {&line_.height, &line_.slopeAfter, &line_.slopeBefore, &travel_.rise,
-          &travel_.slopeIn, &travel_.slopeOut})
+    for (const auto* values : {&line_.height, &line_.slopeAfter, &line_.slopeBefore, &travel_.rise,
+                               &travel_.slopeIn, &travel_.slopeOut})
       bytes += static_cast<double>(values->capacity() * sizeof(double));
     for (const BlockLevel& level : travel_.blocks)
       bytes += static_cast<double>(level.size() * sizeof(SegmentBounds));

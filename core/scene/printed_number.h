@@ -16,9 +16,9 @@ enum class Zeros { Keep, Drop };
 /// finite number.
 std::string printedNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop);
 
-/// With a prefix from f to P: "3.4 mN", "0 N". Metres, seconds and m/s have none above 1, kelvins none at
-/// all; beyond
-/// the prefixes a power of ten stands before the plain unit. A pure number where there is no unit.
+/// With a prefix from f to P: "3.4 mN", "0 N". Metres, seconds and m/s have none above 1, kelvins
+/// none at all; beyond the prefixes a power of ten stands before the plain unit. A pure number
+/// where there is no unit.
 std::string printedQuantity(double value, std::string_view unit, int digits = 3,
                             Zeros zeros = Zeros::Drop);
 
