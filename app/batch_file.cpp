@@ -7,9 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/picture_composer.h"
+#include "core/friction/curve_words.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/json_text.h"
+#include "core/scene/known_words.h"
 #include "core/scene/scene_file.h"
 #include "ui/window/scene_library.h"
 
@@ -19,6 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargest = std::size_t{1} << 24;  // bytes
+constexpr int kDeepest = 12;                            // a scene stands in an entry in a list
 constexpr std::size_t kMostItems = 1000;
 
 struct Sweep {
@@ -30,10 +35,13 @@ struct Sweep {
   throw InputError("", key, why);
 }
 
-void checkKeys(const Json& object, const std::string& where, std::set<std::string> known) {
+void checkKeys(const Json& object, const std::string& where,
+               const std::vector<std::string_view>& known) {
   if (!object.is_object()) refuse(where, "needs an object");
   for (const auto& [key, value] : object.items())
-    if (!known.contains(key)) refuse(where, fmt::format("'{}' is unknown", key.substr(0, 60)));
+    if (std::ranges::find(known, key) == known.end())
+      refuse(where, fmt::format("'{}' is unknown; the nearest known key is {}", shortened(key),
+                                nearestOf(key, known)));
 }
 
 std::string textOf(const Json& object, const char* key, const std::string& otherwise) {
@@ -101,6 +109,17 @@ std::string fileName(const std::string& name) {
   return clean.substr(0, 60);
 }
 
+/// "; H = 0.3, F = 10 mN": what tells a scene from the others of its sweep.
+std::string variedInWords(const BatchItem& item) {
+  std::string text;
+  for (const auto& [key, value] : item.varied) {
+    const std::string words = parameterInWords(key, item.scene);
+    text += (text.empty() ? "; " : ", ") +
+            (words.empty() ? fmt::format("{} = {}", key, shortened(value)) : words);
+  }
+  return text;
+}
+
 /// Spreads one entry out into its items.
 class Entry {
  public:
@@ -110,8 +129,7 @@ class Entry {
   std::vector<BatchItem> items() {
     checkKeys(json_, "entry", {"name", "scene", "set", "sweep", "show"});
     show_ = textOf(json_, "show", "");
-    if (!std::set<std::string>{"", "contact", "curve", "both", "transient"}.contains(show_))
-      refuse("show", "is not one of contact, curve, both, transient");
+    if (!show_.empty()) layoutFrom(show_, "show");
     readSet();
     sweeps_ = sweepsOf(json_);
     std::size_t count = 1;
@@ -146,8 +164,7 @@ class Entry {
     try {
       item.scene = sceneWith(assignments);
       if (item.scene.title.empty()) item.scene.title = name_;
-      for (const auto& [key, value] : item.varied)
-        item.scene.title += fmt::format(", {} = {}", key, value.substr(0, 40));
+      item.scene.title += variedInWords(item);
       const bool isSteady = item.scene.sliding.kind == SlidingKind::Steady;
       item.show = !show_.empty() ? show_ : isSteady ? "both" : "transient";
     } catch (const InputError& error) {
@@ -210,8 +227,7 @@ and for each scene NAME.png, NAME.csv (its curve) and NAME.json (the scene).)";
 
 Batch readBatch(const std::filesystem::path& file) {
   try {
-    const Json root = Json::parse(readWholeFile(file, kLargest), nullptr, false);
-    if (root.is_discarded()) refuse("", "is not valid JSON");
+    const Json root = parseJson(readWholeFile(file, kLargest), kDeepest);
     checkKeys(root, "", {"schema", "title", "size", "entries"});
     if (textOf(root, "schema", "") != "asperity-batch/1")
       refuse("schema", "is not asperity-batch/1");

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "core/friction/curve_file.h"
 #include "core/friction/curve_words.h"
+#include "core/scene/parameters.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -35,20 +37,54 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
 </style>
 )";
 
-std::string row(const std::string& name, const std::string& value) {
-  return fmt::format("<tr><td>{}</td><td>{}</td></tr>", xmlText(name), xmlText(value));
+std::string row(const std::string& name, const std::string& value, const std::string& tip = {}) {
+  const std::string title = tip.empty() ? "" : fmt::format(" title=\"{}\"", xmlText(tip));
+  return fmt::format("<tr><td{}>{}</td><td>{}</td></tr>", title, xmlText(name), xmlText(value));
+}
+
+bool isNumber(const std::string& text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+/// Of the sweep, by the name that the window has for it.
+std::string variedRow(const std::string& key, const std::string& value) {
+  const Parameter* parameter = findParameter(key);
+  if (!parameter) return row(key, value);
+  std::string shown = value;
+  if (isNumber(value)) {
+    shown = inLanguage(value);
+    if (!parameter->unit.empty()) shown += " " + std::string(parameter->unit);
+  } else if (std::holds_alternative<ChoiceField>(parameter->field)) {
+    std::ranges::replace(shown, '_', '-');
+    shown = translated(shown);
+  }
+  return row(translated(parameter->label), shown, key);
+}
+
+/// What follows the names of file and key in front, where it is known.
+std::string complaintText(const std::string& english) {
+  for (std::size_t from = 0; from < english.size();) {
+    const std::string rest = english.substr(from);
+    if (const auto found = translationOf(rest)) return english.substr(0, from) + *found;
+    const std::size_t colon = rest.find(": ");
+    if (colon == std::string::npos) break;
+    from += colon + 2;
+  }
+  return english;
 }
 
 std::string article(const BatchResult& result) {
   const BatchItem& item = result.item;
   if (!item.error.empty())
     return fmt::format("<article class=\"bad\"><h2>{}</h2><p>{}</p></article>\n",
-                       xmlText(item.name), xmlText(item.error));
+                       xmlText(item.name), xmlText(complaintText(item.error)));
   std::string html = fmt::format(
       "<article><h2>{0}</h2><a href=\"{1}\"><img src=\"{1}\" alt=\"{0}\" loading=\"lazy\"></a>"
       "<table>",
       xmlText(translated(item.scene.title)), result.files.front());
-  for (const auto& [key, value] : item.varied) html += row(key, value);
+  for (const auto& [key, value] : item.varied) html += variedRow(key, value);
   html += row(Words::tr("coefficient of friction"), inLanguage(fmt::format("{:.4g}", result.mu)));
   html += row(Words::tr("in contact"),
               inLanguage(fmt::format("{:.3g} %", 100 * result.contactFraction)));

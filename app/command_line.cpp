@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -12,8 +13,10 @@
 #include <functional>
 
 #include "app/batch_file.h"
+#include "app/option_words.h"
 #include "core/friction/figures/figure.h"
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
 #include "core/scene/parameter_table.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
@@ -34,8 +37,7 @@ class CommandLine {
     app_.set_help_flag("-h,--help", "Show this help");
     app_.require_subcommand(0, 1);
     app_.add_option("SCENE", window_.scene, "Scene file (JSON) to open in the window");
-    addShared(app_, window_);
-    addLanguage(app_, window_, kLastLanguage);
+    addShared(app_, window_, kLastLanguage);
     addCheck();
     addCurve();
     addRender();
@@ -47,6 +49,7 @@ class CommandLine {
     addExplain();
     app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.",
                             kDone, kRunFailed, kBadInput));
+    refuseEmptyWords(app_);
   }
 
   int run(int argc, char** argv) {
@@ -54,11 +57,10 @@ class CommandLine {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() == 0) return app_.exit(error);
-      throw InputError("", "", firstLine(error.what()));
+      throw errorOf(app_, error);
     }
-    for (const CommonOptions* common :
-         {&window_, &curve_.common, &render_.common, &surface_.common, &figure_.common,
-          &open_.common, &batch_.common, &accuracy_.common})
+    refuseWordsBeforeVerb(app_);
+    for (const CommonOptions* common : allCommon_)
       if (!common->language.empty()) chooseLanguage(common->language);
     return selected_ ? selected_() : runWindowCommand(window_);
   }
@@ -74,35 +76,30 @@ class CommandLine {
       verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
     }
     throw InputError(
-        "", "",
-        fmt::format("{} is neither a verb ({}) nor a scene file", word.substr(0, 60), verbs));
+        "", "", fmt::format("{} is neither a verb ({}) nor a scene file", shortened(word), verbs));
   }
 
-  bool timing() const {
-    return window_.timing || check_.timing || curve_.common.timing || render_.common.timing ||
-           surface_.common.timing || figure_.common.timing || open_.common.timing ||
-           batch_.common.timing || accuracy_.common.timing;
-  }
+  bool timing() const { return std::ranges::any_of(allCommon_, &CommonOptions::timing); }
 
  private:
-  static std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-  static void addShared(CLI::App& app, CommonOptions& common) {
+  void addShared(CLI::App& app, CommonOptions& common, const char* usualLanguage = "en") {
+    allCommon_.push_back(&common);
     app.add_option("--set", common.assignments,
-                   "Set a scene key, e.g. --set load.normal_force=0.1; may repeat")
+                   "Set a scene key, e.g. --set load.normal_force=0.1; may repeat, the last one of "
+                   "a key counts")
         ->type_name("KEY=VALUE")
         ->take_all()
         ->allow_extra_args(false);
     app.add_option("--threads", common.threads, "Threads to use; 0: all of the machine")
-        ->check(CLI::Range(0, 1024));
-    app.add_flag("--quiet", common.quiet, "No progress and no summary");
-    app.add_flag("--json", common.json, "Machine-readable answer on standard output");
+        ->check(wholeWithin(0, 1024));
+    if (&app != &app_) {  // the window says nothing
+      app.add_flag("--quiet", common.quiet, "No progress and no summary");
+      app.add_flag("--json", common.json, "Machine-readable answer on standard output");
+    }
     app.add_flag("--timing", common.timing, "Run time on standard error");
-  }
-
-  static void addLanguage(CLI::App& app, CommonOptions& common, const char* usual) {
     app.add_option("--language", common.language,
-                   fmt::format("Of the texts in it, one of {}; else {}", languageCodes(), usual));
+                   fmt::format("Of pictures and of what a person reads, one of {}; else {}",
+                               languageCodes(), usualLanguage));
   }
 
   CLI::App* addVerb(const char* name, const char* sentence, CommonOptions& common,
@@ -130,7 +127,6 @@ class CommandLine {
         "or .pdf; may repeat; none: CSV on stdout");
     addPictureOptions(*verb, curve_.picture, "1200x800", "print");
     addCurveOptions(*verb, curve_.curves);
-    addLanguage(*verb, curve_.common, "en");
   }
   void addRender() {
     CLI::App* verb = addVerb("render", "Pictures and films of the contact, without a screen",
@@ -140,7 +136,6 @@ class CommandLine {
                      "film; or a folder for frame_0001.png and on")
         ->required();
     addPictureOptions(*verb, render_.picture, "1280x720", "light");
-    addLanguage(*verb, render_.common, "en");
     verb->add_option("--layout", render_.layout,
                      "contact, curve, both, or transient: the contact above strips over time")
         ->capture_default_str();
@@ -151,16 +146,15 @@ class CommandLine {
     addCurveOptions(*verb, render_.curves);
     TimeChoice& time = render_.time;
     verb->add_option("--frames", time.frames, "Frames; else 60 a period, or 60 for a motion")
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
-    verb->add_option("--fps", time.framesPerSecond, "Frames per second of film")
-        ->capture_default_str()
-        ->check(CLI::Range(0.001, 1000.0));
+        ->check(wholeWithin(1, 1000000));
+    verb->add_option("--fps", time.framesPerSecond, "Frames per second of film; else 25")
+        ->check(within(0.001, 1000.0));
     verb->add_option("--duration", time.duration, "Seconds of film, instead of --frames")
-        ->check(CLI::Range(0.001, 1e6));
+        ->check(within(0.001, 1e6, "s"));
     verb->add_option("--cycles", time.cycles, "Periods of the line that pass; else 1")
-        ->check(CLI::Range(1e-6, 1e6));
+        ->check(within(1e-6, 1e6));
     verb->add_option("--slow-motion", time.slowMotion, "Seconds of film to a simulated second")
-        ->check(CLI::Range(1e-12, 1e15));
+        ->check(within(1e-12, 1e15));
     verb->add_option("--at", time.at,
                      "One picture of the moment after so many seconds of sliding; else the start "
                      "of steady sliding and the end of a motion")
@@ -178,7 +172,6 @@ class CommandLine {
         verb, surface_.outputs,
         "FILE.csv (a line # asperity: ..., then position, height), FILE.json or FILE.png; may "
         "repeat");
-    addLanguage(*verb, surface_.common, "en");
   }
   void addFigure() {
     CLI::App* verb = app_.add_subcommand(
@@ -192,9 +185,8 @@ class CommandLine {
         ->required();
     verb->add_option("--realizations", figure_.realizations, "Random lines to average over")
         ->capture_default_str()
-        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
+        ->check(wholeWithin(1, 1000000));
     addShared(*verb, figure_.common);
-    addLanguage(*verb, figure_.common, "en");
     verb->footer("Figures:\n" + words);
     verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
   }
@@ -204,8 +196,7 @@ class CommandLine {
                      "PNG, SVG, PDF, film, CSV or JSON that Asperity wrote; a scene may be dropped "
                      "on the window in the same way")
         ->required();
-    addShared(*verb, open_.common);
-    addLanguage(*verb, open_.common, kLastLanguage);
+    addShared(*verb, open_.common, kLastLanguage);
     verb->footer("With --json the scene is printed as a scene file, and no window opens.");
     verb->callback([this] { selected_ = [this] { return runOpen(open_); }; });
   }
@@ -216,7 +207,6 @@ class CommandLine {
     verb->add_option("-o,--output", batch_.output, "Folder for all files")->required();
     addPictureOptions(*verb, batch_.picture, "the batch's", "light");
     addShared(*verb, batch_.common);
-    addLanguage(*verb, batch_.common, "en");
     verb->remove_option(verb->get_option("--set"));  // an entry's own set says it
     verb->footer(kBatchFormat);
     verb->callback([this] { selected_ = [this] { return runBatch(batch_); }; });
@@ -225,7 +215,6 @@ class CommandLine {
     CLI::App* verb = addVerb("accuracy", "What accuracy costs: error against time of every method",
                              accuracy_.common, [this] { return runAccuracy(accuracy_); });
     verb->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")->required();
-    addLanguage(*verb, accuracy_.common, "en");
   }
   void addExplain() {
     CLI::App* verb = addVerb("explain", "The plan: what runs, what does not and why, what it costs",
@@ -237,6 +226,7 @@ class CommandLine {
   }
 
   CLI::App app_;
+  std::vector<const CommonOptions*> allCommon_;
   CommonOptions window_, check_;
   CurveCommand curve_;
   RenderCommand render_;
@@ -266,6 +256,12 @@ void fillClosedStreams() {
 Scene sceneOf(const CommonOptions& options) {
   if (options.scene.empty()) return readScene("{}", "--set", {}, options.assignments);
   return readNamedScene(options.scene, {}, options.assignments);
+}
+
+std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const Scene& scene) {
+  std::vector<std::filesystem::path> inputs{options.scene};
+  if (!scene.surface.file.empty()) inputs.push_back(scene.folder / scene.surface.file);
+  return inputs;
 }
 
 int runCommandLine(int argc, char** argv) {

@@ -2,6 +2,7 @@
 // app/commands/. Main thread.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,13 +85,17 @@ struct BatchCommand {
 /// shipped scene. Throws InputError.
 Scene sceneOf(const CommonOptions& options);
 
-/// Does the work; bad input that names no file of its own is said of the scene's file.
+/// The files that were read for it: no output may replace them.
+std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const Scene& scene);
+
+/// Does the work; bad input that names neither a file of its own nor an option is said of the
+/// scene's file.
 template <class Work>
 auto saidOfScene(const CommonOptions& options, const Work& work) {
   try {
     return work();
   } catch (const InputError& error) {
-    throw error.file().empty() ? error.in(options.scene) : error;
+    throw error.file().empty() && !error.isOfOption() ? error.in(options.scene) : error;
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/command_line.h"
 #include "app/number_range.h"
+#include "app/output.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
 #include "core/friction/curve_words.h"
@@ -93,7 +94,7 @@ Scene sceneWith(const Scene& scene, const std::string& assignments) {
 }
 
 std::vector<CurvePoint> pointsOf(const Scene& scene, const CommonOptions& common) {
-  ProgressBar bar("realizations", common.quiet);
+  ProgressBar bar(Words::tr("realizations"), common.quiet);
   CurveOptions options;
   options.threads = common.threads;
   options.progress = [&bar](const CurveProgress& progress) {
@@ -153,6 +154,15 @@ void checkCurves(const CurveChoice& choice, const Scene& scene) {
   for (const std::string& assignments : choice.with) sceneWith(scene, assignments);
 }
 
+void checkUseful(const CurveChoice& choice, const std::vector<std::string>& files) {
+  for (const std::string& file : files)
+    if (extensionOf(file) != ".csv" && extensionOf(file) != ".json") return;
+  for (const auto& [option, given] : {std::pair{kAxes, choice.axes != "physical"},
+                                      {kXRange, !choice.xRange.empty()},
+                                      {kYRange, !choice.yRange.empty()}})
+    if (given) throw InputError("", option, "belongs to pictures, and no output is one");
+}
+
 CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<CurvePoint> own,
                   const CommonOptions& common) {
   CurveSet set;
@@ -175,7 +185,7 @@ CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<Cur
                           pointsOf(other, common), static_cast<int>(set.pinned.size())});
   }
   if (choice.compare.empty()) return set;
-  ProgressBar bar("lines compared", common.quiet);
+  ProgressBar bar(Words::tr("lines compared"), common.quiet);
   DifferenceOptions options;
   options.threads = common.threads;
   options.progress = [&bar](const CurveDifference& part) { bar.show(part.done, part.total); };

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/film_arguments.h"
 #include "app/output.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
@@ -25,8 +26,6 @@ namespace asperity {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
-
 constexpr int kOutput = 3;  // descriptor of the film in ffmpeg
 
 /// The program in PATH; empty where it is not there.
@@ -40,98 +39,6 @@ std::string findFfmpeg() {
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
   }
   return {};
-}
-
-/// One thread and no date anywhere, so that the bytes follow from the pictures.
-Words encodingFor(const std::string& extension, bool transparent) {
-  if (extension == ".mp4")
-    return {"-vf",
-            "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,"
-            "format=yuv420p",
-            "-c:v",
-            "libx264",
-            "-preset",
-            "medium",
-            "-crf",
-            "18",
-            "-colorspace",
-            "bt709",
-            "-color_primaries",
-            "bt709",
-            "-color_trc",
-            "bt709",
-            "-movflags",
-            "+faststart",
-            "-f",
-            "mp4"};
-  if (extension == ".webm")
-    return {"-vf",
-            std::string("scale=out_color_matrix=bt709:out_range=tv,format=") +
-                (transparent ? "yuva420p" : "yuv420p"),
-            "-c:v",
-            "libvpx-vp9",
-            "-crf",
-            "24",
-            "-b:v",
-            "0",
-            "-deadline",
-            "good",
-            "-cpu-used",
-            "5",
-            "-auto-alt-ref",
-            "0",
-            "-colorspace",
-            "bt709",
-            "-f",
-            "webm"};
-  if (extension == ".gif")
-    // The colours of the first pictures are those of all: no need to hold the whole film.
-    return {"-filter_complex",
-            std::string("[0:v]split[a][b];[a]trim=end_frame=8,palettegen=reserve_transparent=") +
-                (transparent ? "1" : "0") + "[p];[b][p]paletteuse=dither=sierra2_4a",
-            "-c:v",
-            "gif",
-            "-loop",
-            "0",
-            "-f",
-            "gif"};
-  return {"-c:v",
-          "libwebp_anim",
-          "-lossless",
-          "0",
-          "-quality",
-          "88",
-          "-compression_level",
-          "3",
-          "-loop",
-          "0",
-          "-pix_fmt",
-          transparent ? "yuva420p" : "yuv420p",
-          "-f",
-          "webp"};
-}
-
-Words argumentsFor(const std::string& extension, const FilmOptions& options) {
-  Words words{"ffmpeg",    "-hide_banner",
-              "-nostdin",  "-xerror",
-              "-loglevel", "error",
-              "-y",        "-threads",
-              "1",         "-filter_threads",
-              "1",         "-filter_complex_threads",
-              "1",         "-f",
-              "rawvideo",  "-pix_fmt",
-              "rgba"};
-  const auto add = [&words](const Words& more) {
-    words.insert(words.end(), more.begin(), more.end());
-  };
-  add({"-s", fmt::format("{}x{}", options.width, options.height), "-r",
-       fmt::format("{}", options.framesPerSecond), "-i", "pipe:0", "-map_metadata", "-1", "-fflags",
-       "+bitexact", "-flags:v", "+bitexact"});
-  add(encodingFor(extension, options.transparent));
-  if (!options.title.empty()) add({"-metadata", "title=" + options.title});
-  if (!options.metadata.empty()) add({"-metadata", "comment=" + options.metadata});
-  add({"-threads", "1", fmt::format("file:/proc/self/fd/{}", kOutput)});
-  return words;
 }
 
 class Descriptor {
@@ -204,7 +111,8 @@ struct FilmFile::Body {
   }
 
   void start(int reading) {
-    Words words = argumentsFor(extension, options);
+    std::vector<std::string> words =
+        ffmpegArguments(extension, options, fmt::format("file:/proc/self/fd/{}", kOutput));
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

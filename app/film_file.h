@@ -15,6 +15,7 @@ struct FilmOptions {
   int width = 0, height = 0;  // pixels of every picture
   double framesPerSecond = 25;
   bool transparent = false;
+  int samples = 1;       // of a gif: pictures added before the film, whose colours are its palette
   std::string title;     // empty: none
   std::string metadata;  // one line of ASCII without markup; empty: none
 };

@@ -12,22 +12,28 @@ namespace asperity {
 namespace {
 
 constexpr std::int64_t kUsualFrames = 60;
+constexpr double kUsualFps = 25;
 constexpr double kMostFrames = 1e6;
 constexpr std::int64_t kSamples = 200;  // over a motion, at least
 constexpr double kMomentPart =
     1.0 / 720;                        // of a motion: what the friction of a moment is a mean of
 constexpr double kMostPeriods = 1e9;  // slid
 
-std::int64_t rounded(double frames) {
+double fpsOf(const TimeChoice& choice) {
+  return choice.framesPerSecond > 0 ? choice.framesPerSecond : kUsualFps;
+}
+
+std::int64_t rounded(double frames, const char* option) {
   if (!(frames <= kMostFrames))
-    throw InputError("", "--slow-motion",
+    throw InputError("", option,
                      fmt::format("{:.3g} frames are more than {:g}", frames, kMostFrames));
   return std::max<std::int64_t>(1, std::llround(frames));
 }
 
 void checkTogether(const TimeChoice& choice) {
   if (choice.frames > 0 && choice.duration > 0)
-    throw InputError("", "--duration", "and --frames say the same; one of them is enough");
+    throw InputError("", "--duration",
+                     "and --frames both say how long the film is; one of them is enough");
   const bool length = choice.frames > 0 || choice.duration > 0;
   if (choice.slowMotion > 0 && choice.cycles > 0 && length)
     throw InputError("", "--slow-motion", "follows from the cycles and the length of the film");
@@ -56,13 +62,13 @@ void checkMoment(const Scene& scene, const TimeChoice& choice, double length, bo
 FramePlan steadyPlan(double period, const TimeChoice& choice, bool single) {
   FramePlan plan;
   const double cycles = choice.cycles > 0 ? choice.cycles : 1;
-  const double fps = choice.framesPerSecond;
+  const double fps = fpsOf(choice);
   if (choice.frames > 0 || choice.duration > 0)
-    plan.count = choice.frames > 0 ? choice.frames : rounded(choice.duration * fps);
+    plan.count = choice.frames > 0 ? choice.frames : rounded(choice.duration * fps, "--duration");
   else if (choice.slowMotion > 0)
-    plan.count = single ? 1 : rounded(cycles * period * choice.slowMotion * fps);
+    plan.count = single ? 1 : rounded(cycles * period * choice.slowMotion * fps, "--slow-motion");
   else
-    plan.count = single ? 1 : rounded(cycles * kUsualFrames);
+    plan.count = single ? 1 : rounded(cycles * kUsualFrames, "--cycles");
   plan.periodsPerFrame = choice.slowMotion > 0 ? 1 / (choice.slowMotion * fps * period)
                                                : cycles / static_cast<double>(plan.count);
   return plan;
@@ -74,12 +80,13 @@ FramePlan motionPlan(double duration, const TimeChoice& choice, bool single) {
   if (choice.slowMotion > 0 && (choice.frames > 0 || choice.duration > 0))
     throw InputError("", "--slow-motion", "follows from the motion and the length of the film");
   FramePlan plan;
-  const double fps = choice.framesPerSecond;
-  plan.count = single                  ? 1
-               : choice.frames > 0     ? choice.frames
-               : choice.duration > 0   ? rounded(choice.duration * fps)
-               : choice.slowMotion > 0 ? rounded(duration * choice.slowMotion * fps)
-                                       : kUsualFrames;
+  const double fps = fpsOf(choice);
+  plan.count = single                ? 1
+               : choice.frames > 0   ? choice.frames
+               : choice.duration > 0 ? rounded(choice.duration * fps, "--duration")
+               : choice.slowMotion > 0
+                   ? rounded(duration * choice.slowMotion * fps, "--slow-motion")
+                   : kUsualFrames;
   if (plan.count > 1) plan.timeScale = duration * fps / static_cast<double>(plan.count - 1);
   return plan;
 }
@@ -97,9 +104,9 @@ FramePlan planFrames(const Scene& scene, double length, const TimeChoice& choice
       throw InputError("", "--slow-motion", "needs a velocity above 0");
     plan = steadyPlan(velocity > 0 ? length / velocity : 0, choice, single);
     if (plan.count > 1 && velocity > 0)
-      plan.timeScale = plan.periodsPerFrame * length / velocity * choice.framesPerSecond;
+      plan.timeScale = plan.periodsPerFrame * length / velocity * fpsOf(choice);
   }
-  plan.framesPerSecond = choice.framesPerSecond;
+  plan.framesPerSecond = fpsOf(choice);
   return plan;
 }
 

@@ -16,7 +16,7 @@ namespace asperity {
 /// As written on the command line; 0: not said.
 struct TimeChoice {
   std::int64_t frames = 0;
-  double framesPerSecond = 25;
+  double framesPerSecond = 0;
   double duration = 0;    // s of film
   double cycles = 0;      // periods of the line that pass
   double slowMotion = 0;  // seconds of film to a simulated one
@@ -27,7 +27,7 @@ struct TimeChoice {
 
 struct FramePlan {
   std::int64_t count = 1;
-  double framesPerSecond = 25;
+  double framesPerSecond = 0;
   double periodsPerFrame = 0;  // of steady sliding
   double timeScale = 0;        // simulated seconds to one of film; 0: nothing moves
 };

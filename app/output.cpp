@@ -1,15 +1,17 @@
 #include "app/output.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 
@@ -22,13 +24,22 @@ std::string extensionOf(const std::string& file) {
 
 void checkOutputs(const std::vector<std::string>& files,
                   std::initializer_list<std::string_view> extensions) {
+  std::set<std::filesystem::path> seen;
   for (const std::string& file : files) {
     checkWritable(file);
     const std::string extension = extensionOf(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
-      throw InputError(
-          file, "", fmt::format("'{}' is not one of {}", extension, fmt::join(extensions, ", ")));
+      throw InputError(file, "", notOneOf("'" + extension + "'", {extensions}));
+    if (!seen.insert(std::filesystem::absolute(file).lexically_normal()).second)
+      throw InputError("", "--output", file + " is given more than once");
   }
+}
+
+void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs) {
+  std::error_code ignored;  // what is not there is the same as nothing
+  for (const std::filesystem::path& input : inputs)
+    if (std::filesystem::equivalent(output, input, ignored))
+      throw InputError("", "--output", output + " is what is read, and would be replaced");
 }
 
 void makeFolder(const std::string& folder) {
@@ -36,6 +47,10 @@ void makeFolder(const std::string& folder) {
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))
     throw InputError(folder, "", "is not a folder and cannot be made one");
+}
+
+std::string wroteLine(const std::string& file) {
+  return filled(Words::tr("wrote %1"), {file}) + "\n";
 }
 
 void printSummary(bool machineReads, bool quiet, const std::string& text) {

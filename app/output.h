@@ -1,6 +1,7 @@
 // Output files of the verbs: their names checked before any work, their kinds by extension.
 #pragma once
 
+#include <filesystem>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -11,12 +12,19 @@ namespace asperity {
 /// ".csv" of "out/Curve.CSV".
 std::string extensionOf(const std::string& file);
 
-/// Throws InputError where a file has none of these extensions or can never be written.
+/// Throws InputError where a file has none of these extensions, can never be written or stands
+/// there twice.
 void checkOutputs(const std::vector<std::string>& files,
                   std::initializer_list<std::string_view> extensions);
 
+/// Throws InputError where an output would replace a file that was read.
+void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs);
+
 /// Makes the folder, with those above it, where it is not there. Throws InputError.
 void makeFolder(const std::string& folder);
+
+/// "wrote a.png" in the language in use, with its line's end.
+std::string wroteLine(const std::string& file);
 
 /// What a person reads: to stdout, or to stderr where stdout is the machine's.
 void printSummary(bool machineReads, bool quiet, const std::string& text);

@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/named_choice.h"
+#include "app/output.h"
 #include "core/scene/input_error.h"
 #include "ui/language/language.h"
 #include "ui/picture/picture_origin.h"
@@ -16,10 +18,6 @@ namespace {
 
 constexpr int kSmallest = 160, kLargest = 16384;  // pixels
 constexpr double kPixelsPerInch = 96;
-
-std::string shortened(const std::string& text) {
-  return text.substr(0, 60);
-}
 
 bool readNumber(std::string_view text, auto& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -51,19 +49,12 @@ float scaleFrom(const std::string& text) {
   return static_cast<float>(scale);
 }
 
-const Theme& themeFrom(const std::string& name) {
-  if (name == "light") return lightTheme();
-  if (name == "dark") return darkTheme();
-  if (name == "print") return printTheme();
-  throw InputError("", "--theme", shortened(name) + " is not one of light, dark, print");
-}
+constexpr NamedChoices<const Theme& (*)(), 3> kThemes{
+    {{"light", lightTheme}, {"dark", darkTheme}, {"print", printTheme}}};
 
-PixelBackend backendFrom(const std::string& name) {
-  if (name == "auto") return PixelBackend::Automatic;
-  if (name == "osmesa") return PixelBackend::Osmesa;
-  if (name == "egl") return PixelBackend::Egl;
-  throw InputError("", "--backend", shortened(name) + " is not one of auto, osmesa, egl");
-}
+constexpr NamedChoices<PixelBackend, 3> kBackends{{{"auto", PixelBackend::Automatic},
+                                                   {"osmesa", PixelBackend::Osmesa},
+                                                   {"egl", PixelBackend::Egl}}};
 
 }  // namespace
 
@@ -77,10 +68,34 @@ nlohmann::ordered_json PictureStyle::json() const {
 }
 
 void chooseLanguage(const std::string& code) {
-  if (std::ranges::find(languages(), code, &Language::code) == languages().end())
-    throw InputError("", "--language",
-                     fmt::format("{} is not one of {}", shortened(code), languageCodes()));
+  std::vector<std::string_view> codes;
+  for (const Language& language : languages()) codes.push_back(language.code);
+  if (std::ranges::find(codes, code) == codes.end())
+    throw InputError("", "--language", notOneOf(code, codes));
   useLanguage(code);
+}
+
+void checkUseful(const PictureChoice& choice, const std::vector<std::string>& files) {
+  bool hasPicture = false, hasPixels = false;
+  for (const std::string& file : files) {
+    const std::string extension = extensionOf(file);
+    const bool isTable = extension == ".csv" || extension == ".json";
+    hasPicture |= !isTable;
+    hasPixels |= !isTable && extension != ".svg" && extension != ".pdf";
+  }
+  const auto refuse = [](const char* option, bool given, const char* why) {
+    if (given) throw InputError("", option, why);
+  };
+  if (!hasPicture)
+    for (const auto& [option, given] : {std::pair{"--size", !choice.size.empty()},
+                                        {"--scale", !choice.scale.empty()},
+                                        {"--theme", !choice.theme.empty()},
+                                        {"--transparent", choice.transparent},
+                                        {"--backend", !choice.backend.empty()}})
+      refuse(option, given, "belongs to pictures, and no output is one");
+  if (!hasPixels)
+    refuse("--backend", !choice.backend.empty(),
+           "draws pixels; .svg and .pdf are written without them");
 }
 
 void addPictureOptions(CLI::App& verb, PictureChoice& choice, const std::string& defaultSize,
@@ -89,26 +104,24 @@ void addPictureOptions(CLI::App& verb, PictureChoice& choice, const std::string&
                   "Width and height in pixels; else " + defaultSize + " times the scale")
       ->type_name("WxH");
   verb.add_option("--scale", choice.scale,
-                  "Density: 2 doubles texts and line widths; or 300dpi (1 is 96dpi)")
-      ->capture_default_str();
+                  "Density: 2 doubles texts and line widths; or 300dpi; else 1, which is 96dpi");
   verb.add_option("--theme", choice.theme, "light, dark or print; else " + defaultTheme);
   verb.add_flag("--transparent", choice.transparent, "No background");
   verb.add_option("--backend", choice.backend,
-                  "What draws: osmesa, egl, or auto: the first that is there")
-      ->capture_default_str();
+                  "What draws: osmesa, egl, or auto: the first that is there; else auto");
 }
 
 PictureStyle styleOf(const PictureChoice& choice, const PictureDefaults& defaults) {
   PictureStyle style;
-  style.scale = scaleFrom(choice.scale);
+  if (!choice.scale.empty()) style.scale = scaleFrom(choice.scale);
   style.width = static_cast<int>(std::lround(static_cast<float>(defaults.width) * style.scale));
   style.height = static_cast<int>(std::lround(static_cast<float>(defaults.height) * style.scale));
   readSize(choice.size.empty() ? fmt::format("{}x{}", style.width, style.height) : choice.size,
            style);
   style.themeName = choice.theme.empty() ? defaults.theme : choice.theme;
-  style.theme = themeFrom(style.themeName);
+  style.theme = chosenFrom(kThemes, style.themeName, "--theme")();
   style.transparent = choice.transparent;
-  style.backend = backendFrom(choice.backend);
+  if (!choice.backend.empty()) style.backend = chosenFrom(kBackends, choice.backend, "--backend");
   return style;
 }
 

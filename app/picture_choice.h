@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "ui/picture/contact_picture.h"
 #include "ui/render/pixel_context.h"
@@ -16,10 +17,10 @@ namespace asperity {
 
 /// As written on the command line.
 struct PictureChoice {
-  std::string size;  // WxH in pixels; empty: the verb's own at this scale
-  std::string scale = "1";
-  std::string theme;  // empty: the verb's own
-  std::string backend = "auto";
+  std::string size;     // WxH in pixels; empty: the verb's own at this scale
+  std::string scale;    // empty: 1
+  std::string theme;    // empty: the verb's own
+  std::string backend;  // empty: auto
   bool transparent = false;
 };
 
@@ -43,6 +44,9 @@ struct PictureDefaults {
 
 void addPictureOptions(CLI::App& verb, PictureChoice& choice, const std::string& defaultSize,
                        const std::string& defaultTheme);
+
+/// Throws InputError where an option is given that none of the files has a use for.
+void checkUseful(const PictureChoice& choice, const std::vector<std::string>& files);
 
 /// The language of all texts from now on. Throws InputError naming --language.
 void chooseLanguage(const std::string& code);

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "app/named_choice.h"
 #include "core/friction/curve_diagram.h"
 #include "core/run/transient_diagram.h"
-#include "core/scene/input_error.h"
 #include "ui/language/words.h"
 #include "ui/picture/contact_overlay.h"
 #include "ui/picture/diagram_picture.h"
@@ -18,23 +18,24 @@ constexpr int kPresentColour = 1;
 
 constexpr float kStripText = 0.8F;  // strips are low, which would make their texts small
 
+constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Contact},
+                                                   {"curve", PictureLayout::Curve},
+                                                   {"both", PictureLayout::Both},
+                                                   {"transient", PictureLayout::Transient}}};
+
 }  // namespace
 
-PictureLayout layoutFrom(const std::string& name) {
-  if (name == "contact") return PictureLayout::Contact;
-  if (name == "curve") return PictureLayout::Curve;
-  if (name == "both") return PictureLayout::Both;
-  if (name == "transient") return PictureLayout::Transient;
-  throw InputError("", "--layout",
-                   name.substr(0, 60) + " is not one of contact, curve, both, transient");
+PictureLayout layoutFrom(const std::string& name, const char* key) {
+  return chosenFrom(kLayouts, name, key);
 }
 
 ContactOverlay overlayFrom(const std::string& name) {
-  for (const ContactOverlay overlay : {ContactOverlay::None, ContactOverlay::Pressure,
-                                       ContactOverlay::Relaxation, ContactOverlay::Power})
-    if (name == wordFor(overlay)) return overlay;
-  throw InputError("", "--overlay",
-                   name.substr(0, 60) + " is not one of none, pressure, relaxation, power");
+  NamedChoices<ContactOverlay, 4> all{{{{}, ContactOverlay::None},
+                                       {{}, ContactOverlay::Pressure},
+                                       {{}, ContactOverlay::Relaxation},
+                                       {{}, ContactOverlay::Power}}};
+  for (auto& [word, overlay] : all) word = wordFor(overlay);
+  return chosenFrom(all, name, "--overlay");
 }
 
 PictureComposer::PictureComposer(const PictureStyle& style, PictureContent content)

@@ -16,8 +16,8 @@ namespace asperity {
 
 enum class PictureLayout { Contact, Curve, Both, Transient };
 
-/// Throws InputError naming --layout.
-PictureLayout layoutFrom(const std::string& name);
+/// Throws InputError naming the key, or the option.
+PictureLayout layoutFrom(const std::string& name, const char* key = "--layout");
 
 /// Throws InputError naming --overlay.
 ContactOverlay overlayFrom(const std::string& name);

@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "ui/language/words.h"
+
 namespace asperity {
 namespace {
 
@@ -24,10 +26,10 @@ void ProgressBar::show(std::int64_t done, std::int64_t total) {
   const auto now = std::chrono::steady_clock::now();
   if (!visible_ || (done < total && now - drawn_ < kInterval)) return;
   drawn_ = now;
-  const auto filled = static_cast<std::size_t>(kWidth * done / total);
-  const std::string line =
-      fmt::format("\r{} [{}{}] {} of {}\033[K", what_, std::string(filled, '='),
-                  std::string(kWidth - filled, ' '), done, total);
+  const auto part = static_cast<std::size_t>(kWidth * done / total);
+  const std::string line = fmt::format(
+      "\r{} [{}{}] {}\033[K", what_, std::string(part, '='), std::string(kWidth - part, ' '),
+      filled(Words::tr("%1 of %2"), {std::to_string(done), std::to_string(total)}));
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
 }

@@ -2,6 +2,7 @@
 // diagrams.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -14,7 +15,9 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/language/words.h"
 #include "ui/picture/diagram_picture.h"
 #include "ui/picture/picture_origin.h"
 
@@ -31,7 +34,7 @@ std::string fileIn(const std::string& folder, const char* name) {
 }
 
 WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
-  ProgressBar bar("methods", common.quiet);
+  ProgressBar bar(Words::tr("methods"), common.quiet);
   WorkPrecisionOptions options;
   options.progress = [&bar](double part) {
     bar.show(static_cast<std::int64_t>(1000 * part), 1000);
@@ -57,26 +60,57 @@ void writePictures(const std::string& folder, const WorkPrecision& comparison) {
   pictures.finish();
 }
 
+std::string inDigits(const char* form, double value) {
+  return inLanguage(fmt::format(fmt::runtime(form), value));
+}
+
+/// Filled up with blanks; counts letters, not bytes.
+std::string padded(const std::string& text, std::size_t width) {
+  return fmt::format("{:<{}}", text, width);
+}
+
+std::size_t lettersOf(const std::string& text) {
+  return static_cast<std::size_t>(QString::fromStdString(text).size());
+}
+
+std::string methodLine(const WorkPrecisionPoint& point, bool isPresent, std::size_t nameWidth) {
+  const std::string difference = Words::tr("difference"), error = Words::tr("error");
+  const std::size_t width = std::max(lettersOf(difference), lettersOf(error));
+  std::string text = fmt::format(
+      "  {} {} {}  {} s", padded(translated(nameOf(point.choice)), nameWidth),
+      inDigits("{:>8.1e}", point.error), padded(point.isDifference ? difference : error, width),
+      inDigits("{:>8.2g}", point.seconds));
+  if (point.isExtrapolated) text += " " + Words::tr("(extrapolated)");
+  if (point.isOnFront) text += "  " + Words::tr("best for its time");
+  if (isPresent) text += "  " + Words::tr("<- this scene");
+  return text + "\n";
+}
+
+std::string marchLine(const RegionPrecision& region) {
+  const auto percent = [](double part) { return inDigits("{:.2g}", 100 * part); };
+  std::string text =
+      "  " + filled(Words::tr("a march in time: half the step changes friction by %1 %"),
+                    {percent(region.timeStepError)});
+  if (std::isfinite(region.settlingError))
+    text += filled(Words::tr(", settling by %1 %"), {percent(region.settlingError)});
+  return text + "\n";
+}
+
 std::string summaryOf(const WorkPrecision& comparison, const std::string& folder) {
   std::string text;
   for (const RegionPrecision& region : comparison.regions) {
-    text += fmt::format("region {}, {:.2g} to {:.2g} m/s\n", region.region,
-                        region.velocities.front(), region.velocities.back());
-    for (const WorkPrecisionPoint& point : region.points) {
-      const bool isPresent = point.choice == comparison.present;
-      text += fmt::format("  {:<14} {:>8.1e} {}  {:>8.2g} s{}{}{}\n", nameOf(point.choice),
-                          point.error, point.isDifference ? "difference" : "error     ",
-                          point.seconds, point.isExtrapolated ? " (extrapolated)" : "",
-                          point.isOnFront ? "  best for its time" : "",
-                          isPresent ? "  <- this scene" : "");
-    }
-    text += fmt::format("  a march in time: half the step changes friction by {:.2g} %{}\n",
-                        100 * region.timeStepError,
-                        std::isfinite(region.settlingError)
-                            ? fmt::format(", settling by {:.2g} %", 100 * region.settlingError)
-                            : std::string());
+    text += filled(Words::tr("region %1, %2 to %3 m/s"),
+                   {region.region, inDigits("{:.2g}", region.velocities.front()),
+                    inDigits("{:.2g}", region.velocities.back())}) +
+            "\n";
+    std::size_t width = 0;
+    for (const WorkPrecisionPoint& point : region.points)
+      width = std::max(width, lettersOf(translated(nameOf(point.choice))));
+    for (const WorkPrecisionPoint& point : region.points)
+      text += methodLine(point, point.choice == comparison.present, width);
+    text += marchLine(region);
   }
-  for (const char* name : kFiles) text += fmt::format("wrote {}\n", fileIn(folder, name));
+  for (const char* name : kFiles) text += wroteLine(fileIn(folder, name));
   return text;
 }
 
@@ -86,7 +120,10 @@ int runAccuracy(const AccuracyCommand& command) {
   const Scene scene = sceneOf(command.common);
   saidOfScene(command.common, [&] { needSteadySliding(scene, "asperity accuracy"); });
   makeFolder(command.output);
-  for (const char* name : kFiles) checkWritable(fileIn(command.output, name));
+  for (const char* name : kFiles) {
+    checkWritable(fileIn(command.output, name));
+    checkNoInput(fileIn(command.output, name), inputsOf(command.common, scene));
+  }
   const WorkPrecision comparison = compute(scene, command.common);
   const std::string json = workPrecisionJson(comparison);
   writeFileAtomically(

@@ -37,9 +37,7 @@ class BatchRun {
  public:
   explicit BatchRun(const BatchCommand& command)
       : command_(command), batch_(readBatch(command.common.scene)) {
-    PictureChoice choice = command.picture;
-    if (choice.size.empty()) choice.size = batch_.size;
-    style_ = styleOf(choice, {960, 900, "light"});
+    style_ = readStyle();
     small_ = style_;
     small_.width = kThumbnail;
     small_.height = kThumbnail * style_.height / style_.width;
@@ -51,12 +49,14 @@ class BatchRun {
     sheet_.background = style_.theme.background;
     makeFolder(command.output);
     checkWritable(fileIn("index.html"));
+    for (const BatchItem& item : batch_.items)
+      checkNoInput(fileIn(item.name + ".json"), {command.common.scene});
   }
 
   int run() {
     HeadlessPictures pictures(style_.backend);
     {
-      ProgressBar bar("scenes", command_.common.quiet);
+      ProgressBar bar(Words::tr("scenes"), command_.common.quiet);
       const auto total = static_cast<std::int64_t>(batch_.items.size());
       for (const BatchItem& item : batch_.items) {
         results_.push_back(resultOf(item, pictures));
@@ -74,6 +74,19 @@ class BatchRun {
  private:
   std::string fileIn(const std::string& name) const {
     return (std::filesystem::path(command_.output) / name).string();
+  }
+
+  /// A size that the file gives is said of the file.
+  PictureStyle readStyle() const {
+    PictureChoice choice = command_.picture;
+    const bool isOfFile = choice.size.empty();
+    if (isOfFile) choice.size = batch_.size;
+    try {
+      return styleOf(choice, {960, 900, "light"});
+    } catch (const InputError& error) {
+      if (!isOfFile || error.key() != "--size") throw;
+      throw InputError(command_.common.scene, "size", error.message());
+    }
   }
 
   /// What goes wrong with one scene is said of it, and the rest go on.
@@ -171,9 +184,12 @@ class BatchRun {
       }
       list.push_back(std::move(entry));
     }
-    printSummary(command_.common.json, command_.common.quiet,
-                 fmt::format("{} scenes, {} failed\nwrote {}\n", results_.size(), bad,
-                             fileIn("index.html")));
+    printSummary(
+        command_.common.json, command_.common.quiet,
+        (results_.size() == 1 ? filled(Words::tr("one scene, %1 failed"), {std::to_string(bad)})
+                              : filled(Words::tr("%1 scenes, %2 failed"),
+                                       {std::to_string(results_.size()), std::to_string(bad)})) +
+            "\n" + wroteLine(fileIn("index.html")));
     if (command_.common.json) fmt::print("{}\n", answer.dump(2));
     return bad > 0 ? kRunFailed : kDone;
   }

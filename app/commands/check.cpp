@@ -9,6 +9,9 @@
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -21,18 +24,21 @@ LawInput lawInputOf(const Scene& scene, const LineSource& source) {
 }
 
 std::string summaryOf(const Scene& scene, const LineSource& source, const LawInput& in) {
-  std::string text = fmt::format(
-      "{}\n  line: L = {} m, {} elements of {:.6g} m, rms height {:.6g} m, rms slope {:.6g}\n",
-      scene.title.empty() ? "a valid scene" : scene.title, source.length(), source.elements(),
-      source.length() / static_cast<double>(source.elements()), in.rmsHeight, in.rmsSlope);
+  const auto number = [](double value) { return inLanguage(fmt::format("{:.6g}", value)); };
+  const double spacing = source.length() / static_cast<double>(source.elements());
+  std::string text = scene.title.empty() ? Words::tr("a valid scene") : translated(scene.title);
+  const auto add = [&text](const std::string& line) { text += "\n  " + line; };
+  add(filled(Words::tr("line: L = %1 m, %2 elements of %3 m, rms height %4 m, rms slope %5"),
+             {number(source.length()), std::to_string(source.elements()), number(spacing),
+              number(in.rmsHeight), number(in.rmsSlope)}));
   if (in.rmsHeight > 0 && scene.load.kind == LoadKind::Force)
-    text += fmt::format("  dimensionless force F_N / G h L = {:.6g} (Eq. 14)\n",
-                        dimensionlessForce(in));
+    add(filled(Words::tr("dimensionless force F_N / G h L = %1 (Eq. 14)"),
+               {number(dimensionlessForce(in))}));
   // Eq. (13) knows one relaxation time.
   if (in.rmsHeight > 0 && lawOf(scene.elastomer).kind() != ElementKind::Arms)
-    text += fmt::format("  dimensionless velocity tau v slope / (sqrt(2) h) = {:.6g} (Eq. 13)\n",
-                        dimensionlessVelocity(in));
-  return text;
+    add(filled(Words::tr("dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)"),
+               {number(dimensionlessVelocity(in))}));
+  return text + "\n";
 }
 
 }  // namespace

@@ -17,14 +17,16 @@
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/language/words.h"
 #include "ui/picture/diagram_picture.h"
 
 namespace asperity {
 namespace {
 
 Curve compute(const Scene& scene, const CommonOptions& common) {
-  ProgressBar bar("realizations", common.quiet);
+  ProgressBar bar(Words::tr("realizations"), common.quiet);
   CurveOptions options;
   options.threads = common.threads;
   options.progress = [&bar](const CurveProgress& progress) {
@@ -54,16 +56,23 @@ void writePictures(const CurveCommand& command, const CurveSet& set, const Pictu
 }
 
 std::string summaryOf(const Curve& curve, const std::vector<std::string>& outputs) {
-  std::string text = fmt::format("{} velocities, {} realizations", curve.points.size(),
-                                 curve.points.front().realizations);
+  const std::int64_t lines = curve.points.front().realizations;
+  std::string text = filled(Words::tr("%1 velocities"), {std::to_string(curve.points.size())}) +
+                     ", " +
+                     (lines == 1 ? Words::tr("one realization")
+                                 : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
   if (curve.marginalFraction > 0)
-    text += fmt::format(", {:.1f} % of the balances with a partly loaded element",
-                        100 * curve.marginalFraction);
+    text += ", " + filled(Words::tr("%1 % of the balances with a partly loaded element"),
+                          {inLanguage(fmt::format("{:.1f}", 100 * curve.marginalFraction))});
+  text += "\n";
   if (std::isfinite(curve.achievedError))
-    text += fmt::format("\nrelative error at most {:.2g} at every velocity, target {}",
-                        curve.achievedError, curve.isTargetMet ? "met" : "not met");
-  for (const std::string& output : outputs) text += fmt::format("\nwrote {}", output);
-  return text + "\n";
+    text += filled(curve.isTargetMet
+                       ? Words::tr("relative error at most %1 at every velocity, target met")
+                       : Words::tr("relative error at most %1 at every velocity, target not met"),
+                   {inLanguage(fmt::format("{:.2g}", curve.achievedError))}) +
+            "\n";
+  for (const std::string& output : outputs) text += wroteLine(output);
+  return text;
 }
 
 /// With more than the scene's own curve one table of all of them.
@@ -92,6 +101,10 @@ int runCurve(const CurveCommand& command) {
   const Scene scene = sceneOf(command.common);
   saidOfScene(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
+  for (const std::string& output : command.outputs)
+    checkNoInput(output, inputsOf(command.common, scene));
+  checkUseful(command.picture, command.outputs);
+  checkUseful(command.curves, command.outputs);
   const PictureStyle style = styleOf(command.picture, {1200, 800, "print"});
   checkCurves(command.curves, scene);
   const Curve curve = compute(scene, command.common);

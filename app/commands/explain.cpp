@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/command_line.h"
+#include "app/explanation_text.h"
 #include "app/output.h"
 #include "core/run/motion_accuracy.h"
 

@@ -13,10 +13,13 @@
 #include "app/progress_bar.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
 #include "core/scene/provenance.h"
 #include "ui/language/translated.h"
+#include "ui/language/words.h"
 #include "ui/picture/figure_drawing.h"
 #include "ui/picture/picture_origin.h"
+#include "ui/window/claim_text.h"
 
 namespace asperity {
 namespace {
@@ -31,12 +34,13 @@ std::vector<FigureName> allOfThePaper() {
 }
 
 FigureName nameOf(const std::string& word) {
-  std::string words;
+  std::vector<std::string_view> words;
   for (const FigureEntry& entry : figureEntries()) {
     if (entry.word == word) return entry.name;
-    words += std::string(entry.word) + ", ";
+    words.push_back(entry.word);
   }
-  throw InputError("", "NAME", fmt::format("{} is not one of {}all", word.substr(0, 60), words));
+  words.push_back("all");
+  throw InputError("", "NAME", notOneOf(word, words));
 }
 
 /// Each once, in the order given.
@@ -85,13 +89,11 @@ void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPic
 std::string claimLines(const Figure& figure) {
   std::string text;
   for (const Claim& claim : figure.claims) {
-    std::string measured = std::isfinite(claim.measured.value)
-                               ? fmt::format("{:.4g}", claim.measured.value)
-                               : std::string("not measured");
-    if (std::isfinite(claim.measured.standardError))
-      measured += fmt::format(" \u00B1 {:.1g}", claim.measured.standardError);
-    text += fmt::format("  {}: {}\n      {}: {}\n", holdsText(claim), claim.claim, claim.quantity,
-                        measured);
+    const std::string measured = std::isfinite(claim.measured.value)
+                                     ? estimateText(claim.measured).toStdString()
+                                     : Words::tr("not measured");
+    text += fmt::format("  {}: {}\n      {}: {}\n", verdictText(claim).toStdString(),
+                        translated(claim.claim), translated(claim.quantity), measured);
   }
   return text;
 }
@@ -106,7 +108,8 @@ Made makeFigures(const FigureCommand& command, const std::vector<FigureName>& na
   HeadlessPictures pictures;
   for (const FigureName name : names) {
     const auto start = std::chrono::steady_clock::now();
-    ProgressBar bar(fmt::format("figure {}", entryOf(name).word), command.common.quiet);
+    ProgressBar bar(filled(Words::tr("figure %1"), {std::string(entryOf(name).word)}),
+                    command.common.quiet);
     FigureOptions options;
     options.realizations = command.realizations;
     options.assignments = command.common.assignments;
@@ -128,13 +131,16 @@ std::string summaryOf(const FigureCommand& command, const Made& made) {
   std::string text;
   for (std::size_t i = 0; i < made.figures.size(); ++i) {
     const Figure& figure = made.figures[i];
-    text += fmt::format("{}\n{}", figure.sheet.title, claimLines(figure));
+    text += fmt::format("{}\n{}", translated(figure.sheet.title), claimLines(figure));
     if (made.figures.size() > 1)
-      text += fmt::format("  {:.0f} % of the run time\n", 100 * made.seconds[i] / total);
+      text += "  " +
+              filled(Words::tr("%1 % of the run time"),
+                     {fmt::format("{:.0f}", 100 * made.seconds[i] / total)}) +
+              "\n";
   }
   for (const Figure& figure : made.figures)
-    text += fmt::format("wrote {} (.png, .svg)\n", fileOf(command, figure.name, ".csv"));
-  return text + fmt::format("wrote {}\n", claimsFile(command));
+    text += wroteLine(fileOf(command, figure.name, ".csv") + " (.png, .svg)");
+  return text + wroteLine(claimsFile(command));
 }
 
 }  // namespace

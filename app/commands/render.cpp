@@ -20,7 +20,9 @@
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/language/words.h"
 #include "ui/picture/contact_overlay.h"
 #include "ui/picture/png_file.h"
 
@@ -81,11 +83,14 @@ class Rendering {
   }
 
   std::string summary() const {
-    std::string text = fmt::format("mu = {:.6g}\n", frictionOf(last_));
-    if (kind_ == Kind::Picture) return text + fmt::format("wrote {}\n", command_.output);
-    text += fmt::format("wrote {} frames{} {}\n", drawn_, kind_ == Kind::Film ? " to" : " in",
-                        command_.output);
-    if (drawn_ < count()) text += fmt::format("{} were there already\n", count() - drawn_);
+    std::string text = "mu = " + inLanguage(fmt::format("{:.6g}", frictionOf(last_))) + "\n";
+    if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
+    text += filled(kind_ == Kind::Film ? Words::tr("wrote %1 frames to %2")
+                                       : Words::tr("wrote %1 frames in %2"),
+                   {std::to_string(drawn_), command_.output}) +
+            "\n";
+    if (drawn_ < count())
+      text += filled(Words::tr("%1 were there already"), {std::to_string(count() - drawn_)}) + "\n";
     return text;
   }
 
@@ -105,11 +110,9 @@ class Rendering {
   std::int64_t count() const { return frames_->plan().count; }
 
   void checkUsage() const {
-    const TimeChoice& time = command_.time;
-    if (!std::isfinite(time.framesPerSecond))
-      throw InputError("", "--fps", "is not a finite number");
-    if (kind_ == Kind::Picture && (time.frames > 1 || time.duration > 0))
-      throw InputError(command_.output, "", "is one picture; frames need a folder or a film");
+    if (kind_ == Kind::Picture) checkStill();
+    checkUseful(command_.picture, {command_.output});
+    checkNoInput(command_.output, inputsOf(command_.common, scene_));
     if (kind_ != Kind::Sequence) checkWritable(command_.output);
     if (kind_ == Kind::Film) checkFilm(command_.output, style_.transparent);
     if (command_.resume && kind_ != Kind::Sequence)
@@ -139,6 +142,19 @@ class Rendering {
       if (const char* option = command_.curves.firstOption()) refuse(option, "the curve");
   }
 
+  /// One picture has no time.
+  void checkStill() const {
+    const TimeChoice& time = command_.time;
+    for (const auto& [option, given] : {std::pair{"--frames", time.frames > 1},
+                                        {"--fps", time.framesPerSecond > 0},
+                                        {"--duration", time.duration > 0},
+                                        {"--cycles", time.cycles > 0},
+                                        {"--slow-motion", time.slowMotion > 0}})
+      if (given)
+        throw InputError("", option,
+                         command_.output + " is one picture; frames need a folder or a film");
+  }
+
   void checkLayout() const {
     const bool isSteady = scene_.sliding.kind == SlidingKind::Steady;
     if (layout_ == PictureLayout::Transient && isSteady)
@@ -155,7 +171,7 @@ class Rendering {
     steady.sliding.kind = SlidingKind::Steady;
     std::vector<CurvePoint> own;
     {
-      ProgressBar bar("realizations", command_.common.quiet);
+      ProgressBar bar(Words::tr("realizations"), command_.common.quiet);
       CurveOptions options;
       options.threads = command_.common.threads;
       options.progress = [&bar](const CurveProgress& progress) {
@@ -198,15 +214,39 @@ class Rendering {
     files_ = {command_.output};
   }
 
+  /// Frames over the whole film, from which a gif takes its colours; none for other films.
+  std::vector<std::int64_t> sampledIndices() const {
+    constexpr std::int64_t kSamples = 8;
+    if (extensionOf(command_.output) != ".gif") return {};
+    if (count() <= kSamples) return allIndices();
+    std::vector<std::int64_t> indices;
+    for (std::int64_t i = 0; i < kSamples; ++i)
+      indices.push_back(i * (count() - 1) / (kSamples - 1));
+    return indices;
+  }
+
+  /// Each is simulated and drawn once more than the film needs it.
+  void addSamples(const std::vector<std::int64_t>& indices, HeadlessPictures& pictures,
+                  FilmFile& film) const {
+    if (indices.empty()) return;
+    FrameSource frames(scene_, command_.time, false, fieldsFor(overlay_));
+    PictureComposer composer(style_, layout_, curve_, overlay_);
+    for (const std::int64_t index : indices)
+      film.add(pictures.draw(composer.compose(frames.frame(index))));
+  }
+
   void writeFilm() {
+    const std::vector<std::int64_t> samples = sampledIndices();
     FilmOptions options{style_.width,
                         style_.height,
-                        command_.time.framesPerSecond,
+                        frames_->plan().framesPerSecond,
                         style_.transparent,
+                        static_cast<int>(samples.size()),
                         translated(scene_.title),
                         provenanceLine(origin())};
     HeadlessPictures pictures(style_.backend);
     FilmFile film(command_.output, options);
+    addSamples(samples, pictures, film);
     PipelineStages stages = stagesOf(pictures);
     stages.sink = [&film](std::int64_t, const QImage& image, StageSeconds& seconds) {
       const StageTimer timer(seconds.encode);
@@ -252,7 +292,7 @@ class Rendering {
   }
 
   void runStages(const std::vector<std::int64_t>& indices, PipelineStages& stages) {
-    ProgressBar bar("frames", command_.common.quiet);
+    ProgressBar bar(Words::tr("frames"), command_.common.quiet);
     drawn_ = static_cast<std::int64_t>(indices.size());
     stages.progress = [&](std::int64_t done) { bar.show(done, drawn_); };
     seconds_ = runPipeline(indices, stages);

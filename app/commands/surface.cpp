@@ -9,7 +9,9 @@
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "core/surface/surface_file.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/language/words.h"
 #include "ui/picture/picture_origin.h"
 #include "ui/picture/surface_picture.h"
 
@@ -17,9 +19,12 @@ namespace asperity {
 namespace {
 
 std::string summaryOf(const Line& line, const std::vector<std::string>& outputs) {
-  std::string text = fmt::format("length {} m, {} points, rms height {:.6g} m, rms slope {:.6g}\n",
-                                 line.length, line.nodes(), line.rmsHeight, line.rmsSlope);
-  for (const std::string& output : outputs) text += fmt::format("wrote {}\n", output);
+  const auto number = [](double value) { return inLanguage(fmt::format("{:.6g}", value)); };
+  std::string text = filled(Words::tr("length %1 m, %2 points, rms height %3 m, rms slope %4"),
+                            {number(line.length), std::to_string(line.nodes()),
+                             number(line.rmsHeight), number(line.rmsSlope)}) +
+                     "\n";
+  for (const std::string& output : outputs) text += wroteLine(output);
   return text;
 }
 
@@ -44,6 +49,8 @@ void writeSurface(const std::string& output, const Scene& scene, const LineSourc
 int runSurface(const SurfaceCommand& command) {
   const Scene scene = sceneOf(command.common);
   checkOutputs(command.outputs, {".csv", ".json", ".png"});
+  for (const std::string& output : command.outputs)
+    checkNoInput(output, inputsOf(command.common, scene));
   saidOfScene(command.common, [&] {
     const LineSource source(scene, pointsPerElement(scene));
     const Line line = source.make(0);

@@ -1,6 +1,5 @@
 #include "core/accuracy/explanation.h"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -25,35 +24,6 @@ double peakMemory() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-std::string timeText(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.3g} \u00B5s", 1e6 * seconds);
-  if (seconds < 1) return fmt::format("{:.3g} ms", 1e3 * seconds);
-  if (seconds < 120) return fmt::format("{:.3g} s", seconds);
-  return seconds < 7200 ? fmt::format("{:.0f} min", seconds / 60)
-                        : fmt::format("{:.1f} h", seconds / 3600);
-}
-
-std::string percent(double part) {
-  return fmt::format("{:.2g} %", 100 * part);
-}
-
-std::string budgetText(const ErrorBudget& error) {
-  std::string parts;
-  const auto add = [&](const char* name, double part) {
-    if (!std::isfinite(part)) return;
-    parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, percent(part));
-  };
-  add("resolution", error.resolution);
-  add("standard error", error.standardError);
-  add("force balance", error.forceBalance);
-  add("time step", error.timeStep);
-  add("settling", error.settling);
-  std::string text = fmt::format("{} ({})", percent(error.total()), parts);
-  if (std::isfinite(error.modelDifference))
-    text += fmt::format("; differs from the resolved line by {}", percent(error.modelDifference));
-  return text;
-}
-
 Json numberOrNull(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -66,23 +36,6 @@ Json budgetJson(const ErrorBudget& error) {
           {"time_step", numberOrNull(error.timeStep)},
           {"settling", numberOrNull(error.settling)},
           {"model_difference", numberOrNull(error.modelDifference)}};
-}
-
-std::string workText(const Prediction& prediction) {
-  if (prediction.steps > 0)
-    return fmt::format("{:.0f} steps of {:.0f} elements, without drawing", prediction.steps,
-                       prediction.elements);
-  return fmt::format("{:.0f} simulations", prediction.simulations);
-}
-
-std::string stageLines(const std::vector<PlanStage>& stages, bool running) {
-  std::string text;
-  int number = 0;
-  for (const PlanStage& stage : stages)
-    if (stage.runs == running)
-      text += running ? fmt::format("  {:>2}. {}: {}\n", ++number, stage.name, stage.reason)
-                      : fmt::format("   -  no {}: {}\n", stage.name, stage.reason);
-  return text;
 }
 
 }  // namespace
@@ -111,28 +64,6 @@ void analyze(Explanation& explanation, int threads) {
   measured.memory = peakMemory() - before;
   measured.error = measureError(explanation.scene, kMeasuredLines, threads);
   explanation.measured = measured;
-}
-
-std::string explanationText(const Explanation& explanation) {
-  const Scene& scene = explanation.scene;
-  std::string text = fmt::format("{}asperity {} runs\n",
-                                 scene.title.empty() ? "" : scene.title + "\n", explanation.verb) +
-                     stageLines(explanation.stages, true) + "and leaves out\n" +
-                     stageLines(explanation.stages, false);
-  if (const auto& predicted = explanation.predicted) {
-    text += fmt::format("predicted\n      time    {} on {} thread{} ({})\n",
-                        timeText(predicted->seconds), predicted->threads,
-                        predicted->threads == 1 ? "" : "s", workText(*predicted));
-    text += fmt::format("      memory  {:.2g} MiB\n", predicted->memory / (1 << 20));
-    text += fmt::format("      error   {}\n", budgetText(predicted->error));
-  }
-  if (const auto& measured = explanation.measured) {
-    text += fmt::format("measured\n      time    {}\n", timeText(measured->seconds));
-    text +=
-        fmt::format("      memory  {:.2g} MiB more than before\n", measured->memory / (1 << 20));
-    text += fmt::format("      error   {}\n", budgetText(measured->error));
-  }
-  return text;
 }
 
 std::string explanationJson(const Explanation& explanation) {

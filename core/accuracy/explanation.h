@@ -1,5 +1,5 @@
-// A plan and what it will cost, as people and machines read it: like a database's EXPLAIN.
-// Pure; any thread.
+// A plan and what it will cost, like a database's EXPLAIN, and as machines read it; as people do:
+// app/explanation_text.h. Pure; any thread.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,6 @@ Explanation explain(const Scene& scene, int threads = 0);
 /// Runs the curve and fills `measured`. Nothing for a motion that is not steady.
 void analyze(Explanation& explanation, int threads = 0);
 
-std::string explanationText(const Explanation& explanation);
 std::string explanationJson(const Explanation& explanation);
 
 }  // namespace asperity

@@ -49,7 +49,7 @@ class Pilot {
   double memoryOfLine() const {
     double bytes = 0;
     for (const auto* values :
-         {&line_.height, &line_.slopeAfter, &line_.slopeBefore, &travel_.position, &travel_.rise,
+         {&line_.height, &line_.slopeAfter, &line_.slopeBefore, &travel_.rise,
           &travel_.slopeIn, &travel_.slopeOut})
       bytes += static_cast<double>(values->capacity() * sizeof(double));
     for (const BlockLevel& level : travel_.blocks)

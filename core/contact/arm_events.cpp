@@ -30,7 +30,7 @@ Few<4> breakpoints(const Cubic& cubic, bool onwards) {
 
 ArmPass::Inside ArmPass::insideOf(std::size_t i) const {
   if (i + 1 < line_.segments())
-    return {line_.segment(i), line_.position[i], line_.segmentLength(i)};
+    return {line_.segment(i), line_.position(i), line_.segmentLength(i)};
   return {line_.segmentBackwards(i), line_.length, -line_.segmentLength(i)};
 }
 

@@ -160,7 +160,7 @@ std::size_t ArmPass::contactSegment(std::size_t i) {
     std::array<double, 3> with{};
     for (std::size_t n = 0; n < 3; ++n)
       for (std::size_t k = 0; k < arms; ++k) with[n] += memory_.moment[n][k] * now[k];
-    gatherContact({{depth_ - rise.c0, d0, 0.5 * d1, d2 / 3}, h, line_.position[i]}, with[0],
+    gatherContact({{depth_ - rise.c0, d0, 0.5 * d1, d2 / 3}, h, line_.position(i)}, with[0],
                   with[1], with[2], memory_.own);
     for (std::size_t k = 0; k < arms; ++k)
       sums_.dissipation += g[k] * memory_.loss[k](now[k], d0, d1, d2);
@@ -249,12 +249,12 @@ std::size_t ArmPass::freeSegments(std::size_t i, bool mayJump) {
   const std::size_t place = i - 1;
   for (std::size_t level = mayJump ? level_ : 0;; --level) {
     const std::size_t size = std::size_t{1} << (2 * level), block = place >> (2 * level);
-    const bool fits = (place & (size - 1)) == 0 && block < line_.blocks[level].size();
+    const bool fits = (place & (size - 1)) == 0 && block < line_.blockCount(level);
     if (fits) {
       const double *decay = memory_.decay[level].data(), *lost = memory_.lost[level].data();
       double back = back_;
       for (std::size_t j = 0; j < mode_.size(); ++j) back += mode_[j] * lost[j];
-      if (leftRise_ + back <= line_.blocks[level].lowest[block]) {
+      if (leftRise_ + back <= line_.block(level, block).lowest) {
         for (std::size_t j = 0; j < mode_.size(); ++j) mode_[j] *= decay[j];
         back_ = back;
         level_ = std::min(level + 1, line_.blocks.size() - 1);

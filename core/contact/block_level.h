@@ -1,9 +1,10 @@
 // Bounds and integrals over blocks of segments, one array for each quantity, so that neighbouring
-// blocks are compared in one vector. A plain value inside a TravelLine.
+// blocks are compared in one vector; segment_bounds.h fills them. A plain value inside a
+// TravelLine.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 namespace asperity {
@@ -25,47 +26,26 @@ class BlockLevel {
   std::vector<double> lowest;                                         // all there is for nodal
   std::vector<double> highest, steepest, riseIntegral, slopeSquared;  // as in SegmentBounds
 
-  std::size_t size() const { return lowest.size() - kPadding; }
-  void resize(std::size_t blocks) {
-    for (std::vector<double>* values : {&lowest, &highest, &steepest, &riseIntegral, &slopeSquared})
+  std::size_t size() const { return lowest.empty() ? 0 : lowest.size() - kPadding; }
+  /// Returns false where `stop` was requested: fresh memory of long lines takes milliseconds.
+  bool resize(std::size_t blocks, const std::stop_token& stop = {}) {
+    for (std::vector<double>* values :
+         {&lowest, &highest, &steepest, &riseIntegral, &slopeSquared}) {
+      if (stop.stop_requested()) return false;
       values->resize(blocks + kPadding);
+    }
+    return true;
   }
   void resizeForNodal(std::size_t blocks) {
+    clear();
     lowest.resize(blocks + kPadding);
-    for (std::vector<double>* values : {&highest, &steepest, &riseIntegral, &slopeSquared})
+  }
+  void clear() {
+    for (std::vector<double>* values : {&lowest, &highest, &steepest, &riseIntegral, &slopeSquared})
       values->clear();
   }
   SegmentBounds operator[](std::size_t i) const {
     return {lowest[i], highest[i], steepest[i], riseIntegral[i], slopeSquared[i]};
-  }
-  /// Makes this the level of blocks of four of a finer one, as far as whole ones go.
-  void merge(const BlockLevel& finer) {
-    const std::size_t count = finer.size() / 4;
-    if (finer.highest.empty()) {
-      resizeForNodal(count);
-      each(finer.lowest, lowest, count, least);
-      return;
-    }
-    resize(count);
-    each(finer.lowest, lowest, count, least);
-    each(finer.highest, highest, count, most);
-    each(finer.steepest, steepest, count, most);
-    each(finer.riseIntegral, riseIntegral, count, sum);
-    each(finer.slopeSquared, slopeSquared, count, sum);
-  }
-
- private:
-  static double least(double a, double b) { return std::min(a, b); }
-  static double most(double a, double b) { return std::max(a, b); }
-  static double sum(double a, double b) { return a + b; }
-
-  template <class Merge>
-  static void each(const std::vector<double>& four, std::vector<double>& one, std::size_t count,
-                   const Merge& merge) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const double* from = four.data() + 4 * i;
-      one[i] = merge(merge(from[0], from[1]), merge(from[2], from[3]));
-    }
   }
 };
 

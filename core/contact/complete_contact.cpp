@@ -10,11 +10,11 @@ namespace {
 /// returns false.
 template <class Take>
 bool forLargestBlocks(const TravelLine& line, const Take& take) {
-  for (std::size_t place = 0; place < line.blocks[0].size();) {
+  for (std::size_t place = 0; place < line.blockCount(0);) {
     std::size_t level = line.blocks.size() - 1;
     const auto fits = [&] {
       const std::size_t size = std::size_t{1} << (2 * level);
-      return (place & (size - 1)) == 0 && (place >> (2 * level)) < line.blocks[level].size();
+      return (place & (size - 1)) == 0 && (place >> (2 * level)) < line.blockCount(level);
     };
     while (!fits()) --level;
     if (!take(level, place >> (2 * level))) return false;
@@ -50,8 +50,8 @@ class Needed {
 
  private:
   bool isBounded(std::size_t level, std::size_t block) const {
-    const BlockLevel& blocks = line_.blocks[level];
-    return blocks.highest[block] + memory_ * blocks.steepest[block] < most_;
+    const SegmentBounds bounds = line_.block(level, block);
+    return bounds.highest + memory_ * bounds.steepest < most_;
   }
 
   bool isEnoughFor(std::size_t level, std::size_t block) const {
@@ -98,9 +98,9 @@ double completeAbove(const TravelLine& line, double memoryLength) {
 }
 
 StateSums completeState(const TravelLine& line, double depth, double memoryLength) {
-  double slopes = line.firstBounds.slopeSquared + line.lastBounds.slopeSquared;
+  double slopes = line.bounds(0).slopeSquared + line.bounds(line.segments() - 1).slopeSquared;
   forLargestBlocks(line, [&](std::size_t level, std::size_t block) {
-    slopes += line.blocks[level].slopeSquared[block];
+    slopes += line.block(level, block).slopeSquared;
     return true;
   });
   StateSums sums;

@@ -21,8 +21,8 @@ ForceSums forceAtRest(const TravelLine& line, double depth) {
   std::size_t level = top;
   for (std::size_t i = 0, end = line.segments() - 2; i < end;) {
     const std::size_t size = std::size_t{1} << (2 * level), block = i >> (2 * level);
-    const bool fits = (i & (size - 1)) == 0 && block < line.blocks[level].size();
-    const SegmentBounds bounds = line.blocks[level][fits ? block : 0];
+    const bool fits = (i & (size - 1)) == 0 && block < line.blockCount(level);
+    const SegmentBounds bounds = line.block(level, fits ? block : 0);
     if (fits && (level == 0 || depth <= bounds.lowest || depth >= bounds.highest)) {
       if (depth > bounds.lowest) carry(bounds, line.spacing * static_cast<double>(size));
       i += size;

@@ -1,6 +1,7 @@
 // Where the power goes: what the dashpots of each element turn into heat. Pure; any thread.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -8,11 +9,17 @@
 
 namespace asperity {
 
+/// Of the terms of a balance: what is less beside them is rounding.
+inline constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+
+/// Pa, of p/4: what is less than this beside pressures p (N/m) is rounding of their balance.
+double pressureRounding(std::span<const double> pressure);
+
 /// W/m, now, of elements under pressures p (N/m) with creeping amplitudes a_j (m), [mode][element]
 /// as TimeMarch holds them. Each amplitude is a spring and a dashpot side by side that follow
 /// a_j' = -rate_j a_j + fluidity_j p/4, so that the dashpots take 4 sum a_j'^2 / fluidity_j; of
 /// Kelvin elements 4 eta u'^2, in contact or free. Its integral over a period of steady sliding is
-/// F_x v. Zeros for elastic elements.
+/// F_x v. Zeros for elastic elements, and where what is left to creep is rounding: at rest.
 std::vector<double> dissipatedPower(const RetardationModes& modes, std::span<const double> pressure,
                                     std::span<const double> amplitudes);
 

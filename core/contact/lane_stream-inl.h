@@ -21,7 +21,6 @@ namespace HWY_NAMESPACE {
 
 constexpr std::size_t kMostLevels = 16;
 
-template <bool kLinear>
 class LaneStream {
  public:
   LaneStream(const TravelLine& line, PassQueue& queue)
@@ -43,7 +42,7 @@ class LaneStream {
         if (queue_.isStopped()) return;
         look = kStepsBetweenLooks;
       }
-      SegmentStep<kLinear>(lanes_).run();
+      SegmentStep(lanes_).run();
       // Those in contact first, then those that are free, as the machine expects more of the same.
       const unsigned pressed = lanes_.finished & lanes_.pressed, free = lanes_.finished & ~pressed;
       for (unsigned left = pressed; left != 0; left &= left - 1) goOn<true>(lowestBit(left));
@@ -217,19 +216,14 @@ class LaneStream {
 
   HWY_INLINE void skipFree(std::size_t lane, Place& place) {
     const Pass& pass = passes_[place.pass];
-    const One depth = One::all(lanes_.depth[lane]), memory = One::all(lanes_.memory[lane]);
+    const One depth = One::all(lanes_.depth[lane]);
     double surface = lanes_.surface[lane];
     const auto isFree = [&](std::size_t level, std::size_t block) {
       const double* lowest = line_.blocks[level].lowest.data() + block;
-      const double* steepest = line_.blocks[0].steepest.data() + block;
       const double* lost = pass.lost[level];
       const One start = One::all(surface), over = depth - start;
       return firstOther([&](std::size_t k) {
-        const OneMask above = One::load(lowest + k) >= mulAdd(over, One::load(lost + k + 1), start);
-        if (!kLinear || level > 0) return above;
-        // A straight segment that rises faster than the free surface, from above it, stays there.
-        const One left = negMulAdd(over, One::load(lost + k), over);
-        return above | (memory * One::load(steepest + k) > left);  // 0 without memory
+        return One::load(lowest + k) >= mulAdd(over, One::load(lost + k + 1), start);
       });
     };
     place.segment = skip(place.segment, place.last, isFree,
@@ -284,12 +278,10 @@ class LaneStream {
     const double length = line_.segmentLength(i);
     lanes_.height0[lane] = line_.rise[first];
     lanes_.height1[lane] = line_.rise[second];
-    lanes_.start[lane] = line_.position[first];
+    lanes_.start[lane] = line_.position(first);
     lanes_.along[lane] = isBack ? -length : length;
-    if (!kLinear) {
-      lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
-      lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];
-    }
+    lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
+    lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];
     if (i == places_[lane].last) lanes_.closes[lane] = 1;
   }
 

@@ -14,11 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-void streamLinear(const TravelLine& line, PassQueue& queue) {
-  LaneStream<true>(line, queue).run();
-}
-void streamCubic(const TravelLine& line, PassQueue& queue) {
-  LaneStream<false>(line, queue).run();
+void stream(const TravelLine& line, PassQueue& queue) {
+  LaneStream(line, queue).run();
 }
 std::size_t streams() {
   return Wide::kLanes;
@@ -31,8 +28,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace asperity {
 
-HWY_EXPORT(streamLinear);
-HWY_EXPORT(streamCubic);
+HWY_EXPORT(stream);
 HWY_EXPORT(streams);
 
 std::size_t streamCount() {
@@ -41,10 +37,7 @@ std::size_t streamCount() {
 
 void passLanes(const TravelLine& line, PassQueue& queue) {
   const FlushDenormals flush(Traps::None);
-  if (line.scheme == Scheme::Linear)
-    HWY_DYNAMIC_DISPATCH(streamLinear)(line, queue);
-  else
-    HWY_DYNAMIC_DISPATCH(streamCubic)(line, queue);
+  HWY_DYNAMIC_DISPATCH(stream)(line, queue);
 }
 
 }  // namespace asperity

@@ -171,8 +171,8 @@ class Pass {
 
   Inside insideOf(std::size_t i) const {
     if (line_.isMeasuredBack(i))
-      return {line_.segmentBackwards(i), line_.position[i + 1], -line_.segmentLength(i)};
-    return {line_.segment(i), line_.position[i], line_.segmentLength(i)};
+      return {line_.segmentBackwards(i), line_.position(i + 1), -line_.segmentLength(i)};
+    return {line_.segment(i), line_.position(i), line_.segmentLength(i)};
   }
 
   /// Splits the segment where p changes sign; w e^(s/c) is monotone on each piece.
@@ -195,7 +195,7 @@ class Pass {
     for (int n = 0; n < zeros.count; ++n)
       piece(zeros.values[static_cast<std::size_t>(onwards ? n : zeros.count - 1 - n)]);
     piece(onwards ? 1 : 0);
-    if (!touching_) surface_ = freeHeight(line_.position[i + 1]);
+    if (!touching_) surface_ = freeHeight(line_.position(i + 1));
   }
 
   void leave(const Inside& inside, double t) {

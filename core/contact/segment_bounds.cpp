@@ -59,6 +59,75 @@ void boundAll(const double* rise, const double* slopeIn, const double* slopeOut,
         {lowest + k, highest + k, steepest + k, riseIntegral + k, slopeSquared + k});
 }
 
+/// Numbers 4 k + i of a row as vectors of neighbouring k, one for each i.
+struct Fours {
+  One a, b, c, d;
+
+  static HWY_INLINE Fours load(const double* from) {
+    Fours fours;
+    hn::LoadInterleaved4(kTag, from, fours.a.v, fours.b.v, fours.c.v, fours.d.v);
+    return fours;
+  }
+  template <class Merge>
+  HWY_INLINE One merged(const Merge& merge) const {
+    return merge(merge(a, b), merge(c, d));
+  }
+};
+
+constexpr auto kLeast = [](One x, One y) { return min(x, y); };
+constexpr auto kMost = [](One x, One y) { return max(x, y); };
+constexpr auto kSum = [](One x, One y) { return x + y; };
+
+/// take(k, row) for every vector of fours of a row of `count` of them, `more` numbers behind each
+/// four being read too; those left over are padded, in the row and where `take` stores them.
+template <std::size_t kMore, class Take>
+HWY_INLINE void forFours(const double* row, std::size_t count, const Take& take) {
+  std::size_t k = 0;
+  for (; k + One::kLanes <= count; k += One::kLanes) take(k, row + 4 * k);
+  if (k == count) return;
+  double rest[4 * One::kLanes + kMore] = {};
+  std::copy(row + 4 * k, row + 4 * count + kMore, rest);
+  take(k, rest);
+}
+
+template <class Merge>
+HWY_INLINE void mergeRow(const double* from, double* to, std::size_t count, const Merge& merge) {
+  forFours<0>(from, count, [&](std::size_t k, const double* row) {
+    Fours::load(row).merged(merge).store(to + k);
+  });
+}
+
+void leastOfFours(const double* from, double* to, std::size_t count) {
+  mergeRow(from, to, count, kLeast);
+}
+void mostOfFours(const double* from, double* to, std::size_t count) {
+  mergeRow(from, to, count, kMost);
+}
+void sumOfFours(const double* from, double* to, std::size_t count) {
+  mergeRow(from, to, count, kSum);
+}
+
+void riseOfFours(const double* rise, std::size_t count, double length, double* lowest,
+                 double* highest, double* riseIntegral) {
+  forFours<1>(rise, count, [&](std::size_t k, const double* row) {
+    const Fours begins = Fours::load(row), ends = Fours::load(row + 1);
+    min(begins.merged(kLeast), ends.d).store(lowest + k);
+    max(begins.merged(kMost), ends.d).store(highest + k);
+    const One inner = (begins.b + begins.c) + begins.d;
+    (One::all(length) * (One::all(0.5) * (begins.a + ends.d) + inner)).store(riseIntegral + k);
+  });
+}
+
+void slopeOfFours(const double* slope, std::size_t count, double length, double* steepest,
+                  double* slopeSquared) {
+  forFours<0>(slope, count, [&](std::size_t k, const double* row) {
+    const Fours m = Fours::load(row);
+    m.merged(kMost).store(steepest + k);
+    const Fours squares{m.a * m.a, m.b * m.b, m.c * m.c, m.d * m.d};
+    (One::all(length) * squares.merged(kSum)).store(slopeSquared + k);
+  });
+}
+
 double lowest(const double* values, std::size_t count) {
   constexpr std::size_t kLanes = One::kLanes, kRun = 4 * kLanes;
   One least[4] = {One::all(values[0]), One::all(values[0]), One::all(values[0]),
@@ -84,6 +153,11 @@ namespace asperity {
 
 HWY_EXPORT(boundAll);
 HWY_EXPORT(lowest);
+HWY_EXPORT(leastOfFours);
+HWY_EXPORT(mostOfFours);
+HWY_EXPORT(sumOfFours);
+HWY_EXPORT(riseOfFours);
+HWY_EXPORT(slopeOfFours);
 
 std::size_t placeOfLowest(std::span<const double> values) {
   const double least = HWY_DYNAMIC_DISPATCH(lowest)(values.data(), values.size());
@@ -92,10 +166,34 @@ std::size_t placeOfLowest(std::span<const double> values) {
 
 void boundSegments(const double* rise, const double* slopeIn, const double* slopeOut,
                    std::size_t count, double length, BlockLevel& blocks) {
-  blocks.resize(count);
   HWY_DYNAMIC_DISPATCH(boundAll)
   (rise, slopeIn, slopeOut, count, length, blocks.lowest.data(), blocks.highest.data(),
    blocks.steepest.data(), blocks.riseIntegral.data(), blocks.slopeSquared.data());
+}
+
+void boundStraightFours(const double* rise, const double* slope, std::size_t count, double length,
+                        BlockLevel& blocks) {
+  const std::size_t fours = count / 4;
+  blocks.resize(fours);
+  HWY_DYNAMIC_DISPATCH(riseOfFours)
+  (rise, fours, length, blocks.lowest.data(), blocks.highest.data(), blocks.riseIntegral.data());
+  HWY_DYNAMIC_DISPATCH(slopeOfFours)
+  (slope, fours, length, blocks.steepest.data(), blocks.slopeSquared.data());
+}
+
+void mergeFours(const BlockLevel& finer, BlockLevel& blocks) {
+  const std::size_t count = finer.size() / 4;
+  const bool isNodal = finer.highest.empty();
+  if (isNodal)
+    blocks.resizeForNodal(count);
+  else
+    blocks.resize(count);
+  HWY_DYNAMIC_DISPATCH(leastOfFours)(finer.lowest.data(), blocks.lowest.data(), count);
+  if (isNodal) return;
+  HWY_DYNAMIC_DISPATCH(mostOfFours)(finer.highest.data(), blocks.highest.data(), count);
+  HWY_DYNAMIC_DISPATCH(mostOfFours)(finer.steepest.data(), blocks.steepest.data(), count);
+  HWY_DYNAMIC_DISPATCH(sumOfFours)(finer.riseIntegral.data(), blocks.riseIntegral.data(), count);
+  HWY_DYNAMIC_DISPATCH(sumOfFours)(finer.slopeSquared.data(), blocks.slopeSquared.data(), count);
 }
 
 SegmentBounds boundSegment(const double* rise, double slopeIn, double slopeOut, double length) {

@@ -9,7 +9,7 @@
 #define ASPERITY_SEGMENT_STEP_INL
 #endif
 
-#include "core/contact/wide-inl.h"
+#include "core/contact/arc_gap-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace asperity {
@@ -36,14 +36,6 @@ struct alignas(64) Lanes {
   unsigned finished, pressed;  // have come to the end of their segment; in contact
 };
 
-constexpr int kMostRootSteps = 100;
-/// A root's last step, relative, for a contact may be far shorter than its segment; what is left of
-/// the error is its cube.
-constexpr double kRootStep = 1e-6;
-
-HWY_INLINE Wide times(double factor, Wide x) {
-  return Wide::all(factor) * x;
-}
 HWY_INLINE WideMask isSet(const Lanes::Values& values) {
   return Wide::load(values) > Wide::all(0);
 }
@@ -65,67 +57,6 @@ HWY_INLINE WideCubic select(WideMask m, const WideCubic& x, const WideCubic& y) 
           select(m, x.c3, y.c3)};
 }
 
-/// A free surface that was `depth` deep: what it has come up by, depth (1 - exp(-(offset + rate
-/// t))). As heights, line and surface are told apart to the last digit even where the depth is far
-/// larger, or hardly relaxes over a period.
-struct WideArc {
-  Wide depth, offset, rate;
-
-  HWY_INLINE Wide lostAt(Wide t) const { return lostAfter(mulAdd(rate, t, offset)); }
-};
-
-/// A polynomial and what an arc has come up by: one equation for all edges of contact.
-struct WideGap {
-  WideCubic cubic;
-  WideArc arc;
-
-  HWY_INLINE Wide valueAt(Wide t, Wide lost) const { return mulAdd(arc.depth, lost, cubic.at(t)); }
-
-  /// Halley's step from t, where that part of the arc's depth is lost; far outside where the root
-  /// lies beyond a turning point, next to which such steps are short.
-  HWY_INLINE Wide step(Wide t, Wide value, Wide lost) const {
-    const Wide fall = arc.rate * negMulAdd(arc.depth, lost, arc.depth);
-    const Wide slope = cubic.slopeAt(t) + fall;
-    const Wide halfCurvature = negMulAdd(times(0.5, arc.rate), fall, cubic.halfCurvatureAt(t));
-    const Wide squared = slope * slope, below = negMulAdd(value, halfCurvature, squared);
-    return select(below <= squared + squared, t - value * slope / below, Wide::all(1e9));
-  }
-};
-
-struct WideRoot {
-  Wide t, lost;  // lost: part of the arc's depth
-};
-
-/// Halley's method inside [low, high] for the lanes wanted, bisection where it would leave. The
-/// root's `lost` is good where the arc's depth is above 0.
-HWY_INLINE WideRoot rootBetween(const WideGap& gap, Wide low, Wide high, WideMask negativeAtLow,
-                                Wide guess, WideMask wanted) {
-  // Over less than it takes the arc to change its curvature.
-  const Wide one = Wide::all(1);
-  const Wide reach = select(gap.arc.depth > Wide::all(0), one / abs(gap.arc.rate), one);
-  Wide t = guess, further = one, lost = one;
-  for (int step = 0; step < kMostRootSteps; ++step) {
-    lost = gap.arc.lostAt(t);
-    const Wide value = gap.valueAt(t, lost);
-    const WideMask before = !((value < Wide::all(0)) ^ negativeAtLow);
-    low = select(before, t, low);
-    high = select(before, high, t);
-    const Wide enough = mulAdd(min(t, reach), Wide::all(kRootStep), Wide::all(1e-24));
-    Wide next = gap.step(t, value, lost);
-    // A step that leaves by no more than it may be wrong by means that the root is at this end.
-    const WideMask inside = (next >= low - enough) & (next <= high + enough);
-    next = select(inside, min(max(next, low), high), times(0.5, low + high));
-    further = next - t;
-    t = next;
-    if (!any(wanted & (abs(further) > enough))) break;
-  }
-  // The last step is short: two terms of its series are all there is. But where hardly anything is
-  // remembered all is lost, however short it was.
-  const Wide x = min(max(gap.arc.rate * further, -one), one);
-  return {t, mulAdd(one - lost, negMulAdd(times(0.5, x), x, x), lost)};
-}
-
-template <bool kLinear>
 class SegmentStep {
  public:
   explicit HWY_INLINE SegmentStep(Lanes& lanes) : lanes_(lanes) {}
@@ -157,13 +88,8 @@ class SegmentStep {
     arcPosition_ = Wide::load(lanes_.arcPosition);
     low_ = Wide::load(lanes_.height0);
     const Wide fall = low_ - Wide::load(lanes_.height1);
-    const Wide k = memory_ * perAlong_, none = Wide::all(0);
+    const Wide k = memory_ * perAlong_;
     inside_.c0 = depth_ - low_;
-    if (kLinear) {
-      inside_.c1 = fall, inside_.c2 = none, inside_.c3 = none;
-      pressure_ = {mulAdd(k, fall, inside_.c0), fall, none, none};
-      return;
-    }
     const Wide span = abs(along_);
     const Wide m0 = -(Wide::load(lanes_.slope0) * span), m1 = -(Wide::load(lanes_.slope1) * span);
     inside_.c1 = m0;
@@ -182,14 +108,12 @@ class SegmentStep {
     const WideMask turns = (from < limit) & !onwards_;
     from_ = select(turns, limit, from);
     to_ = select(turns, from, limit);
-    if (!kLinear) {
-      // Zeros of c1 + 2 c2 t + 3 c3 t^2 without cancellation; NaN where there are none.
-      const WideCubic& p = pressure_;
-      const Wide a = times(3, p.c3);
-      const Wide q = -(p.c2 + copySign(sqrt(negMulAdd(a, p.c1, p.c2 * p.c2)), p.c2));
-      endPieceAt(q / a);
-      endPieceAt(p.c1 / q);
-    }
+    // Zeros of c1 + 2 c2 t + 3 c3 t^2 without cancellation; NaN where there are none.
+    const WideCubic& p = pressure_;
+    const Wide a = times(3, p.c3);
+    const Wide q = -(p.c2 + copySign(sqrt(negMulAdd(a, p.c1, p.c2 * p.c2)), p.c2));
+    endPieceAt(q / a);
+    endPieceAt(p.c1 / q);
     pressureFrom_ = pressure_.at(from_);
     pressureTo_ = pressure_.at(to_);
     upFrom_ = pressureFrom_ > Wide::all(0);
@@ -219,7 +143,7 @@ class SegmentStep {
   /// pressed stretch, which is where the line comes nearest to the free surface.
   HWY_INLINE void findEvents() {
     arc_ = {depth_ - arcRise_, (start_ - arcPosition_) * inverse_, along_ * inverse_};
-    const WideGap rising{below(arcRise_), arc_};
+    const WideGap<WideCubic> rising{below(arcRise_), arc_};
     const WideMask free = busy_ & !touching_;
     exits_ = touching_ & !upTo_;
     const WideMask bumps = free & upFrom_ & !upTo_, rises = free & upTo_;
@@ -238,7 +162,7 @@ class SegmentStep {
     }
     const WideMask wanted = exits_ | bumps | enters_;
     if (!any(wanted)) return;
-    WideGap gap{select(enters_, rising.cubic, pressure_), arc_};
+    WideGap<WideCubic> gap{select(enters_, rising.polynomial, pressure_), arc_};
     gap.arc.depth = onlyIn(enters_, arc_.depth);
     const Wide low = min(from_, to_), high = max(from_, to_);
     const Wide secant = mulAdd(to_ - from_, pressureFrom_ / (pressureFrom_ - pressureTo_), from_);
@@ -281,17 +205,14 @@ class SegmentStep {
     const Wide span = abs(along_);
     const Wide w = inside_.at(from), c1 = inside_.slopeAt(from);
     const Wide c2 = inside_.halfCurvatureAt(from), c3 = inside_.c3;
-    Wide change = times(0.5, c1), squares = c1 * c1, climb = c1;
-    if (!kLinear) {
-      // Integral of w's change: x^2 (c1 / 2 + x (c2 / 3 + x c3 / 4)).
-      change = mulAdd(x, mulAdd(x, times(0.25, c3), times(1.0 / 3, c2)), change);
-      // Integral of (c1 + b t + c t^2)^2.
-      const Wide b = c2 + c2, c = times(3, c3);
-      const Wide t4 = mulAdd(x, times(0.2, c * c), times(0.5, b * c));
-      const Wide t3 = mulAdd(x, t4, times(1.0 / 3, mulAdd(b, b, (c1 + c1) * c)));
-      squares = mulAdd(x, mulAdd(x, t3, c1 * b), squares);
-      climb = mulAdd(x, mulAdd(x, c3, c2), climb);
-    }
+    // Integral of w's change: x^2 (c1 / 2 + x (c2 / 3 + x c3 / 4)).
+    const Wide change = mulAdd(x, mulAdd(x, times(0.25, c3), times(1.0 / 3, c2)), times(0.5, c1));
+    // Integral of (c1 + b t + c t^2)^2.
+    const Wide b = c2 + c2, c = times(3, c3);
+    const Wide t4 = mulAdd(x, times(0.2, c * c), times(0.5, b * c));
+    const Wide t3 = mulAdd(x, t4, times(1.0 / 3, mulAdd(b, b, (c1 + c1) * c)));
+    const Wide squares = mulAdd(x, mulAdd(x, t3, c1 * b), c1 * c1);
+    const Wide climb = mulAdd(x, mulAdd(x, c3, c2), c1);
     const Wide depths = span * x * mulAdd(x, change, w);
     const Wide sinking = memory_ * x * select(onwards_, climb, -climb);
     const Wide length = Wide::load(lanes_.contactLength), slopes = Wide::load(lanes_.slopeSquared);

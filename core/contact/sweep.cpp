@@ -10,7 +10,9 @@
 #include "core/contact/depth_table.h"
 #include "core/contact/flush_denormals.h"
 #include "core/contact/lane_pass.h"
+#include "core/contact/lane_stream.h"
 #include "core/contact/nodal_group.h"
+#include "core/contact/straight_pass.h"
 #include "core/contact/stream_balance.h"
 #include "core/scene/plan.h"
 
@@ -205,6 +207,10 @@ class DepthQueue final : public PassQueue {
   std::array<std::size_t, kMostStreams> columns_{};
 };
 
+void runPasses(const TravelLine& line, PassQueue& queue) {
+  line.scheme == Scheme::Linear ? passStraight(line, queue) : passLanes(line, queue);
+}
+
 /// Depths to start from: the trend of the last two answers, which fall with velocity.
 LaneValues guessesFor(std::span<const double> velocities, std::span<const double> known,
                       std::span<const SteadyResult> answers) {
@@ -250,7 +256,7 @@ bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
   for (SteadyResult& result : results) result.passes = 0;
   if (line.scheme != Scheme::Nodal) {
     SweepQueue queue(line, conditions, {forces, velocities, results, others}, stop);
-    passLanes(line, queue);
+    runPasses(line, queue);
     if (queue.hasSearched()) countStage(Stage::ContactSearch);
     return !stop.stop_requested();
   }
@@ -277,7 +283,7 @@ bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, con
     return sweepNodal(line, conditions, load, velocities, results, stop);
   }
   DepthQueue queue(line, conditions, load.depth, velocities, results, stop);
-  passLanes(line, queue);
+  runPasses(line, queue);
   if (queue.hasSearched()) countStage(Stage::ContactSearch);
   return !stop.stop_requested();
 }

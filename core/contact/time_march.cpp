@@ -153,7 +153,11 @@ void TimeMarch::prepareSteps(double dt) {
     creep.before = hasDashpot ? 0 : flow * (decay.driven[0] - decay.driven[1]);
     creep.after = flow * (hasDashpot ? decay.driven[0] : decay.driven[1]);
     creep.stiffness = modes_.rate[j] / modes_.fluidity[j];
-    creep.lost = -std::expm1(-2 * z);
+    const double whole = z > 0 ? -0.5 * std::expm1(-2 * z) / z : 1;  // of a p that stays
+    const LossForm form = hasDashpot ? LossForm{} : lossForm(z);
+    creep.loss = {flow * whole, 0, 0};
+    if (!hasDashpot) creep.loss[1] = flow * (z > 0 ? form.ed[0] / z : 1);
+    if (!hasDashpot) creep.loss[2] = flow * (z > 0 ? form.dd[0] / z : 1.0 / 3);
     compliance_ += creep.after;
   }
 }
@@ -201,7 +205,6 @@ MarchStep TimeMarch::finishStep(const Climb& climb) {
     const double mean = HasDashpot ? now : 0.5 * (last + now);
     const double gap = start - (before - lastRise_[i]);
     load += now;
-    if (!HasDashpot) work += mean * (end - start);
     advance += mean * (lastRise_[i] - rise_[i]);
     if (HasDashpot) closing += mean * gap;
     if (!HasDashpot) stored += 0.5 * modes_.glassyCompliance * (now - last) * (now + last);
@@ -213,30 +216,33 @@ MarchStep TimeMarch::finishStep(const Climb& climb) {
   for (std::size_t j = 0; j < creep_.size(); ++j) {
     const Creep creep = creep_[j];
     double* amplitude = amplitude_.data() + j * count;
-    const double softness = creep.stiffness > 0 ? 1 / creep.stiffness : 0;
+    const bool isSlow = creep.forgotten < 0.5;
     for (std::size_t i = 0; i < count; ++i) {
       const double start = amplitude[i], now = 0.25 * pressure_[i];
-      double end = creep.kept * start + creep.after * now;
-      double change = creep.after * now - creep.forgotten * start;
-      if constexpr (!HasDashpot) {
-        end += creep.before * threshold_[i];
-        change += creep.before * threshold_[i];
-      }
+      double driven = creep.after * now;
+      if constexpr (!HasDashpot) driven += creep.before * threshold_[i];
+      const double change = driven - creep.forgotten * start;
+      // What has settled stays, to the last bit, and what is forgotten leaves no rounding.
+      const double end = isSlow ? start + change : creep.kept * start + driven;
       if constexpr (HasDashpot) work += now * change;
       stored += 0.5 * creep.stiffness * change * (end + start);
-      if constexpr (HasDashpot)
-        dissipated += creep.stiffness > 0 ? 0.5 * creep.stiffness * creep.lost *
-                                                (start - softness * now) * (start - softness * now)
-                                          : creep.after * now * now;
+      if constexpr (HasDashpot) {
+        const double x = now - creep.stiffness * start;
+        dissipated += creep.loss[0] * x * x;
+      } else {
+        dissipated += creep.taken(threshold_[i] - creep.stiffness * start, now - threshold_[i]);
+      }
       amplitude[i] = end;
     }
   }
   MarchStep result;
   result.indentation = indentation_;
   result.normalForce = h * load;
-  result.work = h * work;
+  // Under a p that is linear in time the depths between begin and end are known by their
+  // amplitudes alone: what these store and dissipate is the work, to the last digit.
+  result.work = h * (HasDashpot ? work : stored + dissipated);
   result.stored = h * stored;
-  result.dissipated = HasDashpot ? h * dissipated : h * (work - stored);
+  result.dissipated = h * dissipated;
   result.slidingWork = result.work - result.normalForce * climb.whole();
   result.lineWork = h * advance;
   result.gapWork = h * closing;

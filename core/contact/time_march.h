@@ -13,6 +13,7 @@
 // Ownership: holds its line, its law and its state. Threading: one thread at a time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -37,7 +38,7 @@ struct MarchStep {
   double indentation = 0;    // m, at its end, from the lowest point of the line
   double normalForce = 0;    // N; constant in the step, or at its end without a dashpot
   double work = 0;           // J, done on the elements: integral of p du
-  double dissipated = 0;     // J, in the dashpots; without one of its own: work less stored
+  double dissipated = 0;     // J, in the dashpots, each by itself: never below 0
   double stored = 0;         // J, gained by the springs
   double slidingWork = 0;    // J, work less what the normal force did by sinking; in steady sliding
                              // all of it is dissipated, at any resolution
@@ -89,9 +90,8 @@ class TimeMarch {
   /// not recorded.
   const std::vector<double>& sinceContact() const { return sinceContact_; }
   /// W/m, dissipated in each element: mean over the last step, of which the sum is
-  /// MarchStep::dissipated / dt, or before the first one what its state says (dissipation.h). Of
-  /// elements without a dashpot of their own work less stored energy, which may fall a little below
-  /// 0 where a step is long. Empty where not recorded.
+  /// MarchStep::dissipated / dt, or before the first one what its state says (dissipation.h); 0
+  /// where what is left to creep is rounding. Empty where not recorded.
   const std::vector<double>& power() const { return power_; }
   /// dz/dx of the line over each element, from its cubics.
   std::vector<double> lineSlope() const;
@@ -115,7 +115,13 @@ class TimeMarch {
     double before;     // m / Pa, of p/4 at the step's begin
     double after;      // m / Pa, of p/4 at its end, or throughout
     double stiffness;  // Pa, of its spring; 0 for one that only flows
-    double lost;       // part of the energy between amplitude and rest that is dissipated
+    /// m / Pa: its dashpot takes x (loss[0] x + loss[1] more) + loss[2] more^2 under a p/4 that is
+    /// by x above what its spring holds (Pa) and grows by `more` in the step.
+    std::array<double, 3> loss;
+
+    double taken(double x, double more) const {
+      return x * (loss[0] * x + loss[1] * more) + loss[2] * more * more;
+    }
   };
 
   /// m, of the line in a step.
@@ -152,8 +158,8 @@ class TimeMarch {
   std::vector<Creep> creep_;
   MarchRecords records_;
   std::vector<double> sinceContact_, power_;
-  std::vector<double> beginDepth_, beginPressure_, beginAmplitude_;  // of the step, to record power
-  double preparedFor_ = -1;                                          // s, dt of creep_
+  std::vector<double> beginPressure_, beginAmplitude_;  // of the step, to record power
+  double preparedFor_ = -1;                             // s, dt of creep_
   double compliance_ = 0;  // m / Pa, y over p/4 pressed on at the end of the step
 };
 

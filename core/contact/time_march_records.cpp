@@ -1,5 +1,6 @@
 // What a march notes of its elements where a picture asks for it.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/contact/dissipation.h"
@@ -46,7 +47,6 @@ std::vector<double> TimeMarch::lineSlope() const {
 
 void TimeMarch::keepBegin() {
   if (!records_.power) return;
-  beginDepth_ = depth_;
   beginPressure_ = pressure_;
   beginAmplitude_ = amplitude_;
 }
@@ -62,28 +62,22 @@ void TimeMarch::recordStep(double dt) {
 void TimeMarch::recordPower(double dt) {
   const std::size_t count = depth_.size();
   const bool hasDashpot = modes_.glassyCompliance == 0;
+  // Without a dashpot a pressure comes from the difference of depths.
+  const double ofDepth = hasDashpot ? 0 : kRounding * std::abs(indentation_) / compliance_;
+  const double rounding =
+      std::max({ofDepth, pressureRounding(beginPressure_), pressureRounding(pressure_)});
+  const auto unlessRounding = [rounding](double x) { return std::abs(x) > rounding ? x : 0; };
   std::fill(power_.begin(), power_.end(), 0.0);
   for (std::size_t j = 0; j < creep_.size(); ++j) {
     const Creep creep = creep_[j];
-    const double softness = creep.stiffness > 0 ? 1 / creep.stiffness : 0;
-    const double *begin = beginAmplitude_.data() + j * count, *end = amplitude_.data() + j * count;
+    const double* begin = beginAmplitude_.data() + j * count;
     for (std::size_t i = 0; i < count; ++i) {
-      const double now = 0.25 * pressure_[i], unrelaxed = begin[i] - softness * now;
-      if (!hasDashpot)
-        power_[i] -= 0.5 * creep.stiffness * (end[i] - begin[i]) * (end[i] + begin[i]);
-      else if (creep.stiffness > 0)
-        power_[i] += 0.5 * creep.stiffness * creep.lost * unrelaxed * unrelaxed;
-      else
-        power_[i] += creep.after * now * now;
+      const double now = 0.25 * pressure_[i], last = hasDashpot ? now : 0.25 * beginPressure_[i];
+      power_[i] += creep.taken(unlessRounding(last - creep.stiffness * begin[i]),
+                               unlessRounding(now - last));
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    const double last = 0.25 * beginPressure_[i], now = 0.25 * pressure_[i];
-    if (!hasDashpot)
-      power_[i] += 0.5 * (last + now) * (depth_[i] - beginDepth_[i]) -
-                   0.5 * modes_.glassyCompliance * (now - last) * (now + last);
-    power_[i] *= 4 / dt;
-  }
+  for (double& power : power_) power *= 4 / dt;
 }
 
 }  // namespace asperity

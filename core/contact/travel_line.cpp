@@ -100,7 +100,7 @@ std::size_t setWholeSegments(TravelLine& travel, const Line& line, const Travell
       const double straight = (line.height[to] - line.height[from]) * perSpacing;
       rise[i + k] = line.height[from] - level;
       in[i + k] = isLinear ? straight : traveller.slopeAfter(from);
-      out[i + k] = isLinear ? straight : traveller.slopeBefore(to);
+      if (!isLinear) out[i + k] = traveller.slopeBefore(to);
     };
     traveller.forRun(node, run, take);
     i += run;
@@ -114,13 +114,12 @@ std::size_t setWholeSegments(TravelLine& travel, const Line& line, const Travell
   return node;
 }
 
-/// Blocks of 4, 16, ... segments over those of one, as far as whole ones go.
-bool addBlocks(TravelLine& travel, const std::stop_token& stop) {
-  std::size_t level = 0;
+/// Blocks of four times as many segments each over those of a level, as far as whole ones go.
+bool addBlocksOver(TravelLine& travel, std::size_t level, const std::stop_token& stop) {
   while (travel.blocks[level].size() >= 4) {
     if (stop.stop_requested()) return false;
     if (travel.blocks.size() == level + 1) travel.blocks.emplace_back();
-    travel.blocks[level + 1].merge(travel.blocks[level]);
+    mergeFours(travel.blocks[level], travel.blocks[level + 1]);
     ++level;
   }
   travel.blocks.resize(level + 1);
@@ -138,18 +137,20 @@ void addCuts(TravelLine& travel) {
     const double lowest = travel.rise[segment];
     std::size_t back = segment - 2;  // blocks[0][back - 1] is of segment `back`
     while (back > 0 && segment - back < size && travel.blocks[0].lowest[back - 1] >= lowest) --back;
-    travel.cuts.push_back({segment, travel.position[segment] - travel.position[back + 1]});
+    travel.cuts.push_back({segment, travel.position(segment) - travel.position(back + 1)});
   }
 }
 
-void resizeFor(TravelLine& travel, std::size_t segments) {
-  travel.position.resize(segments + 1);
+bool resizeFor(TravelLine& travel, std::size_t segments, const std::stop_token& stop) {
   travel.rise.resize(segments + 1);
+  if (stop.stop_requested()) return false;
   travel.slopeIn.resize(segments);
-  travel.slopeOut.resize(segments);
+  if (stop.stop_requested()) return false;
+  travel.slopeOut.resize(travel.scheme == Scheme::Cubic ? segments : 0);
+  return !stop.stop_requested();
 }
 
-bool addBounds(TravelLine& travel, const std::stop_token& stop) {
+bool addCubicBlocks(TravelLine& travel, const std::stop_token& stop) {
   const std::size_t last = travel.segments() - 1;
   const auto bounds = [&travel](std::size_t i) {
     return boundSegment(&travel.rise[i], travel.slopeIn[i], travel.slopeOut[i],
@@ -157,19 +158,39 @@ bool addBounds(TravelLine& travel, const std::stop_token& stop) {
   };
   travel.firstBounds = bounds(0);
   travel.lastBounds = bounds(last);
-  travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
+  if (!travel.blocks[0].resize(last - 1, stop)) return false;
   boundSegments(&travel.rise[1], &travel.slopeIn[1], &travel.slopeOut[1], last - 1, travel.spacing,
                 travel.blocks[0]);
-  if (!addBlocks(travel, stop)) return false;
-  double integral = travel.firstBounds.riseIntegral + travel.lastBounds.riseIntegral;
-  // By fours as far as they go.
-  const BlockLevel& inner = travel.blocks[0];
+  return addBlocksOver(travel, 0, stop);
+}
+
+/// The lowest level of straight segments would be as large as all the rest and say nothing new.
+bool addStraightBlocks(TravelLine& travel, const std::stop_token& stop) {
+  const std::size_t inner = travel.segments() - 2;
+  travel.blocks[0].clear();
+  travel.blocks.resize(inner < 4 ? 1 : std::max<std::size_t>(travel.blocks.size(), 2));
+  if (inner < 4) return true;
+  boundStraightFours(&travel.rise[1], &travel.slopeIn[1], inner, travel.spacing, travel.blocks[1]);
+  return addBlocksOver(travel, 1, stop);
+}
+
+/// Of the rise, by fours as far as they go.
+double integralOf(const TravelLine& travel) {
+  double integral = travel.bounds(0).riseIntegral;
   const std::size_t fours = travel.blocks.size() > 1 ? travel.blocks[1].size() : 0;
   for (std::size_t i = 0; i < fours; ++i) integral += travel.blocks[1].riseIntegral[i];
-  for (std::size_t i = 4 * fours; i < inner.size(); ++i) integral += inner.riseIntegral[i];
-  travel.meanRise = integral / travel.length;
+  for (std::size_t i = 4 * fours + 1; i < travel.segments(); ++i)
+    integral += travel.bounds(i).riseIntegral;
+  return integral;
+}
+
+bool addBounds(TravelLine& travel, const std::stop_token& stop) {
+  travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
+  const bool isCubic = travel.scheme == Scheme::Cubic;
+  if (!(isCubic ? addCubicBlocks(travel, stop) : addStraightBlocks(travel, stop))) return false;
+  travel.meanRise = integralOf(travel) / travel.length;
   if (stop.stop_requested()) return false;
-  addCuts(travel);
+  isCubic ? addCuts(travel) : travel.cuts.clear();
   return true;
 }
 
@@ -178,9 +199,10 @@ bool addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
   const double h = line.spacing, t = lowest.fraction;
   const std::size_t count = line.nodes(), split = t > 0 ? 1 : 0;
   travel.startsInsideSegment = t > 0;
+  travel.startFraction = t;
   travel.firstLength = (1 - t) * h;
   travel.lastLength = t > 0 ? t * h : h;
-  resizeFor(travel, count + split);
+  if (!resizeFor(travel, count + split, stop)) return false;
   std::size_t node = lowest.node;
   if (split > 0) node = traveller.next(node);
   node = setWholeSegments(travel, line, traveller, node, split, count - split);
@@ -194,53 +216,45 @@ bool addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
     travel.rise[1] = level(1 - t);
   }
   travel.rise.back() = 0;
-  if (stop.stop_requested()) return false;
-  const auto last = static_cast<int>(travel.segments());  // counted so, several fit in a vector
-  for (int i = 0; i <= last; ++i)
-    travel.position[static_cast<std::size_t>(i)] = (static_cast<double>(i) - t) * h;
-  travel.position.front() = 0;
-  travel.position.back() = travel.length;
   return !stop.stop_requested() && addBounds(travel, stop);
 }
 
 bool addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
               const Lowest& lowest, const std::stop_token& stop) {
   const std::size_t count = line.nodes();
-  travel.position.resize(count + 1);
   travel.rise.resize(count + 1);
   travel.slopeIn.resize(count);
   travel.slopeOut.clear();
   travel.startsInsideSegment = false;
+  travel.startFraction = 0;
   travel.firstLength = travel.lastLength = line.spacing;
   travel.meanRise = 0;
   std::size_t node = lowest.node;
   for (std::size_t i = 0; i < count; ++i) {
-    travel.position[i] = static_cast<double>(i) * line.spacing;
     travel.rise[i] = line.height[node] - lowest.height;
     // At a corner the element takes the mean of both sides.
     travel.slopeIn[i] = 0.5 * (traveller.slopeBefore(node) + traveller.slopeAfter(node));
     travel.meanRise += travel.rise[i];
     node = traveller.next(node);
   }
-  travel.position[count] = travel.length;
   travel.rise[count] = 0;
   travel.meanRise /= static_cast<double>(count);
   travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
   travel.blocks[0].resizeForNodal(count - 1);
   std::copy_n(travel.rise.begin() + 1, count - 1, travel.blocks[0].lowest.begin());
-  return addBlocks(travel, stop);
+  return addBlocksOver(travel, 0, stop);
 }
 
 }  // namespace
 
 Cubic TravelLine::segment(std::size_t i) const {
   const double h = segmentLength(i);
-  return hermite(rise[i], rise[i + 1], slopeIn[i] * h, slopeOut[i] * h);
+  return hermite(rise[i], rise[i + 1], slopeIn[i] * h, slopeAtEnd(i) * h);
 }
 
 Cubic TravelLine::segmentBackwards(std::size_t i) const {
   const double h = segmentLength(i);
-  return hermite(rise[i + 1], rise[i], -slopeOut[i] * h, -slopeIn[i] * h);
+  return hermite(rise[i + 1], rise[i], -slopeAtEnd(i) * h, -slopeIn[i] * h);
 }
 
 std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<double>& values,

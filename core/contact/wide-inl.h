@@ -38,6 +38,10 @@ struct One {
 
   static HWY_INLINE One all(double value) { return {hn::Set(kTag, value)}; }
   static HWY_INLINE One load(const double* from) { return {hn::LoadU(kTag, from)}; }
+  /// The first `count` only, 0 behind them; nothing else is read.
+  static HWY_INLINE One loadFirst(const double* from, std::size_t count) {
+    return {hn::MaskedLoad(hn::FirstN(kTag, count), kTag, from)};
+  }
   HWY_INLINE void store(double* to) const { hn::StoreU(v, kTag, to); }
 };
 

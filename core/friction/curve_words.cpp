@@ -46,7 +46,6 @@ bool isShiftIdle(const Parameter& row, const Scene& scene) {
 /// "seed 3", "linear", "local shear = 2 N/m": of rows that have no symbol.
 std::string inPlainWords(const Parameter& row, const Scene& scene) {
   const ParameterValue value = valueOf(row, scene);
-  if (std::holds_alternative<ArmsField>(row.field)) return "other arms";
   if (const auto* real = std::get_if<double>(&value))
     return fmt::format("{} = {}", row.label,
                        row.unit.empty() ? fmt::format("{:g}", *real) : withUnit(*real, row.unit));
@@ -73,6 +72,13 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
 
 }  // namespace
 
+std::string parameterInWords(std::string_view key, const Scene& scene) {
+  const Parameter* row = findParameter(key);
+  if (!row || std::holds_alternative<ArmsField>(row->field)) return {};
+  const std::string words = inWords(*row, scene);
+  return words.empty() ? inPlainWords(*row, scene) : words;
+}
+
 std::string parametersInWords(const Scene& scene) {
   std::vector<std::string> parts;
   for (const Parameter& row : parameters()) {
@@ -86,8 +92,8 @@ std::string differencesInWords(const Scene& scene, const Scene& from) {
   std::vector<std::string> parts;
   for (const Parameter& row : parameters()) {
     if (!differs(row, scene, from)) continue;
-    std::string words = inWords(row, scene);
-    parts.push_back(words.empty() ? inPlainWords(row, scene) : std::move(words));
+    std::string words = parameterInWords(row.key, scene);
+    parts.push_back(words.empty() ? "other arms" : std::move(words));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -3,10 +3,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "core/scene/scene.h"
 
 namespace asperity {
+
+/// One of them: "H = 0.3", "F\u2099 = 10 mN"; where it has no symbol, "seed 3", "linear". Empty for
+/// arms and for a key that is not known.
+std::string parameterInWords(std::string_view key, const Scene& scene);
 
 /// One line of what a scene sets: "H = 0.7, h = 500 nm, G = 10 MPa, ...".
 std::string parametersInWords(const Scene& scene);

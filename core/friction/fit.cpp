@@ -6,6 +6,12 @@
 #include <vector>
 
 namespace asperity {
+namespace {
+
+/// A line that rises by less of the largest value, from its first x to its last, is flat.
+constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
 
 LineFit fitLine(std::span<const double> x, std::span<const double> y) {
   const auto count = static_cast<Eigen::Index>(x.size());
@@ -13,7 +19,10 @@ LineFit fitLine(std::span<const double> x, std::span<const double> y) {
   Eigen::MatrixXd design(count, 2);
   design.col(0).setOnes();
   design.col(1) = abscissa;
-  const Eigen::Vector2d coefficients = design.colPivHouseholderQr().solve(ordinate);
+  Eigen::Vector2d coefficients = design.colPivHouseholderQr().solve(ordinate);
+  const double rise = coefficients[1] * (abscissa.maxCoeff() - abscissa.minCoeff());
+  if (std::abs(rise) <= kRounding * ordinate.cwiseAbs().maxCoeff())
+    coefficients = {ordinate.mean(), 0};
   const double squares = (ordinate - design * coefficients).squaredNorm();
   const double variance = count > 2 ? squares / static_cast<double>(count - 2)
                                     : std::numeric_limits<double>::quiet_NaN();

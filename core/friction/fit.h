@@ -14,7 +14,8 @@ struct LineFit {
   double rmsResidual = 0;
 };
 
-/// Points of equal weight; x and y of one length, at least two different x.
+/// Points of equal weight; x and y of one length, at least two different x. The slope of a plateau,
+/// where y does not change but in its last digits, is 0.
 LineFit fitLine(std::span<const double> x, std::span<const double> y);
 
 /// A power law, ln y = intercept + slope ln x; all values positive.

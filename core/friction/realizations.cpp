@@ -1,7 +1,6 @@
 #include "core/friction/realizations.h"
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -15,10 +14,19 @@ namespace {
 
 using Results = std::vector<SteadyResult>;
 
-/// What a thread uses again for one realization after another.
+/// What a thread uses again for one realization after another, of later ensembles too: the system
+/// takes longer to give and to take back the pages of a long line than it takes to fill them, and a
+/// cancelled ensemble would wait for that. Lines far shorter than the last one begin afresh.
 struct Memory {
   Line line;
   TravelLine travel;
+
+  static Memory& forNodes(std::int64_t nodes) {
+    constexpr std::int64_t kMostSpare = 16;
+    thread_local Memory memory;
+    if (static_cast<std::int64_t>(memory.line.height.capacity()) > kMostSpare * nodes) memory = {};
+    return memory;
+  }
 };
 
 std::string failureOf(const SteadyResult& result, double velocity, std::int64_t realization) {
@@ -50,7 +58,7 @@ class Realizations {
  private:
   /// Cut short where stop is requested.
   Results slide(std::int64_t realization) {
-    Memory& memory = memory_.local();
+    Memory& memory = Memory::forNodes(task_.source.nodes());
     const Scheme scheme = task_.scene.accuracy.scheme;
     // A long line takes as long as all the rest.
     const Slopes slopes = scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted;
@@ -85,7 +93,6 @@ class Realizations {
   Results first_;
   const std::stop_token& stop_;
   Jobs jobs_;
-  tbb::enumerable_thread_specific<Memory> memory_;
 };
 
 }  // namespace

@@ -47,10 +47,10 @@ TimeMarch steadyMarch(const RigidLine& rigid, const SceneSliding& sliding, doubl
   return march;
 }
 
-TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene) {
+TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene, double distance) {
   needEquilibrium(scene);
-  countStage(Stage::StartFromRest);
   TimeMarch march(rigid.line, rigid.travel.lowestHeight, lawOf(scene.elastomer));
+  march.setDistance(distance);
   march.settleAtRest(marchLoadOf(scene.load));
   return march;
 }

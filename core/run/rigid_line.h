@@ -25,7 +25,8 @@ MarchLoad marchLoadOf(const Load& load);
 TimeMarch steadyMarch(const RigidLine& rigid, const SceneSliding& sliding, double velocity,
                       const SteadyState& state, double distance = 0);
 
-/// Pressed in at rest for ever. Throws InputError where the elastomer has no equilibrium.
-TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene);
+/// Pressed in at rest for ever, the line moved by `distance` (m): nothing creeps. Throws InputError
+/// where the elastomer has no equilibrium.
+TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene, double distance = 0);
 
 }  // namespace asperity

@@ -91,8 +91,10 @@ void Simulation::reset() {
 void Simulation::settle(double distance) {
   transient_.reset();
   samples_.clear();
-  march_ =
-      steadyMarch(*ready_->rigid, *ready_->sliding, ready_->velocity(), ready_->steady, distance);
+  // At rest the elements' own balance holds: that of the line between them would creep to it.
+  march_ = ready_->velocity() > 0 ? steadyMarch(*ready_->rigid, *ready_->sliding,
+                                                ready_->velocity(), ready_->steady, distance)
+                                  : restingMarch(*ready_->rigid, *ready_->scene, distance);
   timeScale_ = 0;
   recordFields();
   clearReading();

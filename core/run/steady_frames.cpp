@@ -76,10 +76,6 @@ void SteadyFrames::addFields(const FrameFields& fields, const Line& line, const 
   if (fields.sinceContact)
     still_.sinceContact = steadyContactAge(still_.pressure, still_.spacing, still_.velocity);
   if (!fields.power) return;
-  if (still_.velocity == 0) {
-    still_.power.assign(still_.pressure.size(), 0.0);  // digits of nothing, else
-    return;
-  }
   const RetardationModes modes = retardationModes(sliding.law());
   const std::size_t starts = shape.nodes.depth.size();
   std::vector<double> amplitudes(modes.modes() * starts);

@@ -16,7 +16,10 @@ constexpr double kRounding = 1e-9;  // of a step
 
 TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
   checkEffects(scene);
-  if (callsFor(scene, Purpose::Picture, Stage::StartFromRest)) return restingMarch(rigid, scene);
+  if (callsFor(scene, Purpose::Picture, Stage::StartFromRest)) {
+    countStage(Stage::StartFromRest);
+    return restingMarch(rigid, scene);
+  }
   const SceneSliding sliding(scene);
   const SteadyState state = sliding.at(rigid.travel, scene.sliding.velocity);
   if (state.result.status != SteadyStatus::Balanced)

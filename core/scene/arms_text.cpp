@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
 #include "core/scene/parameters.h"
+#include "core/scene/range_text.h"
 
 namespace asperity {
 namespace {
@@ -24,6 +26,10 @@ struct Member {
 
 constexpr std::array<Member, 2> kMembers{
     {{"modulus", &Arm::modulus, 1e15, "Pa"}, {"relaxation_time", &Arm::relaxationTime, 1e12, "s"}}};
+
+std::string allowed(const Member& member) {
+  return rangeText(0, member.most, member.unit);
+}
 
 Json parsed(std::string_view json, const std::string& key) {
   Json list = Json::parse(json, nullptr, false);
@@ -42,7 +48,7 @@ Arm armFrom(const Json& json, const std::string& key) {
   for (const auto& [name, value] : json.items())
     if (std::none_of(kMembers.begin(), kMembers.end(),
                      [&name = name](const Member& member) { return name == member.name; }))
-      throw InputError("", key + "." + name.substr(0, 60),
+      throw InputError("", key + "." + shortened(name),
                        "unknown key; an arm has modulus and relaxation_time");
   Arm arm;
   for (const Member& member : kMembers) {
@@ -50,10 +56,11 @@ Arm armFrom(const Json& json, const std::string& key) {
     if (!json.contains(member.name)) throw InputError("", path, "is missing");
     const Json& value = json[member.name];
     if (!value.is_number())
-      throw InputError("", path, fmt::format("is not a number; allowed is 0 to {:g}", member.most));
+      throw InputError("", path, "is not a number; allowed is " + allowed(member));
     const double number = value.get<double>();
     if (!(number >= 0 && number <= member.most))
-      throw InputError("", path, fmt::format("{} is outside 0 to {:g}", number, member.most));
+      throw InputError("", path,
+                       fmt::format("{} is outside {}", plainNumber(number), allowed(member)));
     arm.*member.value = number;
   }
   return arm;
@@ -80,9 +87,8 @@ std::string textOf(const std::vector<Arm>& arms) {
 }
 
 std::string allowedArms() {
-  return fmt::format(
-      "a list of 0 to {} {{modulus, relaxation_time}}, {:g} to {:g} {} and {:g} to {:g} {}",
-      kMostArms, 0.0, kMembers[0].most, kMembers[0].unit, 0.0, kMembers[1].most, kMembers[1].unit);
+  return fmt::format("a list of 0 to {} {{modulus, relaxation_time}}, {} and {}", kMostArms,
+                     allowed(kMembers[0]), allowed(kMembers[1]));
 }
 
 }  // namespace asperity

@@ -2,13 +2,17 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "core/scene/input_error.h"
 
@@ -21,6 +25,40 @@ namespace fs = std::filesystem;
 fs::path targetOf(const fs::path& file) {
   std::error_code ignored;
   return fs::is_symlink(file, ignored) ? fs::canonical(file) : file;
+}
+
+/// The hidden name that every write of this file takes if it needs one, so that the next write
+/// finds what a kill left behind. A number, because a name of 255 bytes bears no addition.
+std::string partOf(const fs::path& target) {
+  std::uint64_t number = 14695981039346656037U;  // Fowler, Noll and Vo, 1a
+  for (const unsigned char byte : target.filename().native())
+    number = (number ^ byte) * 1099511628211U;
+  return (target.parent_path() / fmt::format(".asperity.{:016x}.part", number)).string();
+}
+
+/// Only for a moment of two writes of the same file at once.
+std::string partOfItsOwn(const fs::path& target) {
+  static std::atomic<unsigned> count{0};
+  return (target.parent_path() / fmt::format(".asperity.{}_{}.part", ::getpid(), count++)).string();
+}
+
+/// Whoever writes holds the lock, and the end of a process gives it back, however it ends.
+bool lock(int descriptor) {
+  return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+}
+
+bool isNamed(int descriptor, const std::string& name) {
+  struct stat open, named;
+  return ::fstat(descriptor, &open) == 0 && ::lstat(name.c_str(), &named) == 0 &&
+         open.st_ino == named.st_ino && open.st_dev == named.st_dev;
+}
+
+/// Removes a part that nobody writes any more.
+void removeStale(const std::string& part) {
+  const int found = ::open(part.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (found < 0) return;
+  if (lock(found) && isNamed(found, part)) ::unlink(part.c_str());
+  ::close(found);
 }
 
 }  // namespace
@@ -43,21 +81,31 @@ void checkWritable(const fs::path& file) {
 AtomicFile::AtomicFile(const fs::path& file) {
   checkWritable(file);
   target_ = targetOf(file);
+  name_ = partOf(target_);
+  removeStale(name_);
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  static std::atomic<unsigned> number{0};
-  name_ = (folder / fmt::format(".asperity.{}_{}.part", ::getpid(), number++)).string();
   // A file without a name gets one through /proc, which a bare chroot has not.
   if (::access("/proc/self/fd", X_OK) == 0)
     descriptor_ = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
-  if (descriptor_ >= 0) return;
+  if (descriptor_ >= 0)
+    lock(descriptor_);
+  else if (!openNamed() && (name_ = partOfItsOwn(target_), !openNamed()))
+    fail();
+}
+
+bool AtomicFile::openNamed() {
   descriptor_ = ::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail();
-  hasName_ = true;
+  if (descriptor_ < 0) return false;
+  // Another write may find it before it is locked, and take it for stale.
+  const bool isTaken = !lock(descriptor_) && errno == EWOULDBLOCK;
+  hasName_ = !isTaken && isNamed(descriptor_, name_);
+  if (!hasName_) ::close(std::exchange(descriptor_, -1));
+  return hasName_;
 }
 
 AtomicFile::~AtomicFile() {
+  if (hasName_) ::unlink(name_.c_str());  // while it is locked
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (hasName_) ::unlink(name_.c_str());
 }
 
 void AtomicFile::write(std::string_view bytes) {
@@ -88,23 +136,29 @@ void AtomicFile::replace(std::string_view bytes) {
 }
 
 void AtomicFile::commit() {
-  bool isLinked = false;  // under its final name already
   if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail();
-  if (!hasName_) {
-    // A link cannot replace a file, a renaming can; a new file needs no name in between, which a
-    // kill would leave behind.
-    const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
-    const auto linkAs = [&self](const char* name) {
-      return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
-    };
-    isLinked = linkAs(target_.c_str());
-    if (!isLinked && (errno != EEXIST || !linkAs(name_.c_str()))) fail();
-    hasName_ = !isLinked;
+  // Some file systems tell only at a closing what went wrong; the lock lasts until the other one.
+  if (::close(::dup(descriptor_)) != 0) fail();
+  if (hasName_ || !linkAsNew()) {
+    if (::rename(name_.c_str(), target_.c_str()) != 0) fail();
+    hasName_ = false;
   }
-  const int closed = ::close(descriptor_);
-  descriptor_ = -1;
-  if (closed != 0 || (!isLinked && ::rename(name_.c_str(), target_.c_str()) != 0)) fail();
-  hasName_ = false;
+  ::close(std::exchange(descriptor_, -1));
+}
+
+/// A link cannot replace a file, a renaming can; a new file needs no name in between, which a kill
+/// would leave behind. Returns whether it is done.
+bool AtomicFile::linkAsNew() {
+  const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
+  const auto linkAs = [&self](const char* name) {
+    return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+  };
+  if (linkAs(target_.c_str())) return true;
+  if (errno != EEXIST) fail();
+  hasName_ = linkAs(name_.c_str());
+  if (!hasName_ && errno == EEXIST) hasName_ = linkAs((name_ = partOfItsOwn(target_)).c_str());
+  if (!hasName_) fail();
+  return false;
 }
 
 void AtomicFile::fail() const {

@@ -12,8 +12,10 @@ namespace asperity {
 /// that is missing, or something there that is not a plain file. Call before long work.
 void checkWritable(const std::filesystem::path& file);
 
-/// A file without a name in the folder of the final one: killed, it leaves nothing behind. Where
-/// the file system knows no such files it has a hidden name, removed again unless it is committed.
+/// A file without a name in the folder of the final one: killed, it leaves nothing behind, save in
+/// the moment of replacing a file, when it has a hidden name. Where the file system knows no files
+/// without names it has the hidden name all the while. The next write of the same file removes what
+/// a kill left under that name, and nothing that another process is writing.
 /// Every member throws std::runtime_error in one sentence with the file's name where it fails.
 class AtomicFile {
  public:
@@ -35,6 +37,8 @@ class AtomicFile {
 
  private:
   [[noreturn]] void fail() const;
+  bool openNamed();
+  bool linkAsNew();
 
   std::filesystem::path target_;
   std::string name_;

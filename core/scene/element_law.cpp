@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/scene/input_error.h"
+#include "core/scene/range_text.h"
 #include "core/scene/temperature_shift.h"
 
 namespace asperity {
@@ -33,8 +34,9 @@ std::vector<Arm> withStrength(const std::vector<Arm>& given, double shift) {
 
 void checkModulus(double modulus, const std::string& key) {
   if (modulus != 0 && modulus < kSmallestModulus)
-    throw InputError(
-        "", key, fmt::format("{} is neither 0 nor at least {:g} Pa", modulus, kSmallestModulus));
+    throw InputError("", key,
+                     fmt::format("{} Pa is neither 0 nor at least {} Pa", plainNumber(modulus),
+                                 plainNumber(kSmallestModulus)));
 }
 
 void checkArms(const Elastomer& elastomer) {

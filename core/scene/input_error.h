@@ -21,6 +21,9 @@ class InputError : public std::runtime_error {
   const std::string& key() const { return key_; }
   const std::string& message() const { return message_; }
 
+  /// Whether it is about a word of the command line and not of a file: "--frames".
+  bool isOfOption() const { return key_.starts_with("--"); }
+
   /// The same error, said of this file.
   InputError in(const std::string& file) const { return {file, key_, message_}; }
 

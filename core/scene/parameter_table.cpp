@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include "core/scene/parameters.h"
+#include "core/scene/range_text.h"
 
 namespace asperity {
 namespace {
 
 std::string valueText(const ParameterValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) return plainNumber(*real);
   return std::visit([](const auto& held) { return fmt::format("{}", held); }, value);
-}
-
-std::string allowedWithUnit(const Parameter& row) {
-  return row.unit.empty() ? allowedText(row) : fmt::format("{} {}", allowedText(row), row.unit);
 }
 
 }  // namespace
@@ -21,7 +19,7 @@ std::string parameterTableText() {
   std::string text;
   for (const Parameter& row : parameters()) {
     const std::string usual = valueText(defaultOf(row));
-    text += fmt::format("  {:<28} {} ({}{})\n", row.key, row.sentence, allowedWithUnit(row),
+    text += fmt::format("  {:<28} {} ({}{})\n", row.key, row.sentence, allowedText(row),
                         usual.empty() ? "" : "; default " + usual);
   }
   return text;
@@ -30,7 +28,7 @@ std::string parameterTableText() {
 std::string parameterTableMarkdown() {
   std::string text = "| key | allowed | default | meaning |\n|---|---|---|---|\n";
   for (const Parameter& row : parameters())
-    text += fmt::format("| `{}` | {} | {} | {} |\n", row.key, allowedWithUnit(row),
+    text += fmt::format("| `{}` | {} | {} | {} |\n", row.key, allowedText(row),
                         valueText(defaultOf(row)), row.sentence);
   return text;
 }

@@ -7,7 +7,9 @@
 
 #include "core/scene/arms_text.h"
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
 #include "core/scene/parameters.h"
+#include "core/scene/range_text.h"
 
 namespace asperity {
 namespace {
@@ -54,19 +56,19 @@ double numberFrom(const Parameter& parameter, const ParameterValue& value) {
                  [](std::int64_t integer) { return static_cast<double>(integer); },
                  [&](const std::string& text) -> double {
                    refuse(parameter, fmt::format("'{}' is not a number; allowed is {}",
-                                                 text.substr(0, 60), allowedText(parameter)));
+                                                 shortened(text), allowedText(parameter)));
                  }},
       value);
   if (!std::isfinite(number))
-    refuse(parameter,
-           fmt::format("{} is not a finite number; allowed is {}", number, allowedText(parameter)));
+    refuse(parameter, fmt::format("{} is not a finite number; allowed is {}", plainNumber(number),
+                                  allowedText(parameter)));
   return number;
 }
 
 void checkRange(const Parameter& parameter, const Scene& scene, double number, double minimum,
                 double maximum) {
   if ((number < minimum || number > maximum) && !isLeftToProfile(parameter, scene, number))
-    refuse(parameter, fmt::format("{} is outside {}", number, allowedText(parameter)));
+    refuse(parameter, fmt::format("{} is outside {}", plainNumber(number), allowedText(parameter)));
 }
 
 void setReal(const Parameter& parameter, const RealField& field, Scene& scene,
@@ -80,8 +82,8 @@ void setInteger(const Parameter& parameter, const IntegerField& field, Scene& sc
                 const ParameterValue& value) {
   const double number = numberFrom(parameter, value);
   if (number != std::floor(number))
-    refuse(parameter,
-           fmt::format("{} is not a whole number; allowed is {}", number, allowedText(parameter)));
+    refuse(parameter, fmt::format("{} is not a whole number; allowed is {}", plainNumber(number),
+                                  allowedText(parameter)));
   checkRange(parameter, scene, number, static_cast<double>(field.minimum),
              static_cast<double>(field.maximum));
   field.member(scene) = static_cast<std::int64_t>(number);
@@ -94,7 +96,7 @@ void setChoice(const Parameter& parameter, const ChoiceField& field, Scene& scen
       word ? std::find(field.choices.begin(), field.choices.end(), *word) : field.choices.end();
   if (found == field.choices.end()) {
     const std::string given =
-        word ? fmt::format("'{}'", word->substr(0, 60)) : std::string("a number");
+        word ? fmt::format("'{}'", shortened(*word)) : std::string("a number");
     refuse(parameter, fmt::format("{} is not {}", given, allowedText(parameter)));
   }
   field.write(scene, static_cast<int>(found - field.choices.begin()));
@@ -162,15 +164,23 @@ void setFromText(const Parameter& parameter, Scene& scene, std::string_view text
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc::result_out_of_range)
     refuse(parameter, fmt::format("{} is beyond what a number can hold; allowed is {}",
-                                  text.substr(0, 60), allowedText(parameter)));
+                                  shortened(text), allowedText(parameter)));
   if (error != std::errc{} || end != text.data() + text.size())
     return setValue(parameter, scene, std::string(text));
   setValue(parameter, scene, number);
 }
 
+std::optional<AllowedRange> allowedRange(const Parameter& parameter) {
+  if (const auto* real = std::get_if<RealField>(&parameter.field))
+    return AllowedRange{real->minimum, real->maximum};
+  if (const auto* whole = std::get_if<IntegerField>(&parameter.field))
+    return AllowedRange{static_cast<double>(whole->minimum), static_cast<double>(whole->maximum)};
+  return {};
+}
+
 std::string allowedText(const Parameter& parameter) {
-  return std::visit(Overloaded{[](const RealField& field) {
-                                 return fmt::format("{:g} to {:g}", field.minimum, field.maximum);
+  return std::visit(Overloaded{[&](const RealField& field) {
+                                 return rangeText(field.minimum, field.maximum, parameter.unit);
                                },
                                [](const IntegerField& field) {
                                  return fmt::format("{} to {}", field.minimum, field.maximum);

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "core/scene/known_words.h"
+
 namespace asperity {
 namespace {
 
@@ -137,21 +139,6 @@ const std::array kTable{
 };
 // clang-format on
 
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row[b.size()];
-}
-
 }  // namespace
 
 std::span<const Parameter> parameters() {
@@ -165,17 +152,15 @@ const Parameter* findParameter(std::string_view key) {
 }
 
 std::string_view nearestKey(std::string_view key) {
-  const std::string_view shortened = key.substr(0, 100);
+  const std::string_view start = key.substr(0, 100);
   // A key without its section: "hurst".
   for (const Parameter& row : kTable)
-    if (row.key.ends_with(shortened) && row.key.size() > shortened.size() &&
-        row.key[row.key.size() - shortened.size() - 1] == '.')
+    if (row.key.ends_with(start) && row.key.size() > start.size() &&
+        row.key[row.key.size() - start.size() - 1] == '.')
       return row.key;
-  return std::min_element(kTable.begin(), kTable.end(),
-                          [shortened](const Parameter& a, const Parameter& b) {
-                            return editDistance(shortened, a.key) < editDistance(shortened, b.key);
-                          })
-      ->key;
+  std::vector<std::string_view> keys;
+  for (const Parameter& row : kTable) keys.push_back(row.key);
+  return nearestOf(key, keys);
 }
 
 }  // namespace asperity

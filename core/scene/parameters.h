@@ -98,7 +98,13 @@ void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& va
 /// The same, from text as a person types it ("1e7", "cubic").
 void setFromText(const Parameter& parameter, Scene& scene, std::string_view text);
 
-/// "0 to 1", "one of nodal, linear, cubic", "text".
+/// Of numbers; nothing for other rows.
+struct AllowedRange {
+  double minimum, maximum;  // in the row's unit
+};
+std::optional<AllowedRange> allowedRange(const Parameter& parameter);
+
+/// "0 to 1", "1e-6 to 1e15 Pa", "one of nodal, linear, cubic", "text".
 std::string allowedText(const Parameter& parameter);
 
 }  // namespace asperity

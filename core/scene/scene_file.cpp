@@ -9,6 +9,8 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
+#include "core/scene/json_text.h"
+#include "core/scene/known_words.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {
@@ -18,6 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSchema = "asperity-scene/1";
 constexpr std::size_t kLargestScene = 1 << 20;
+constexpr int kDeepestScene = 8;
 
 /// A value of the file or of --set, on its way to its row.
 struct Assignment {
@@ -26,70 +29,6 @@ struct Assignment {
   bool typed = true;  // false: text from --set, still to be read as a number
   bool fromFile = true;
 };
-
-/// At most this much of what a user wrote is said back.
-std::string shortened(const std::string& text) {
-  constexpr std::size_t kMost = 60;
-  return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
-}
-
-/// Refuses what the parser would take in silence: a key that stands twice in one object (it keeps
-/// the last), and nesting that no scene has.
-class Watch {
- public:
-  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
-    constexpr int kDeepest = 8;
-    if (depth > kDeepest) throw InputError("", path(), "is nested too deeply for a scene");
-    if (event == Json::parse_event_t::object_start) objects_.emplace_back();
-    if (event == Json::parse_event_t::object_end) objects_.pop_back();
-    if (event == Json::parse_event_t::key) takeKey(parsed.get<std::string>());
-    return true;
-  }
-
- private:
-  struct Object {
-    std::set<std::string> keys;
-    std::string last;
-  };
-
-  void takeKey(const std::string& key) {
-    objects_.back().last = shortened(key);
-    if (!objects_.back().keys.insert(key).second)
-      throw InputError("", path(), "stands twice in the same object");
-  }
-  std::string path() const {
-    std::string path;
-    for (const Object& object : objects_) path += (path.empty() ? "" : ".") + object.last;
-    return path;
-  }
-
-  std::vector<Object> objects_;
-};
-
-/// The parser's message without its own name in front, and without the middle of what it quotes
-/// where that is long.
-std::string parserMessage(const std::exception& error) {
-  constexpr std::size_t kMost = 300, kKept = 120;
-  std::string text = error.what();
-  const std::size_t bracket = text.find("] ");
-  if (bracket != std::string::npos) text.erase(0, bracket + 2);
-  const auto isInside = [&text](std::size_t i) { return (text[i] & 0xC0) == 0x80; };  // of a letter
-  if (text.size() > kMost) {
-    std::size_t from = kKept, to = text.size() - kKept;
-    while (isInside(from)) --from;
-    while (isInside(to)) ++to;
-    text.replace(from, to - from, " ... ");
-  }
-  return "is not valid JSON: " + text;
-}
-
-Json parseJson(std::string_view text) {
-  try {
-    return Json::parse(text, Watch());
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError("", "", parserMessage(error));
-  }
-}
 
 const Parameter& rowOf(const std::string& key) {
   if (const Parameter* row = findParameter(key)) return *row;
@@ -161,7 +100,7 @@ std::vector<Assignment> flatten(const Json& root) {
 Assignment parseAssignment(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw InputError("", "", fmt::format("--set {}: KEY=VALUE is needed", shortened(text)));
+    throw InputError("--set", "", fmt::format("'{}' is not KEY=VALUE", shortened(text)));
   Assignment assignment{text.substr(0, equals), text.substr(equals + 1), false, false};
   rowOf(assignment.key);
   return assignment;
@@ -281,7 +220,7 @@ Json& placeOf(Json& root, std::string_view key) {
 Scene readScene(std::string_view json, const std::string& name, const std::filesystem::path& folder,
                 const std::vector<std::string>& assignments) {
   try {
-    std::vector<Assignment> all = flatten(parseJson(json));
+    std::vector<Assignment> all = flatten(parseJson(json, kDeepestScene));
     for (const std::string& text : assignments) all.push_back(parseAssignment(text));
     chooseAccuracy(all);
     Scene scene = build(all);
@@ -289,7 +228,7 @@ Scene readScene(std::string_view json, const std::string& name, const std::files
     scene.folder = folder;
     return scene;
   } catch (const InputError& error) {
-    throw error.in(name);
+    throw error.file().empty() ? error.in(name) : error;
   }
 }
 

@@ -90,27 +90,34 @@ std::size_t FourierTransform::nodes() const {
   return plans_->nodes;
 }
 
-void FourierTransform::evaluate(const FourierLine& line, std::vector<double>& height) const {
-  transform(line, height, [](std::size_t) { return 1.0; });
+bool FourierTransform::evaluate(const FourierLine& line, std::vector<double>& height,
+                                const std::stop_token& stop) const {
+  return transform(
+      line, height, [](std::size_t) { return 1.0; }, stop);
 }
 
-void FourierTransform::evaluateSlope(const FourierLine& line, std::vector<double>& slope) const {
+bool FourierTransform::evaluateSlope(const FourierLine& line, std::vector<double>& slope,
+                                     const std::stop_token& stop) const {
   const double lowest = 2 * std::numbers::pi / line.length;
-  transform(line, slope,
-            [lowest](std::size_t k) { return Complex(0, lowest * static_cast<double>(k)); });
+  return transform(
+      line, slope, [lowest](std::size_t k) { return Complex(0, lowest * static_cast<double>(k)); },
+      stop);
 }
 
 template <class Factor>
-void FourierTransform::transform(const FourierLine& line, std::vector<double>& target,
-                                 const Factor& factor) const {
+bool FourierTransform::transform(const FourierLine& line, std::vector<double>& target,
+                                 const Factor& factor, const std::stop_token& stop) const {
   const std::size_t count = plans_->nodes, filled = line.coefficients.size();
   const Buffers& buffers = buffersFor(count);
   Complex* modes = buffers.modes.values;
   modes[0] = 0;
   for (std::size_t k = 1; k <= filled; ++k) modes[k] = line.coefficients[k - 1] * factor(k);
   std::fill(modes + filled + 1, modes + count / 2 + 1, Complex(0));
+  if (stop.stop_requested()) return false;
   fftw_execute_dft_c2r(plans_->toNodes, raw(modes), buffers.values.values);
+  if (stop.stop_requested()) return false;
   target.assign(buffers.values.values, buffers.values.values + count);
+  return true;
 }
 
 FourierLine FourierTransform::analyse(std::span<const double> height, double length) const {

@@ -8,6 +8,7 @@
 #include "core/scene/input_error.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
+#include "core/scene/range_text.h"
 #include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
 #include "core/surface/shapes.h"
@@ -72,11 +73,12 @@ void LineSource::readProfileOf(const Scene& scene) {
   if (length_ == 0) length_ = profile.length;
   if (length_ == 0)
     throw InputError("", "surface.length", "is missing; the profile has heights without positions");
-  const RealField& range = std::get<RealField>(findParameter("surface.length")->field);
+  const Parameter& row = *findParameter("surface.length");
+  const AllowedRange range = *allowedRange(row);
   if (length_ < range.minimum || length_ > range.maximum)
     throw InputError("", "surface.file",
-                     fmt::format("{}: its length {} m is outside {:g} to {:g}", surface_.file,
-                                 length_, range.minimum, range.maximum));
+                     fmt::format("{}: its length {} m is outside {}", surface_.file,
+                                 plainNumber(length_), allowedText(row)));
   if (elements_ == 0) elements_ = static_cast<std::int64_t>(profile.height.size());
   profile_ = FourierTransform(profile.height.size()).analyse(profile.height, length_);
   const std::size_t most = modesOf(static_cast<std::size_t>(elements_));
@@ -119,10 +121,9 @@ bool LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& 
   line.length = length_;
   line.spacing = length_ / static_cast<double>(nodes_);
   line.slopeAfter.clear();
-  if (stop.stop_requested()) return false;
-  transform_->evaluate(modes, line.height);
-  if (stop.stop_requested()) return false;
-  if (slopes == Slopes::Wanted) transform_->evaluateSlope(modes, line.slopeAfter);
+  if (!transform_->evaluate(modes, line.height, stop)) return false;
+  if (slopes == Slopes::Wanted && !transform_->evaluateSlope(modes, line.slopeAfter, stop))
+    return false;
   // Amplitudes are not random, but where waves are multiplied.
   const bool isKnown = isRandom() && !summits_ && statistics_.rmsHeight > 0;
   line.rmsHeight = isKnown ? statistics_.rmsHeight : rmsHeightOf(modes);

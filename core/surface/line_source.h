@@ -33,8 +33,8 @@ class LineSource {
   Line make(std::int64_t realization) const;
 
   /// The same into a line whose memory is used again. Straight segments need no slopes. Returns
-  /// false where `stop` was requested, which is looked at before each transform; the line is then
-  /// not whole.
+  /// false where `stop` was requested, which is looked at before and after each transform; the line
+  /// is then not whole.
   bool makeInto(Line& line, std::int64_t realization, Slopes slopes = Slopes::Wanted,
                 const std::stop_token& stop = {}) const;
 
@@ -47,6 +47,7 @@ class LineSource {
 
   double length() const { return length_; }            // m
   std::int64_t elements() const { return elements_; }  // per period, without oversampling
+  std::int64_t nodes() const { return static_cast<std::int64_t>(nodes_); }  // of every line
 
  private:
   void setAmplitudes(const Scene& scene);

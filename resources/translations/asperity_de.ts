@@ -108,6 +108,186 @@
         <translation>%1 insgesamt, %2 % in der freien Oberfläche</translation>
     </message>
     <message>
+        <source>difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>(extrapolated)</source>
+        <translation>(hochgerechnet)</translation>
+    </message>
+    <message>
+        <source>best for its time</source>
+        <translation>am besten für seine Zeit</translation>
+    </message>
+    <message>
+        <source>&lt;- this scene</source>
+        <translation>&lt;- diese Szene</translation>
+    </message>
+    <message>
+        <source>a march in time: half the step changes friction by %1 %</source>
+        <translation>Zeitschritte: Der halbe Schritt ändert die Reibung um %1 %</translation>
+    </message>
+    <message>
+        <source>, settling by %1 %</source>
+        <translation>; das Einschwingen um %1 %</translation>
+    </message>
+    <message>
+        <source>region %1, %2 to %3 m/s</source>
+        <translation>Bereich %1, %2 bis %3 m/s</translation>
+    </message>
+    <message>
+        <source>a valid scene</source>
+        <translation>eine gültige Szene</translation>
+    </message>
+    <message>
+        <source>line: L = %1 m, %2 elements of %3 m, rms height %4 m, rms slope %5</source>
+        <translation>Linie: L = %1 m; %2 Elemente zu %3 m; RMS-Höhe %4 m; RMS-Steigung %5</translation>
+    </message>
+    <message>
+        <source>dimensionless force F_N / G h L = %1 (Eq. 14)</source>
+        <translation>dimensionslose Kraft F_N / G h L = %1 (Gl. 14)</translation>
+    </message>
+    <message>
+        <source>dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)</source>
+        <translation>dimensionslose Geschwindigkeit tau v Steigung / (sqrt(2) h) = %1 (Gl. 13)</translation>
+    </message>
+    <message>
+        <source>%1 velocities</source>
+        <translation>%1 Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>one realization</source>
+        <translation>eine Realisierung</translation>
+    </message>
+    <message>
+        <source>%1 realizations</source>
+        <translation>%1 Realisierungen</translation>
+    </message>
+    <message>
+        <source>%1 % of the balances with a partly loaded element</source>
+        <translation>%1 % der Gleichgewichte mit einem teilweise belasteten Element</translation>
+    </message>
+    <message>
+        <source>relative error at most %1 at every velocity, target met</source>
+        <translation>relativer Fehler bei jeder Geschwindigkeit höchstens %1; Ziel erreicht</translation>
+    </message>
+    <message>
+        <source>relative error at most %1 at every velocity, target not met</source>
+        <translation>relativer Fehler bei jeder Geschwindigkeit höchstens %1; Ziel nicht erreicht</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 % of the run time</source>
+        <translation>%1 % der Laufzeit</translation>
+    </message>
+    <message>
+        <source>wrote %1 frames to %2</source>
+        <translation>%1 Bilder geschrieben in %2</translation>
+    </message>
+    <message>
+        <source>wrote %1 frames in %2</source>
+        <translation>%1 Bilder geschrieben nach %2</translation>
+    </message>
+    <message>
+        <source>%1 were there already</source>
+        <translation>%1 waren schon da</translation>
+    </message>
+    <message>
+        <source>length %1 m, %2 points, rms height %3 m, rms slope %4</source>
+        <translation>Länge %1 m; %2 Punkte; RMS-Höhe %3 m; RMS-Steigung %4</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>; </translation>
+    </message>
+    <message>
+        <source>resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>standard error</source>
+        <translation>Standardfehler</translation>
+    </message>
+    <message>
+        <source>force balance</source>
+        <translation>Kräftegleichgewicht</translation>
+    </message>
+    <message>
+        <source>time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>settling</source>
+        <translation>Einschwingen</translation>
+    </message>
+    <message>
+        <source>%1; differs from the resolved line by %2</source>
+        <translation>%1; weicht von der aufgelösten Linie um %2 ab</translation>
+    </message>
+    <message>
+        <source>%1 steps of %2 elements, without drawing</source>
+        <translation>%1 Schritte mit %2 Elementen; ohne Zeichnen</translation>
+    </message>
+    <message>
+        <source>%1 simulations</source>
+        <translation>%1 Simulationen</translation>
+    </message>
+    <message>
+        <source>one thread</source>
+        <translation>einem Thread</translation>
+    </message>
+    <message>
+        <source>%1 threads</source>
+        <translation>%1 Threads</translation>
+    </message>
+    <message>
+        <source>no %1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>asperity %1 runs</source>
+        <translation>asperity %1 führt aus</translation>
+    </message>
+    <message>
+        <source>and leaves out</source>
+        <translation>und lässt aus</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>vorhergesagt</translation>
+    </message>
+    <message>
+        <source>%1 on %2 (%3)</source>
+        <translation>%1 mit %2 (%3)</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>%1 more than before</source>
+        <translation>%1 mehr als zuvor</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>geschrieben: %1</translation>
+    </message>
+    <message>
         <source>position</source>
         <translation>Ort</translation>
     </message>
@@ -213,18 +393,6 @@
 </context>
 <context>
     <name>asperity::ClaimsTable</name>
-    <message>
-        <source>only for scheme %1</source>
-        <translation>nur für %1</translation>
-    </message>
-    <message>
-        <source>✓ yes</source>
-        <translation>✓ ja</translation>
-    </message>
-    <message>
-        <source>✗ no</source>
-        <translation>✗ nein</translation>
-    </message>
     <message>
         <source>Measured: %1.</source>
         <translation>Gemessen: %1.</translation>
@@ -1744,6 +1912,50 @@
         <translation>dissipiert</translation>
     </message>
     <message>
+        <source>only for scheme %1</source>
+        <translation>nur für das Verfahren %1</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>methods</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>one scene, %1 failed</source>
+        <translation>eine Szene, davon %1 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>%1 scenes, %2 failed</source>
+        <translation>%1 Szenen, davon %2 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>realizations</source>
+        <translation>Realisierungen</translation>
+    </message>
+    <message>
+        <source>figure %1</source>
+        <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
         <source>Tangential over normal force in steady sliding: of this line at this velocity, computed without time steps.</source>
         <translation>Tangential- durch Normalkraft bei stationärem Gleiten: dieser Linie bei dieser Geschwindigkeit, ohne Zeitschritte berechnet.</translation>
     </message>
@@ -1798,6 +2010,10 @@
     <message>
         <source>same parameters</source>
         <translation>gleiche Parameter</translation>
+    </message>
+    <message>
+        <source>lines compared</source>
+        <translation>Linien verglichen</translation>
     </message>
     <message>
         <source>the motion up to here</source>

@@ -2074,6 +2074,26 @@
         <translation>Kontaktränder werden innerhalb der Segmente gefunden, wo der Kontakt nicht vollständig ist</translation>
     </message>
     <message>
+        <source>edges of contact are found inside the segments</source>
+        <translation>Kontaktränder werden innerhalb der Segmente gefunden</translation>
+    </message>
+    <message>
+        <source>contact is complete above d = %1 at %2</source>
+        <translation>bei %2 ist der Kontakt ab d = %1 vollständig</translation>
+    </message>
+    <message>
+        <source>contact is complete above d = %1 at %2, and it is %3</source>
+        <translation>bei %2 ist der Kontakt ab d = %1 vollständig, und d ist %3</translation>
+    </message>
+    <message>
+        <source>at %1 of %2 velocities; at the other contact is complete, and depth and friction are known</source>
+        <translation>bei %1 von %2 Geschwindigkeiten; bei der anderen ist der Kontakt vollständig, Tiefe und Reibung sind bekannt</translation>
+    </message>
+    <message>
+        <source>at %1 of %2 velocities; at the others contact is complete, and depth and friction are known</source>
+        <translation>bei %1 von %2 Geschwindigkeiten; bei den anderen ist der Kontakt vollständig, Tiefe und Reibung sind bekannt</translation>
+    </message>
+    <message>
         <source>the friction curve is of steady sliding</source>
         <translation>die Reibungskurve gilt für stationäres Gleiten</translation>
     </message>

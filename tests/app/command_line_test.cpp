@@ -81,7 +81,10 @@ TEST_F(CommandLineTest, BadUsageIsExitTwo) {
   expectRefused("nowhere.json", 2, "cannot be opened");
   expectRefused("chekc s.json", 2, "chekc is neither a verb (check, ");
   expectRefused("render s.json -o new/folder --fps nan", 2, "--fps");
-  expectRefused("curve s.json -o ''", 2, "an output needs a name");
+  expectRefused("render s.json -o f --fps 0", 2, "--fps: 0 is outside 0.001 to 1000");
+  expectRefused("render s.json -o f --slow-motion 1e16", 2, "1e16 is outside 1e-12 to 1e15");
+  expectRefused("render s.json -o f --duration x", 2, "'x' is not a number; allowed is 0.001 to");
+  expectRefused("curve s.json -o ''", 2, "--output: is empty");
 }
 
 TEST_F(CommandLineTest, OutputsThatCannotBeAreRefusedBeforeAnyWork) {

@@ -1,7 +1,9 @@
-// What goes wrong from outside, for every verb that writes: killed at random moments, no room on
-// the disk, a folder that goes away meanwhile. ASPERITY_KILLS=N kills each verb N times.
+// What goes wrong from outside, for every verb that writes: killed at random moments, over an empty
+// folder and over older files; no room on the disk, a folder that goes away meanwhile.
+// ASPERITY_KILLS=N kills each verb N times.
 #include <gmock/gmock.h>
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <map>
@@ -20,6 +22,11 @@ constexpr const char* kCurve = "curve s.json -o out/a.csv -o out/a.json -o out/a
 constexpr const char* kRender = "render s.json -o out --frames 12 --size 320x240";
 constexpr const char* kFigure = "figure 1 5 -o out --realizations 3 --set surface.elements=300";
 constexpr const char* kAccuracy = "accuracy s.json -o out";
+constexpr const char* kFilm = "render s.json -o out/film.mp4 --frames 12 --size 320x240";
+constexpr const char* kBatch = "batch b.json -o out";
+constexpr const char* kEntries =
+    R"({"schema": "asperity-batch/1", "title": "Two", "size": "300x300", "entries": [
+        {"name": "two", "scene": "s.json", "sweep": {"surface.hurst": [0.4, 0.8]}}]})";
 
 class FaultsTest : public ProgramTest {
  protected:
@@ -36,7 +43,7 @@ class FaultsTest : public ProgramTest {
   void start(const std::string& arguments) const {
     clear();
     // Folders that a verb makes by itself are left to it.
-    if (arguments == kCurve) fs::create_directory(program.folder / "out");
+    if (arguments == kCurve || arguments == kFilm) fs::create_directory(program.folder / "out");
   }
 
   static int kills() {
@@ -44,26 +51,51 @@ class FaultsTest : public ProgramTest {
     return wanted ? std::atoi(wanted) : 8;
   }
 
+  /// What a run that is let be writes; how long it takes sets when others are killed.
+  Files filesOf(const std::string& arguments) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Said said = program.run(arguments);
+    EXPECT_EQ(said.status, 0) << said.err;
+    taken = std::chrono::steady_clock::now() - begin;
+    return files();
+  }
+  void runAndKill(const std::string& arguments) {
+    std::uniform_real_distribution<double> part(0.05, 1.1);
+    program.run(arguments, "timeout -s KILL " + std::to_string(part(random) * taken.count()));
+  }
+
   /// isWhole(name, bytes, those of a run that was let be).
   template <class IsWhole>
   void killAtRandom(const std::string& arguments, const IsWhole& isWhole) {
     start(arguments);
-    const auto begin = std::chrono::steady_clock::now();
-    ASSERT_EQ(program.run(arguments).status, 0);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    const Files whole = files();
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> part(0.05, 1.1);
+    const Files whole = filesOf(arguments);
     for (int i = 0; i < kills(); ++i) {
       start(arguments);
-      program.run(arguments, "timeout -s KILL " + std::to_string(part(random) * taken.count()));
+      runAndKill(arguments);
       for (const auto& [name, bytes] : files()) {
         ASSERT_EQ(whole.count(name), 1U) << name << " is no file of " << arguments;
         EXPECT_TRUE(isWhole(name, bytes, whole.at(name))) << name << " of " << arguments;
       }
     }
     clear();
-    EXPECT_THAT(program.folder.names(), testing::ElementsAre("s.json"));
+    EXPECT_THAT(program.folder.names(), testing::IsSubsetOf({"s.json", "b.json"}));
+  }
+
+  /// Two scenes in turn over each other's files: each file is one of the two. Only the moment of
+  /// replacing may leave a hidden part, which the next run removes.
+  void killWhileReplacing(const std::string& arguments) {
+    const std::array<std::string, 2> runs{arguments, arguments + " --set load.normal_force=0.01"};
+    start(arguments);
+    const std::array<Files, 2> whole{filesOf(runs[0]), filesOf(runs[1])};
+    for (int i = 0; i < kills(); ++i) {
+      runAndKill(runs[i % 2]);
+      for (const auto& [name, bytes] : files()) {
+        if (name.starts_with(".asperity.") && name.ends_with(".part")) continue;
+        ASSERT_EQ(whole[0].count(name), 1U) << name << " is no file of " << arguments;
+        EXPECT_TRUE(bytes == whole[0].at(name) || bytes == whole[1].at(name)) << name;
+      }
+    }
+    EXPECT_EQ(filesOf(runs[0]), whole[0]) << arguments;
   }
 
   /// One line that says why, and no crash.
@@ -71,6 +103,9 @@ class FaultsTest : public ProgramTest {
     EXPECT_THAT(err, StartsWith("asperity: ")) << what;
     EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
   }
+
+  std::mt19937 random{7};
+  std::chrono::duration<double> taken{};
 };
 
 /// The same bytes as without the kill: files are whole or not there.
@@ -98,6 +133,20 @@ TEST_F(FaultsTest, AKilledFigureLeavesNoHalfFile) {
 }
 TEST_F(FaultsTest, AKilledAccuracyLeavesNoHalfFile) {
   killAtRandom(kAccuracy, hasItsEnd);
+}
+TEST_F(FaultsTest, AKilledFilmLeavesNoHalfFile) {
+  killAtRandom(kFilm, isTheSame);
+}
+TEST_F(FaultsTest, AKilledBatchLeavesNoHalfFile) {
+  program.folder.write("b.json", kEntries);
+  killAtRandom(kBatch, isTheSame);
+}
+
+TEST_F(FaultsTest, AKillWhileCurvesAreReplacedLeavesTheOldOrTheNew) {
+  killWhileReplacing(kCurve);
+}
+TEST_F(FaultsTest, AKillWhileFramesAreReplacedLeavesTheOldOrTheNew) {
+  killWhileReplacing(kRender);
 }
 
 TEST_F(FaultsTest, WithoutRoomOnTheDiskEveryVerbSaysSo) {

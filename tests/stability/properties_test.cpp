@@ -1,7 +1,8 @@
 // What always holds, tried on random scenes over the whole table of parameters. A failure is shrunk
 // and written as a scene file, which `asperity check` opens; once mended it is kept among the
 // regressions, which are tried every time.
-// ASPERITY_PROPERTIES=N tries N scenes, with a seed of their own by ASPERITY_SEED=N.
+// ASPERITY_PROPERTIES=N tries N scenes, with a seed of their own by ASPERITY_SEED=N. Lines of up to
+// ASPERITY_REFERENCE=N nodes are also computed in wider numbers, which is slow.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -18,6 +19,7 @@
 #include "core/surface/line_source.h"
 #include "tests/stability/invariants.h"
 #include "tests/stability/random_scene.h"
+#include "tests/stability/reference_arms.h"
 
 namespace asperity {
 namespace {
@@ -39,6 +41,28 @@ double digitsLostBy(const ElementLaw& law, const Line& line, const SteadyResult&
   const double largest = std::max(1.0, (*high - *low) / result.indentation);
   return stiffness / law.equilibriumModulus *
          (16 * std::numeric_limits<double>::epsilon() * largest + result.closure);
+}
+
+/// How far mu is from the same computation in wider numbers.
+Finding referenceFinding(const Situation& situation, const SceneSliding& sliding,
+                         const SteadyState& state) {
+  const SteadyResult& result = state.result;
+  const double velocity = situation.conditions.velocity;
+  const bool withArms = sliding.law().kind() == ElementKind::Arms && velocity > 0;
+  const ReferenceResult reference =
+      withArms ? referenceWithArms(situation.line, situation.scheme, sliding.law(), velocity,
+                                   situation.load, result.indentation, state.arms.strain)
+               : referenceSliding(situation.line, situation.scheme, situation.conditions,
+                                  situation.load, result.indentation);
+  if (!(reference.closure <= 1e-13L)) return {"the reference closes", 1, 0};
+  const bool nodal = situation.scheme == Scheme::Nodal;
+  const Wide least = (nodal ? 1e-12L : 1e-15L) * situation.line.rmsSlope + 1e-80L;
+  const Wide apart = std::max(std::abs(result.mu - reference.mu) - least, Wide(0));
+  double allowed = 1e-9;
+  for (const Finding& finding : resultFindings(situation, result))
+    if (finding.invariant == "both ways to F_N") allowed = finding.allowed;
+  return {"mu against wider numbers",
+          apart > 0 ? static_cast<double>(apart / std::abs(reference.mu)) : 0, allowed};
 }
 
 /// The first thing that does not hold, or nothing.
@@ -64,8 +88,11 @@ std::string complaintAbout(const Scene& scene) {
       situation.conditions.relaxationTime =
           std::max(law.relaxationTime, law.arms.front().relaxationTime);
     const double lost = arms ? digitsLostBy(law, line, state.result) : 0;
-    for (const Finding& finding :
-         arms ? resultFindings(situation, state.result) : allFindings(situation))
+    std::vector<Finding> findings =
+        arms ? resultFindings(situation, state.result) : allFindings(situation);
+    if (line.nodes() <= numberFrom("ASPERITY_REFERENCE", 0) && state.result.normalForce > 0)
+      findings.push_back(referenceFinding(situation, sliding, state));
+    for (const Finding& finding : findings)
       if (!(finding.value <= finding.allowed + lost))
         return fmt::format("{}: {:.2g} of {:.2g}", finding.invariant, finding.value,
                            finding.allowed);

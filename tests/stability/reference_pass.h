@@ -6,16 +6,16 @@
 
 #include "core/contact/steady_sliding.h"
 #include "core/surface/line.h"
+#include "tests/stability/reference_line.h"
 
 namespace asperity {
-
-using Wide = long double;
 
 struct ReferenceResult {
   Wide indentation = 0;      // m
   Wide mu = 0;               // resolved lines: from the power dissipated; nodal: Eq. (4)
   Wide contactFraction = 0;  // of the period
   Wide marginalShare = 1;    // nodal: of the load of the element on the edge; 1: none
+  Wide closure = 0;          // with arms: what is left of balance and period, relative
 };
 
 /// Sliding towards +x under a load. guess: a depth nearby (m), or 0; it changes the cost only.

@@ -41,7 +41,8 @@ DecadeRange steadyRange(const DecadeRange& shown, const DecadeRange& needed, boo
 
 QString readingLabel(double value, int digits) {
   if (!std::isfinite(value)) return QStringLiteral("–");
-  const QString plain = inLanguage(QString::number(value, 'g', digits));
+  QString plain = inLanguage(QString::number(value, 'g', digits));
+  if (plain.startsWith('-')) plain.replace(0, 1, QStringLiteral("−"));
   const qsizetype e = plain.indexOf('e');
   if (e < 0) return plain;
   const QString front = plain.left(e);

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/charts/decade_range.h"
-#include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/window/claim_text.h"
 
 namespace asperity {
 
@@ -19,15 +18,10 @@ enum Column { kHolds, kClaim, kMeasured, kExpected, kWhere, kColumns };
 constexpr int kAside = 5;  // pixels of air beside a cell's text
 constexpr int kAbove = 4;  // and above and below it
 
-/// With a minus sign instead of a hyphen.
-QString numberLabel(double value) {
-  return readingLabel(value).replace('-', u'−');
-}
-
-QString verdictText(const Claim& claim) {
-  if (claim.holds == Verdict::OnlyForScheme)
-    return ClaimsTable::tr("only for scheme %1").arg(translatedText(claim.scheme));
-  return claim.holds == Verdict::Yes ? ClaimsTable::tr("✓ yes") : ClaimsTable::tr("✗ no");
+QString markedVerdict(const Claim& claim) {
+  const QString text = verdictText(claim);
+  if (claim.holds == Verdict::OnlyForScheme) return text;
+  return (claim.holds == Verdict::Yes ? QStringLiteral("✓ ") : QStringLiteral("✗ ")) + text;
 }
 
 QColor verdictColour(Verdict verdict, bool dark) {
@@ -73,22 +67,6 @@ class ClaimDelegate : public QStyledItemDelegate {
 };
 
 }  // namespace
-
-QString estimateText(const Estimate& estimate) {
-  const double error = estimate.standardError;
-  const double size = std::max(std::abs(estimate.value), error);
-  if (!std::isfinite(estimate.value) || !std::isfinite(error) || error <= 0 || size >= 1e5 ||
-      size < 1e-3)
-    return std::isfinite(error) && error > 0
-               ? numberLabel(estimate.value) + QStringLiteral(" ± ") + readingLabel(error)
-               : numberLabel(estimate.value);
-  // Two digits of an uncertainty that begins with 1, one of any other.
-  const int place = static_cast<int>(std::floor(std::log10(error)));
-  const int digits = error / std::pow(10, place) < 1.95 ? 1 - place : -place;
-  const int decimals = std::clamp(digits, 0, 6);
-  return inLanguage(QString::number(estimate.value, 'f', decimals).replace('-', u'−') +
-                    QStringLiteral(" ± ") + QString::number(error, 'f', decimals));
-}
 
 ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   setObjectName("claims");
@@ -139,9 +117,9 @@ void ClaimsTable::fill() {
   setRowCount(static_cast<int>(claims_.size()));
   for (int row = 0; row < rowCount(); ++row) {
     const Claim& claim = claims_[static_cast<std::size_t>(row)];
-    const QStringList cells{verdictText(claim), translatedText(claim.claim),
+    const QStringList cells{markedVerdict(claim), translatedText(claim.claim),
                             estimateText(claim.measured),
-                            std::isfinite(claim.expected) ? numberLabel(claim.expected) : "",
+                            std::isfinite(claim.expected) ? claimNumber(claim.expected) : "",
                             translatedText(claim.where)};
     for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);

@@ -27,7 +27,4 @@ class ClaimsTable : public QTableWidget {
   bool isDark_ = false;
 };
 
-/// "1.26 ± 0.04": as many digits as the uncertainty leaves; three where there is none.
-QString estimateText(const Estimate& estimate);
-
 }  // namespace asperity

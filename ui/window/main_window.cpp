@@ -144,10 +144,10 @@ void MainWindow::connectSession() {
           [this](const Scene& scene) { editScene(scene); });
   connect(session_, &Session::complained, this, [this](const QString& key, const QString& english) {
     const QString text = translatedText(english.toStdString());
-    messages_->showMessage(key.isEmpty() ? text : key + ": " + text);
+    messages_->showComplaint(key.isEmpty() ? text : key + ": " + text);
     panel_->showError(key, text);
   });
-  connect(session_, &Session::sceneRuns, messages_, &QWidget::hide);
+  connect(session_, &Session::sceneRuns, messages_, &MessageBar::endComplaint);
   connect(session_, &Session::sceneRuns, panel_, &ParameterPanel::clearErrors);
   connect(session_, &Session::playingChanged, this, &MainWindow::showPlaying);
   connectView();

@@ -110,6 +110,7 @@ void MainWindow::showScene(const Scene& scene) {
 
 void MainWindow::showScene(const SceneOrigin& origin) {
   endTour();
+  messages_->hide();  // whatever was said of the scene before
   described_.reset();
   document_->open(origin);
   panel_->setScene(origin.scene);

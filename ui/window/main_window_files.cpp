@@ -110,6 +110,7 @@ bool MainWindow::saveScene(const QString& file) {
     messages_->showMessage(QString::fromUtf8(error.what()));
     return false;
   }
+  messages_->hide();
   document_->saved(file);
   addRecentFile(file);
   fillRecent();

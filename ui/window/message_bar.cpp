@@ -42,12 +42,23 @@ void MessageBar::showOffer(const QString& text, const QString& button) {
   accept_->setText(button);
   accept_->setAccessibleName(button);
   accept_->show();
+  isComplaint_ = false;
   label_->setText(text);
   show();
 }
 
+void MessageBar::showComplaint(const QString& text) {
+  showMessage(text);
+  isComplaint_ = true;
+}
+
+void MessageBar::endComplaint() {
+  if (isComplaint_) hide();
+}
+
 void MessageBar::showMessage(const QString& text) {
   accept_->hide();
+  isComplaint_ = false;
   label_->setText(text);
   show();
 }

@@ -17,6 +17,10 @@ class MessageBar : public QFrame {
 
   void showMessage(const QString& text);
 
+  /// Of the present scene: leaves with endComplaint(), which does nothing to other messages.
+  void showComplaint(const QString& text);
+  void endComplaint();
+
   /// With a button that takes up the offer.
   void showOffer(const QString& text, const QString& button);
   QString text() const;
@@ -28,6 +32,7 @@ class MessageBar : public QFrame {
  private:
   QLabel* label_;
   QPushButton* accept_;
+  bool isComplaint_ = false;
 };
 
 }  // namespace asperity

@@ -8,24 +8,18 @@
 #include <cmath>
 #include <vector>
 
-#include "core/contact/lane_pass.h"
 #include "core/contact/lane_stream.h"
 #include "core/surface/shapes.h"
 #include "tests/core/contact/allocation_counter.h"
 #include "tests/core/contact/csv_table.h"
+#include "tests/core/contact/fixed_depths.h"
+#include "tests/core/contact/instruction_sets.h"
 #include "tests/core/contact/lines.h"
 
 namespace asperity {
 namespace {
 
-class Sweep : public testing::TestWithParam<InstructionSet> {
- protected:
-  void SetUp() override {
-    if (!chooseInstructionSet(GetParam())) GTEST_SKIP() << "not on this machine";
-    ASSERT_EQ(instructionSet(), GetParam());
-  }
-  void TearDown() override { chooseInstructionSet(InstructionSet::Best); }
-};
+class Sweep : public EachInstructionSet {};
 
 std::vector<double> decades(double from, double to, int points) {
   std::vector<double> values;
@@ -325,58 +319,32 @@ TEST_P(Sweep, ModuliAndHeightsAreForces) {
     EXPECT_NEAR(two[i].mu / (8 * one[i].mu), 1, 1e-11);
 }
 
-/// Passes at one depth, cut or not, until it is told to stop at the looks-th question.
-class FixedDepths : public PassQueue {
- public:
-  FixedDepths(double depth, double memory, int parts, int looks)
-      : task_{depth, memory, parts}, looks_(looks) {}
-
-  bool begin(std::size_t stream, PassTask& task) override {
-    task = task_;
-    return stream == 0;
-  }
-  bool next(std::size_t, const PassSums& sums, PassTask&) override {
-    found.push_back(sums);
-    return false;
-  }
-  bool isStopped() const override { return ++asked_ >= looks_; }
-  int timesAsked() const { return asked_; }
-
-  std::vector<PassSums> found;
-
- private:
-  PassTask task_;
-  int looks_;
-  mutable int asked_ = 0;
-};
-
 TEST_P(Sweep, PartsOfAPassAddUp) {
-  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
-    for (const int realization : {0, 1, 2, 3}) {
-      const TravelLine line = prepareTravel(roughLine(2000, 2, 0.3, realization), scheme);
-      for (const double depth : {3e-7, 1e-6, 2e-6, 4e-6})
-        for (const double memory : {1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1.0}) {
-          FixedDepths whole(depth, memory, 1, 1 << 30), cut(depth, memory, 16, 1 << 30);
-          passLanes(line, whole);
-          passLanes(line, cut);
-          ASSERT_EQ(whole.found.size(), 1U);
-          ASSERT_EQ(cut.found.size(), 1U);
-          const PassSums &a = whole.found[0], &b = cut.found[0];
-          EXPECT_NEAR(b.depth, a.depth, 1e-12 * a.depth);
-          EXPECT_NEAR(b.dissipation, a.dissipation, 1e-12 * a.dissipation);
-          EXPECT_NEAR(b.stiffness, a.stiffness, 1e-10 * a.stiffness);
-          EXPECT_NEAR(b.pressure, a.pressure, 1e-9 * a.pressure);
-          if (memory < 1e-5) {
-            EXPECT_GT(b.looks, a.looks);  // it was cut
-          }
+  for (const int realization : {0, 1, 2, 3}) {
+    const TravelLine line = prepareTravel(roughLine(2000, 2, 0.3, realization), Scheme::Cubic);
+    for (const double depth : {3e-7, 1e-6, 2e-6, 4e-6})
+      for (const double memory : {1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1.0}) {
+        FixedDepths whole(depth, memory), cut(depth, memory, 16);
+        passLanes(line, whole);
+        passLanes(line, cut);
+        ASSERT_EQ(whole.found.size(), 1U);
+        ASSERT_EQ(cut.found.size(), 1U);
+        const PassSums &a = whole.found[0], &b = cut.found[0];
+        EXPECT_NEAR(b.depth, a.depth, 1e-12 * a.depth);
+        EXPECT_NEAR(b.dissipation, a.dissipation, 1e-12 * a.dissipation);
+        EXPECT_NEAR(b.stiffness, a.stiffness, 1e-10 * a.stiffness);
+        EXPECT_NEAR(b.pressure, a.pressure, 1e-9 * a.pressure);
+        if (memory < 1e-5) {
+          EXPECT_GT(b.looks, a.looks);  // it was cut
         }
-    }
+      }
+  }
 }
 
 /// The end of work is asked for inside a pass: here before any has ended.
 TEST_P(Sweep, StopsInsideAPass) {
   const TravelLine line = prepareTravel(roughLine(20000, 1, 0.0), Scheme::Cubic);
-  FixedDepths whole(1e-6, 1e-8, 1, 1 << 30), queue(1e-6, 1e-8, 1, 1);
+  FixedDepths whole(1e-6, 1e-8), queue(1e-6, 1e-8, 1, 1);
   passLanes(line, whole);
   ASSERT_EQ(whole.found.size(), 1U);
   EXPECT_GT(whole.found[0].looks, 300);  // it looks up every 256 steps
@@ -385,14 +353,7 @@ TEST_P(Sweep, StopsInsideAPass) {
   EXPECT_TRUE(queue.found.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, Sweep,
-                         testing::Values(InstructionSet::Scalar, InstructionSet::Avx2,
-                                         InstructionSet::Avx512),
-                         [](const auto& param) {
-                           std::string name = nameOf(param.param);
-                           std::erase(name, '-');
-                           return name;
-                         });
+ASPERITY_ON_EACH_INSTRUCTION_SET(Sweep);
 
 }  // namespace
 }  // namespace asperity

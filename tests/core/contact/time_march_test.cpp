@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/surface/shapes.h"
+#include "tests/core/contact/elastomers.h"
 #include "tests/core/contact/lines.h"
 
 namespace asperity {
@@ -32,6 +33,13 @@ ElementLaw kelvin(double tau = kTau) {
   elastomer.shearModulus = kModulus;
   elastomer.relaxationTime = tau;
   return lawOf(elastomer);
+}
+
+Line flatLine(int nodes) {
+  Line line = roughLine(nodes);
+  for (double& height : line.height) height = 0;
+  for (double& slope : line.slopeAfter) slope = 0;
+  return line;
 }
 
 /// Marches with dt = dx / v from the flat surface until the shape moves along unchanged.
@@ -72,18 +80,49 @@ TEST(TimeMarch, EveryStepKeepsForcePressureAndShape) {
   }
 }
 
-/// Work on Kelvin elements is stored or dissipated, in every step.
+/// Work on elements with a dashpot is stored or dissipated, in every step; all three are summed
+/// apart.
 TEST(TimeMarch, WorkIsStoredOrDissipated) {
   const Line line = roughLine(200, 2);
-  TimeMarch march(std::make_shared<Line>(line), lowestOf(line), kelvin());
-  for (int i = 0; i < 300; ++i) {
-    const double distance = line.spacing * 0.8;
-    const double velocity = i < 100 ? 0.01 : i < 200 ? 1 : 100;  // with sudden changes
-    const MarchStep step = march.step(underForce(0.01), distance / velocity, distance);
-    const double scale = std::abs(step.work) + std::abs(step.stored) + step.dissipated;
-    EXPECT_NEAR(step.work, step.stored + step.dissipated, 1e-12 * scale);
-    EXPECT_GE(step.dissipated, 0);
+  for (const ElementLaw& law : {kelvin(), lawOf(prony(1e6, {{1e6, 1}, {4e6, 1e-2}}, 200))}) {
+    TimeMarch march(std::make_shared<Line>(line), lowestOf(line), law);
+    for (int i = 0; i < 300; ++i) {
+      const double distance = line.spacing * 0.8;
+      const double velocity = i < 100 ? 0.01 : i < 200 ? 1 : 100;  // with sudden changes
+      const MarchStep step = march.step(underForce(0.01), distance / velocity, distance);
+      const double scale = std::abs(step.work) + std::abs(step.stored) + step.dissipated;
+      ASSERT_NEAR(step.work, step.stored + step.dissipated, 1e-12 * scale) << i;
+      ASSERT_GE(step.dissipated, 0) << i;
+    }
   }
+}
+
+/// Under a pressure that grows evenly one step is as exact as a thousand, its energies too: those
+/// of a flat line, where every element is pressed alike.
+TEST(TimeMarch, EnergiesOfALongStepAreThoseOfManyShortOnes) {
+  const Line line = flatLine(8);
+  for (const double duration : {1e-6, 1e-2, 1e3})
+    for (const auto& [name, elastomer] : allElastomers()) {
+      const ElementLaw law = lawOf(elastomer);
+      if (law.viscosity > 0) continue;  // pressed evenly in a step, not growing
+      TimeMarch once(std::make_shared<Line>(line), 0, law), often = once;
+      const auto pressed = [&](TimeMarch& march, int steps) {
+        MarchStep sum;
+        march.settleAtRest(underForce(1));
+        for (int i = 1; i <= steps; ++i) {
+          const MarchStep step = march.step(underForce(1 + 2.0 * i / steps), duration / steps, 0);
+          sum.dissipated += step.dissipated;
+          sum.work += step.work;
+          sum.stored += step.stored;
+        }
+        return sum;
+      };
+      const MarchStep one = pressed(once, 1), many = pressed(often, 1000);
+      EXPECT_NEAR(once.indentation(), often.indentation(), 1e-12 * once.indentation()) << name;
+      EXPECT_NEAR(one.work, many.work, 1e-10 * many.work) << name << ", " << duration;
+      EXPECT_NEAR(one.dissipated, many.dissipated, 1e-10 * many.work) << name << ", " << duration;
+      EXPECT_GE(one.dissipated, 0) << name;
+    }
 }
 
 /// Once the shape is stationary F_N = 4 G dx sum y, and the power that the line puts in is
@@ -165,9 +204,7 @@ TEST(TimeMarch, FreeRelaxationIsExact) {
 
 /// Pressed by a constant force without sliding, full contact sinks as a Kelvin body does.
 TEST(TimeMarch, CreepOfAFlatLine) {
-  Line flat = roughLine(50);
-  for (double& height : flat.height) height = 0;
-  for (double& slope : flat.slopeAfter) slope = 0;
+  const Line flat = flatLine(50);
   TimeMarch march(std::make_shared<Line>(flat), 0, kelvin());
   const double force = 0.01, end = force / (4 * kModulus * flat.length);
   for (int i = 1; i <= 10; ++i) {

@@ -17,9 +17,10 @@ TEST(TravelLine, StartsAndEndsAtTheLowestPoint) {
       EXPECT_EQ(line.rise.front(), 0);
       EXPECT_EQ(line.rise.back(), 0);
       EXPECT_GE(*std::min_element(line.rise.begin(), line.rise.end()), 0);
-      EXPECT_EQ(line.position.front(), 0);
-      EXPECT_NEAR(line.position.back(), line.length, 1e-15 * line.length);
-      EXPECT_TRUE(std::is_sorted(line.position.begin(), line.position.end()));
+      EXPECT_EQ(line.position(0), 0);
+      EXPECT_EQ(line.position(line.segments()), line.length);
+      for (std::size_t i = 0; i < line.segments(); ++i)
+        EXPECT_GT(line.position(i + 1), line.position(i));
       EXPECT_EQ(line.rise.size(), line.segments() + 1);
     }
 }
@@ -49,6 +50,34 @@ TEST(TravelLine, BoundsHoldEverywhereInTheirSegment) {
       }
     }
   }
+}
+
+/// Blocks of every size, those at the end of a vector too.
+TEST(TravelLine, BlocksAreTheirSegmentsTogether) {
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
+    for (const std::int64_t elements : {3, 5, 6, 38, 99, 1000}) {
+      const TravelLine line = prepareTravel(roughLine(elements), scheme);
+      for (std::size_t level = 0; level < line.blocks.size(); ++level)
+        for (std::size_t i = 0; i < line.blockCount(level); ++i) {
+          const SegmentBounds block = line.block(level, i);
+          const std::size_t size = std::size_t{1} << (2 * level);
+          SegmentBounds all{1, 0, -1, 0, 0};
+          for (std::size_t k = 0; k < size; ++k) {
+            const SegmentBounds one = line.bounds(1 + i * size + k);
+            all.lowest = std::min(all.lowest, one.lowest);
+            all.highest = std::max(all.highest, one.highest);
+            all.steepest = std::max(all.steepest, one.steepest);
+            all.riseIntegral += one.riseIntegral;
+            all.slopeSquared += one.slopeSquared;
+          }
+          EXPECT_EQ(block.lowest, all.lowest);
+          EXPECT_EQ(block.highest, all.highest);
+          EXPECT_EQ(block.steepest, all.steepest);
+          EXPECT_NEAR(block.riseIntegral, all.riseIntegral, 1e-14 * all.riseIntegral);
+          EXPECT_NEAR(block.slopeSquared, all.slopeSquared, 1e-14 * all.slopeSquared);
+        }
+      EXPECT_EQ(line.blockCount(0), line.segments() - 2);
+    }
 }
 
 TEST(TravelLine, ValuesReturnToTheNodesTheyCameFrom) {

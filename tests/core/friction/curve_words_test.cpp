@@ -49,5 +49,16 @@ TEST(CurveWords, SayATemperatureThatShifts) {
   EXPECT_EQ(differencesInWords(other, scene).substr(0, 9), "T = 320 K");
 }
 
+TEST(CurveWords, OneParameterHasItsSymbolOrItsName) {
+  Scene scene;
+  scene.surface.hurst = 0.25;
+  scene.accuracy.scheme = Scheme::Linear;
+  EXPECT_EQ(parameterInWords("surface.hurst", scene), "H = 0.25");
+  EXPECT_EQ(parameterInWords("surface.seed", scene), "seed 1");
+  EXPECT_EQ(parameterInWords("accuracy.scheme", scene), "linear");
+  EXPECT_EQ(parameterInWords("elastomer.arms", scene), "");
+  EXPECT_EQ(parameterInWords("surface.hurts", scene), "");
+}
+
 }  // namespace
 }  // namespace asperity

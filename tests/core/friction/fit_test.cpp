@@ -26,6 +26,21 @@ TEST(Fit, TwoPointsHaveNoError) {
   EXPECT_TRUE(std::isnan(fit.slopeError));
 }
 
+/// Least squares leave some 1e-17 of the values; a slope that moves a value by a part in 1e12 is
+/// told from that.
+TEST(Fit, APlateauHasNoSlope) {
+  std::vector<double> x, flat, rising;
+  for (int i = 0; i <= 5; ++i) {
+    x.push_back(100 * std::pow(10, 0.2 * i));
+    flat.push_back(0.137);
+    rising.push_back(0.137 * std::pow(x.back(), 1e-12));
+  }
+  flat[3] = std::nextafter(flat[3], 1);
+  EXPECT_EQ(fitPower(x, flat).slope, 0);
+  EXPECT_NEAR(fitPower(x, flat).intercept, std::log(0.137), 1e-15);
+  EXPECT_NEAR(fitPower(x, rising).slope, 1e-12, 1e-15);
+}
+
 TEST(Fit, PowerLaw) {
   const std::vector<double> x{0.01, 0.3, 4, 100};
   std::vector<double> y;

@@ -247,9 +247,70 @@ TEST(Fields, ArriveWhileTheRunnerIsPaused) {
   EXPECT_EQ(runner.newestFrame()->sinceContact.size(), runner.newestFrame()->power.size());
 }
 
+constexpr Rheology kRheologies[] = {Rheology::Elastic, Rheology::Kelvin, Rheology::StandardSolid,
+                                    Rheology::Prony};
+
+void expectNoPower(const Frame& frame, const std::string& when) {
+  for (const double power : frame.power) ASSERT_EQ(power, 0) << when;
+}
+
+/// Arms without a dashpot of their own, whose pressures come from the differences of depths.
+Scene withArmsAlone(Scene scene) {
+  scene.elastomer.viscosity = 0;
+  return scene;
+}
+
 TEST(SteadyFields, NothingIsDissipatedAtRest) {
-  const SteadyFrames frames(shared(rough(0)), kEverything);
-  for (const double power : frames.frame(0, 1, 25).power) EXPECT_EQ(power, 0);
+  for (const Rheology rheology : kRheologies)
+    for (const Scene& scene :
+         {withElastomer(rheology, 0), withArmsAlone(withElastomer(rheology, 0))})
+      expectNoPower(SteadyFrames(shared(scene), kEverything).frame(0, 1, 25), "");
+}
+
+/// Neither in the first frame nor by rounding later, whatever presses; and the elements stay.
+TEST(Power, OfAMarchAtRestIsNone) {
+  for (const Rheology rheology : kRheologies)
+    for (Scene scene : {withElastomer(rheology, 0), withArmsAlone(withElastomer(rheology, 0))})
+      for (const LoadKind kind : {LoadKind::Force, LoadKind::Indentation}) {
+        scene.load.kind = kind;
+        scene.load.depth = 2e-6;
+        Simulation simulation(shared(scene), 1);
+        simulation.want(kEverything);
+        const std::vector<double> begin = simulation.frame().surfaceHeight;
+        for (int i = 0; i < 300; ++i) {
+          expectNoPower(simulation.frame(), std::to_string(i));
+          simulation.singleStep();
+        }
+        const Frame frame = simulation.frame();
+        for (std::size_t i = 0; i < begin.size(); ++i)
+          ASSERT_NEAR(frame.surfaceHeight[i], begin[i], 1e-14 * frame.indentation);
+      }
+}
+
+/// What slid relaxes until nothing is left, and rounding is nothing.
+TEST(Power, AfterSlidingEndsAtNone) {
+  for (const bool armsAlone : {false, true}) {
+    Scene sliding = withElastomer(Rheology::StandardSolid, 0.2);
+    sliding.elastomer.arms = {{2e7, 1e-4}};
+    if (!armsAlone) sliding.elastomer.rheology = Rheology::Kelvin;
+    Simulation simulation(shared(sliding), 1);
+    simulation.want(kEverything);
+    Scene resting = sliding;
+    resting.sliding.velocity = 0;
+    simulation.update(shared(resting), 2);
+    EXPECT_GT(integral(simulation.frame().power, 1), 0);
+    for (int i = 0; i < 3000; ++i) simulation.singleStep();
+    expectNoPower(simulation.frame(), armsAlone ? "arms" : "Kelvin");
+  }
+}
+
+TEST(Power, OfAnElasticMarchIsNone) {
+  Simulation simulation(shared(withElastomer(Rheology::Elastic)), 1);
+  simulation.want(kEverything);
+  for (int i = 0; i < 100; ++i) {
+    simulation.singleStep();
+    expectNoPower(simulation.frame(), std::to_string(i));
+  }
 }
 
 }  // namespace

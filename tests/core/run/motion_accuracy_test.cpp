@@ -141,7 +141,6 @@ TEST(MotionAccuracy, IsExplainedAndAnalyzed) {
   }
   EXPECT_EQ(root["predicted"]["elements"], 1000);
   EXPECT_GT(root["measured"]["seconds"], 0);
-  EXPECT_NE(explanationText(explanation).find("steps of 1000 elements"), std::string::npos);
   Scene steady;
   steady.surface.elements = 64;
   EXPECT_EQ(explainRun(steady).predicted->steps, 0);

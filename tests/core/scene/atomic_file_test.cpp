@@ -1,11 +1,18 @@
 #include "core/scene/atomic_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/file.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstddef>
 
 #include "core/scene/input_error.h"
 #include "tests/core/temporary_folder.h"
@@ -14,7 +21,7 @@ namespace asperity {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
+using testing::UnorderedElementsAre;
 
 TEST(AtomicFile, WritesAndReplacesWithoutLeftovers) {
   const TemporaryFolder folder;
@@ -56,6 +63,91 @@ TEST(AtomicFile, AFullDiskLeavesTheOldFileAndNoPart) {
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_EQ(TemporaryFolder::read(file), "old");
   EXPECT_THAT(folder.names(), ElementsAre("a.csv"));
+}
+
+/// From here on a renaming kills this process, as it would in the moment before.
+bool dieAtRenaming() {
+  constexpr auto is = [](std::uint32_t call, std::uint8_t skipped) {
+    return sock_filter{BPF_JMP | BPF_JEQ | BPF_K, skipped, 0, call};
+  };
+  sock_filter program[] = {{BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
+#ifdef SYS_rename
+                           is(SYS_rename, 3),
+#else
+                           is(SYS_renameat, 3),
+#endif
+                           is(SYS_renameat, 2),
+                           is(SYS_renameat2, 1),
+                           {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW},
+                           {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_KILL_PROCESS}};
+  const sock_fprog filter{std::size(program), program};
+  return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
+/// Killed while it replaces a file, which is the one moment that leaves a part. Returns its name.
+std::string leavePart(const TemporaryFolder& folder, const std::string& name) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (dieAtRenaming()) writeFileAtomically(folder / name, "never seen");
+    ::_exit(0);
+  }
+  int status = 0;
+  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status)) << "it was not killed";
+  for (const std::string& found : folder.names())
+    if (found.ends_with(".part")) return found;
+  return "";
+}
+
+TEST(AtomicFile, TheNextWriteRemovesWhatAKillLeft) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.csv", "old");
+  ASSERT_NE(leavePart(folder, "a.csv"), "");
+  EXPECT_EQ(TemporaryFolder::read(file), "old");
+  writeFileAtomically(file, "new");
+  EXPECT_EQ(TemporaryFolder::read(file), "new");
+  EXPECT_THAT(folder.names(), ElementsAre("a.csv"));
+}
+
+TEST(AtomicFile, AndAlsoWhereTheFileIsGone) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.csv", "old");
+  ASSERT_NE(leavePart(folder, "a.csv"), "");
+  std::filesystem::remove(file);
+  writeFileAtomically(file, "new");
+  EXPECT_THAT(folder.names(), ElementsAre("a.csv"));
+}
+
+TEST(AtomicFile, WhatAnotherProcessIsWritingStays) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.csv", "old");
+  const std::string part = leavePart(folder, "a.csv");
+  const int other = ::open((folder / part).c_str(), O_RDWR);
+  ASSERT_GE(other, 0);
+  ASSERT_EQ(::flock(other, LOCK_EX), 0);
+  writeFileAtomically(file, "new");
+  EXPECT_EQ(TemporaryFolder::read(file), "new");
+  EXPECT_THAT(folder.names(), UnorderedElementsAre("a.csv", part));
+  ::close(other);
+  writeFileAtomically(file, "newer");
+  EXPECT_THAT(folder.names(), ElementsAre("a.csv"));
+}
+
+/// A long name bears no addition; two writes at once of one file do not meet.
+TEST(AtomicFile, LongNamesAndTwoWritesAtOnce) {
+  const TemporaryFolder folder;
+  const std::string name = std::string(251, 'n') + ".csv";
+  writeFileAtomically(folder / name, "first");
+  {
+    AtomicFile one(folder / name), other(folder / name);
+    one.write("one");
+    other.write("other");
+    one.commit();
+    other.commit();
+  }
+  EXPECT_EQ(TemporaryFolder::read(folder / name), "other");
+  EXPECT_THAT(folder.names(), ElementsAre(name));
 }
 
 TEST(AtomicFile, ReadingRefusesFoldersMissingAndOversizedFiles) {

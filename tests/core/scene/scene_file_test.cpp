@@ -77,7 +77,7 @@ TEST(SceneFile, ErrorsOfArmsNameTheArm) {
   };
   EXPECT_EQ(
       errorOfArms(R"([{"modulus":1,"relaxation_time":1},{"modulus":-5,"relaxation_time":1}])"),
-      "s.json: elastomer.arms[1].modulus: -5 is outside 0 to 1e+15");
+      "s.json: elastomer.arms[1].modulus: -5 is outside 0 to 1e15 Pa");
   EXPECT_THAT(errorOfArms(R"([{"modulus":1}])"),
               HasSubstr("elastomer.arms[0].relaxation_time: is missing"));
   EXPECT_THAT(errorOfArms(R"([{"modulus":"x","relaxation_time":1}])"),
@@ -88,7 +88,7 @@ TEST(SceneFile, ErrorsOfArmsNameTheArm) {
   EXPECT_THAT(errorOfArms("3"), HasSubstr("elastomer.arms: a number is not a list"));
   EXPECT_THAT(errorOfArms(R"("x")"), HasSubstr("elastomer.arms: is not a list in JSON"));
   EXPECT_THAT(errorOfArms(R"([{"modulus":1e-9,"relaxation_time":1}])"),
-              HasSubstr("elastomer.arms[0].modulus: 1e-09 is neither 0 nor at least"));
+              HasSubstr("elastomer.arms[0].modulus: 1e-9 Pa is neither 0 nor at least"));
   std::string many;
   for (int i = 0; i < 65; ++i) many += R"(,{"modulus":1,"relaxation_time":1})";
   EXPECT_THAT(errorOfArms("[" + many.substr(1) + "]"), HasSubstr("elastomer.arms: has 65 arms"));
@@ -131,7 +131,7 @@ TEST(SceneFile, ErrorsNameFileKeyAndWhatIsAllowed) {
   EXPECT_EQ(errorOf(R"({"surface":{"hurts":0.4}})"),
             "s.json: surface.hurts: unknown key; the nearest known one is surface.hurst");
   EXPECT_THAT(errorOf(R"({"elastomer":{"shear_modulus":-1e7}})"),
-              HasSubstr("s.json: elastomer.shear_modulus: -10000000 is outside 1e-06 to 1e+15"));
+              HasSubstr("s.json: elastomer.shear_modulus: -10000000 is outside 1e-6 to 1e15 Pa"));
   EXPECT_THAT(errorOf(R"({"load":{"normal_force":"much"}})"),
               HasSubstr("s.json: load.normal_force: 'much' is not a number"));
   EXPECT_THAT(errorOf(R"({"surface":{"hurst":NaN}})"), HasSubstr("s.json: is not valid JSON"));
@@ -168,7 +168,7 @@ TEST(SceneFile, AssignmentsAreAppliedOverTheFileInOrder) {
                                 {"load.normal_force=2", "load.normal_force=3", "title=a=b"});
   EXPECT_EQ(scene.load.normalForce, 3);
   EXPECT_EQ(scene.title, "a=b");
-  EXPECT_THAT(errorOf("{}", {"load.normal_force"}), HasSubstr("KEY=VALUE is needed"));
+  EXPECT_THAT(errorOf("{}", {"load.normal_force"}), HasSubstr("is not KEY=VALUE"));
   EXPECT_THAT(errorOf("{}", {"load.force=1"}), HasSubstr("unknown key"));
   EXPECT_THAT(errorOf("{}", {"load.normal_force=nan"}), HasSubstr("not a finite number"));
   EXPECT_THAT(errorOf("{}", {"surface.radius=1"}), HasSubstr("has no meaning"));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/scene/input_error.h"
+#include "tests/core/temporary_folder.h"
 
 namespace asperity {
 namespace {
@@ -46,6 +47,19 @@ TEST(ProfileFile, BadFilesAreRefusedWithTheirRow) {
   EXPECT_THAT(errorOf("0,1\n1,1\n2.1,1\n3.1,1\n"), HasSubstr("uniform"));
   EXPECT_THAT(errorOf("2,1\n1,1\n0,1\n"), HasSubstr("must increase"));
   EXPECT_THAT(errorOf("a\nb\n1\n2\n3\n"), HasSubstr("'b' is not a number"));
+}
+
+/// Four gigabytes of nothing on the disk: refused by their size, unread.
+TEST(ProfileFile, AFarTooLargeFileIsRefusedUnread) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("p.csv", "");
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 32);
+  try {
+    readProfile(file);
+    ADD_FAILURE() << "it was read";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("p.csv: is larger than the 268435456 bytes allowed"));
+  }
 }
 
 TEST(ProfileFile, SpacingUniformToOnePartInAMillionIsAccepted) {

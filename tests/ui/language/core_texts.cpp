@@ -11,6 +11,7 @@
 #include "core/friction/curve_words.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/figures/figure.h"
+#include "core/friction/line_plan.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/steady_frames.h"
 #include "core/run/transient_diagram.h"
@@ -98,6 +99,17 @@ void addLineDiagrams(Texts& texts) {
   }
 }
 
+/// Where contact is sought: at all velocities, at some, at all but one, at none.
+void addPlansOnLines(Texts& texts) {
+  for (const double force : {1e-3, 1.0, 2.0, 4.0, 8.0, 1e3}) {
+    Scene scene;
+    scene.surface.elements = 64;
+    scene.load.normalForce = force;
+    scene.sweep = {1e-3, 1, 7};
+    for (const PlanStage& stage : planOnLine(scene, Purpose::Curve)) texts.insert(stage.reason);
+  }
+}
+
 }  // namespace
 
 Texts tableTexts() {
@@ -123,6 +135,7 @@ Texts sceneTexts() {
 
 Texts planTexts() {
   Texts texts;
+  addPlansOnLines(texts);
   std::vector<Scene> scenes = shippedScenes();
   std::ranges::copy(furtherScenes(), std::back_inserter(scenes));
   for (const Scene& scene : scenes)

@@ -27,6 +27,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/window/claim_text.h"
 #include "ui/window/claims_table.h"
 #include "ui/window/figure_list.h"
 #include "ui/window/figure_picture.h"

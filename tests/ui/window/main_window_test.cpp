@@ -189,6 +189,17 @@ TEST_F(MainWindowTest, ASceneThatCannotRunIsExplainedAndTheWindowLives) {
   EXPECT_TRUE(waitFor([&] { return !window_.messages().isVisible(); }));
 }
 
+TEST_F(MainWindowTest, WhatIsSaidOfAFileStaysWhileTheSceneRuns) {
+  QSignalSpy runs(&session(), &Session::sceneRuns);
+  window_.messages().showMessage("said of a file");
+  press("elastomer.shear_modulus");
+  ASSERT_TRUE(waitForFrame());
+  EXPECT_TRUE(waitFor([&] { return !runs.isEmpty(); }));
+  EXPECT_TRUE(window_.messages().isVisible());
+  window_.showScene(smallScene());
+  EXPECT_FALSE(window_.messages().isVisible());
+}
+
 TEST_F(MainWindowTest, WhatMendsASceneTakesItsComplaintsAway) {
   ASSERT_TRUE(waitForFrame());
   Scene broken = smallScene();

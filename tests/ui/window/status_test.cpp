@@ -1,5 +1,5 @@
-// The status bar: what it says of the curve at the present velocity, and the button that stops the
-// averaging.
+// What the window says of itself: the status bar on the curve at the present velocity, the button
+// that stops the averaging, and a picture that cannot be drawn here.
 #include <gtest/gtest.h>
 
 #include <QHelpEvent>
@@ -11,6 +11,7 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/curve_reading.h"
+#include "ui/window/message_bar.h"
 #include "ui/window/said_label.h"
 #include "ui/window/status_line.h"
 
@@ -159,6 +160,30 @@ TEST(StatusLine, WaitingCanBeLeft) {
   EXPECT_EQ(back, 1);
   line.showWork({});
   EXPECT_TRUE(button->isHidden());
+}
+
+/// Before the window is there, which looks for them; gone after it.
+struct WithoutLibraries {
+  WithoutLibraries() {
+    for (const char* variable : kVariables) qputenv(variable, "libnowhere.so.1");
+  }
+  ~WithoutLibraries() {
+    for (const char* variable : kVariables) qunsetenv(variable);
+  }
+  static constexpr const char* kVariables[] = {"ASPERITY_OSMESA_LIBRARY", "ASPERITY_EGL_LIBRARY"};
+};
+
+class WithoutLibrariesTest : private WithoutLibraries, public MainWindowTest {};
+
+TEST_F(WithoutLibrariesTest, ThePictureIsExplainedAndTheWindowGoesOn) {
+  ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
+  EXPECT_TRUE(window_.messages().text().contains("libosmesa6"));
+  ASSERT_TRUE(waitForFrame());
+  type("sliding.velocity", "0.125 m/s");
+  ASSERT_TRUE(waitForFrame());
+  EXPECT_EQ(frame()->scene->sliding.velocity, 0.125);
+  EXPECT_TRUE(
+      waitFor([&] { return session().curve() && session().curve()->realizationsDone > 0; }));
 }
 
 }  // namespace

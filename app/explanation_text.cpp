@@ -1,0 +1,106 @@
+#include "app/explanation_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
+
+namespace asperity {
+namespace {
+
+std::string timeText(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.3g} \u00B5s", 1e6 * seconds);
+  if (seconds < 1) return fmt::format("{:.3g} ms", 1e3 * seconds);
+  if (seconds < 120) return fmt::format("{:.3g} s", seconds);
+  return seconds < 7200 ? fmt::format("{:.0f} min", seconds / 60)
+                        : fmt::format("{:.1f} h", seconds / 3600);
+}
+
+std::string percent(double part) {
+  return inLanguage(fmt::format("{:.2g} %", 100 * part));
+}
+
+std::string budgetText(const ErrorBudget& error) {
+  std::string parts;
+  const auto add = [&](const std::string& name, double part) {
+    if (!std::isfinite(part)) return;
+    if (!parts.empty()) parts += Words::tr(", ");
+    parts += name + " " + percent(part);
+  };
+  add(Words::tr("resolution"), error.resolution);
+  add(Words::tr("standard error"), error.standardError);
+  add(Words::tr("force balance"), error.forceBalance);
+  add(Words::tr("time step"), error.timeStep);
+  add(Words::tr("settling"), error.settling);
+  const std::string text = fmt::format("{} ({})", percent(error.total()), parts);
+  if (!std::isfinite(error.modelDifference)) return text;
+  return filled(Words::tr("%1; differs from the resolved line by %2"),
+                {text, percent(error.modelDifference)});
+}
+
+std::string workText(const Prediction& prediction) {
+  if (prediction.steps > 0)
+    return filled(
+        Words::tr("%1 steps of %2 elements, without drawing"),
+        {fmt::format("{:.0f}", prediction.steps), fmt::format("{:.0f}", prediction.elements)});
+  return filled(Words::tr("%1 simulations"), {fmt::format("{:.0f}", prediction.simulations)});
+}
+
+std::string threadsText(int threads) {
+  return threads == 1 ? Words::tr("one thread")
+                      : filled(Words::tr("%1 threads"), {std::to_string(threads)});
+}
+
+std::string stageLines(const std::vector<PlanStage>& stages, bool running) {
+  std::string text;
+  int number = 0;
+  for (const PlanStage& stage : stages) {
+    if (stage.runs != running) continue;
+    const std::string name = translated(stage.name), reason = translated(stage.reason);
+    text += running ? fmt::format("  {:>2}. {}: {}\n", ++number, name, reason)
+                    : "   -  " + filled(Words::tr("no %1: %2"), {name, reason}) + "\n";
+  }
+  return text;
+}
+
+/// Time, memory and error below each other.
+std::string costLines(const std::string& time, const std::string& memory,
+                      const ErrorBudget& error) {
+  std::string text;
+  for (const auto& [name, value] : {std::pair{Words::tr("time"), time},
+                                    {Words::tr("memory"), memory},
+                                    {Words::tr("error"), budgetText(error)}})
+    text += fmt::format("      {:<10}{}\n", name, value);
+  return text;
+}
+
+std::string mebibytes(double bytes) {
+  return inLanguage(fmt::format("{:.2g} MiB", bytes / (1 << 20)));
+}
+
+}  // namespace
+
+std::string explanationText(const Explanation& explanation) {
+  const Scene& scene = explanation.scene;
+  std::string text = scene.title.empty() ? std::string() : translated(scene.title) + "\n";
+  text += filled(Words::tr("asperity %1 runs"), {explanation.verb}) + "\n" +
+          stageLines(explanation.stages, true) + Words::tr("and leaves out") + "\n" +
+          stageLines(explanation.stages, false);
+  if (const auto& predicted = explanation.predicted)
+    text += Words::tr("predicted") + "\n" +
+            costLines(filled(Words::tr("%1 on %2 (%3)"),
+                             {inLanguage(timeText(predicted->seconds)),
+                              threadsText(predicted->threads), workText(*predicted)}),
+                      mebibytes(predicted->memory), predicted->error);
+  if (const auto& measured = explanation.measured)
+    text += Words::tr("measured") + "\n" +
+            costLines(inLanguage(timeText(measured->seconds)),
+                      filled(Words::tr("%1 more than before"), {mebibytes(measured->memory)}),
+                      measured->error);
+  return text;
+}
+
+}  // namespace asperity

@@ -1,0 +1,119 @@
+#include "app/option_words.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "core/scene/known_words.h"
+#include "core/scene/range_text.h"
+
+namespace asperity {
+namespace {
+
+template <class Number>
+bool isRead(const std::string& text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+template <class Number>
+CLI::Validator numberWithin(Number least, Number most, const char* what, std::string_view unit) {
+  const std::string allowed = std::is_integral_v<Number> ? fmt::format("{} to {}", least, most)
+                                                         : rangeText(least, most, unit);
+  return {[=](const std::string& text) -> std::string {
+            Number number{};
+            if (!isRead(text, number) || !std::isfinite(static_cast<double>(number)))
+              return fmt::format("'{}' is not a {}; allowed is {}", shortened(text), what, allowed);
+            return number >= least && number <= most
+                       ? std::string()
+                       : fmt::format("{} is outside {}", shortened(text), allowed);
+          },
+          allowed};
+}
+
+/// The verb that was given, or the app itself.
+const CLI::App& spokenTo(const CLI::App& app) {
+  const auto verbs = app.get_subcommands();
+  return verbs.empty() ? app : *verbs.front();
+}
+
+/// "--frames", or "SCENE" of what has no dashes.
+std::string nameOf(const CLI::Option& option) {
+  return option.get_positional() ? option.get_name() : option.get_name(false, false);
+}
+
+InputError beforeVerb(const CLI::App& verb, const std::string& word) {
+  return {
+      "", shortened(word),
+      fmt::format("stands before '{}'; what belongs to a verb comes after it", verb.get_name())};
+}
+
+InputError unexpected(const CLI::App& app) {
+  const CLI::App& verb = spokenTo(app);
+  const std::vector<std::string> own = app.remaining(), words = verb.remaining();
+  if (&verb != &app && !own.empty()) return beforeVerb(verb, own.front());
+  const std::string call = &verb == &app ? "asperity" : "asperity " + verb.get_name();
+  for (const std::string& word : words) {
+    if (!word.starts_with('-')) continue;
+    std::vector<std::string> names;
+    for (const CLI::Option* option : verb.get_options())
+      if (!option->get_positional()) names.push_back(nameOf(*option));
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    return {"", shortened(word.substr(0, word.find('='))),
+            fmt::format("is no option of '{}'; the nearest is {}", call, nearestOf(word, known))};
+  }
+  return {"", "",
+          fmt::format("{} is a word too many for '{}'",
+                      words.empty() ? std::string("this") : shortened(words.front()), call)};
+}
+
+/// "--size: At Most 1 required but received 2" and its like.
+InputError mismatch(const std::string& said) {
+  std::string name = said.substr(0, said.find_first_of(": "));
+  if (std::islower(static_cast<unsigned char>(name.front()))) name = "--" + name;  // of a flag
+  if (said.find("received") != std::string::npos) return {"", name, "is given more than once"};
+  if (said.find("flag") != std::string::npos) return {"", name, "takes no value"};
+  return {"", name, "needs a value"};
+}
+
+}  // namespace
+
+CLI::Validator within(double least, double most, std::string_view unit) {
+  return numberWithin(least, most, "number", unit);
+}
+
+CLI::Validator wholeWithin(std::int64_t least, std::int64_t most) {
+  return numberWithin(least, most, "whole number", {});
+}
+
+void refuseEmptyWords(CLI::App& app) {
+  const CLI::Validator hasText(
+      [](const std::string& text) { return text.empty() ? "is empty" : std::string(); }, "");
+  for (CLI::Option* option : app.get_options())
+    if (option->get_expected_max() == 0)
+      option->disable_flag_override();
+    else
+      option->check(hasText);
+  for (CLI::App* verb : app.get_subcommands({})) refuseEmptyWords(*verb);
+}
+
+InputError errorOf(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string said = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error)) return unexpected(app);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return mismatch(said);
+  return {"", "", said.substr(0, said.find('\n'))};
+}
+
+void refuseWordsBeforeVerb(const CLI::App& app) {
+  const CLI::App& verb = spokenTo(app);
+  if (&verb == &app) return;
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0) throw beforeVerb(verb, nameOf(*option));
+}
+
+}  // namespace asperity

@@ -1,0 +1,144 @@
+// Options that are wrong, missing, contradictory, repeated or of no use: each is exit 2 and one
+// line that names it, and nothing is written.
+#include <gmock/gmock.h>
+
+#include "tests/app/program_test.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char* kStep =
+    R"({"surface":{"elements":200},"sliding":{"kind":"step","duration":0.01}})";
+
+class UsageTest : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    program.folder.write("step.json", kStep);
+    program.folder.write("b.json", batch(""));
+  }
+
+  /// One small entry, and what else the file says.
+  static std::string batch(const std::string& more) {
+    return R"({"schema":"asperity-batch/1",)" + more +
+           R"("entries":[{"name":"b","scene":{"surface":{"elements":64}},"show":"contact"}]})";
+  }
+
+  const std::vector<std::string> verbs_{
+      "check s.json",       "curve s.json",           "explain s.json",  "surface s.json",
+      "open s.json",        "render s.json -o a.png", "figure 3 -o out", "accuracy s.json -o out",
+      "batch b.json -o out"};
+};
+
+TEST_F(UsageTest, EveryVerbRefusesWhatItCannotTake) {
+  for (const std::string& verb : verbs_) {
+    expectRefused(verb + " --threads -1", 2, "--threads: -1 is outside 0 to 1024");
+    expectRefused(verb + " --threads some", 2, "--threads: 'some' is not a whole number");
+    expectRefused(verb + " --threads", 2, "--threads: needs a value");
+    expectRefused(verb + " --threads 1 --threads 2", 2, "--threads: is given more than once");
+    expectRefused(verb + " --language ''", 2, "--language: is empty");
+    expectRefused(verb + " --language fr", 2, "--language: fr is not one of en, de");
+    expectRefused(verb + " --json=no", 2, "--json: takes no value");
+    expectRefused(verb + " --timng", 2, "--timng: is no option of 'asperity ");
+    expectRefused(verb + " --timng", 2, "the nearest is --timing");
+  }
+}
+
+TEST_F(UsageTest, WordsBeforeAVerbAreNotPassedOver) {
+  for (const char* word : {"--threads 1", "--set load.normal_force=1", "--language de", "--timing",
+                           "--quiet", "--json"})
+    expectRefused(std::string(word) + " check s.json", 2, "stands before 'check'");
+  expectRefused("s.json check s.json", 2, "SCENE: stands before 'check'");
+}
+
+TEST_F(UsageTest, AWordTooManyOrNoneIsTold) {
+  expectRefused("check s.json step.json", 2, "step.json is a word too many for 'asperity check'");
+  expectRefused("curve s.json -o a.csv b.csv", 2, "b.csv is a word too many");
+  expectRefused("check ''", 2, "SCENE: is empty");
+  expectRefused("figure -o out", 2, "NAME is required");
+  expectRefused("--json s.json", 2, "--json: is no option of 'asperity'");
+}
+
+TEST_F(UsageTest, AssignmentsAreSaidOfTheirOption) {
+  expectRefused("check s.json --set nothing", 2, "asperity: --set: 'nothing' is not KEY=VALUE");
+  expectRefused("check s.json --set =1", 2, "asperity: --set: '=1' is not KEY=VALUE");
+}
+
+TEST_F(UsageTest, NumbersHaveLimitsAndAreFinite) {
+  const std::string film = "render s.json -o out ";
+  expectRefused(film + "--frames 0", 2, "--frames: 0 is outside 1 to 1000000");
+  expectRefused(film + "--frames 1.5", 2, "--frames: '1.5' is not a whole number");
+  for (const char* option : {"--fps", "--duration", "--cycles", "--slow-motion"}) {
+    expectRefused(film + option + " nan", 2, std::string(option) + ": 'nan' is not a number");
+    expectRefused(film + option + " 0", 2, std::string(option) + ": 0 is outside ");
+  }
+}
+
+TEST_F(UsageTest, WhatDoesNotGoTogetherIsSaidOfTheOption) {
+  for (const char* film : {"render s.json -o a.gif ", "render step.json -o out "}) {
+    expectRefused(std::string(film) + "--frames 5 --duration 3", 2,
+                  "asperity: --duration: and --frames both say");
+    expectRefused(std::string(film) + "--slow-motion 1e12", 2, "asperity: --slow-motion: ");
+  }
+  expectRefused("render step.json -o out --cycles 2", 2, "asperity: --cycles: belongs to steady");
+  expectRefused("render step.json -o out --frames 3 --slow-motion 2", 2,
+                "asperity: --slow-motion: follows from the motion");
+  expectRefused("render s.json -o out --duration 1e6 --fps 1000", 2,
+                "asperity: --duration: 1e+09 frames are more than 1e+06");
+  expectRefused("render s.json -o out --cycles 1e6", 2, "asperity: --cycles: 6e+07 frames");
+  expectRefused("render s.json -o a.gif --layout curve", 2, "asperity: --layout: curve does not");
+}
+
+TEST_F(UsageTest, OnePictureHasNoTime) {
+  for (const char* option :
+       {"--frames 2", "--fps 30", "--duration 2", "--cycles 2", "--slow-motion 2"})
+    for (const char* picture : {"render s.json -o a.png ", "render step.json -o a.svg "})
+      expectRefused(std::string(picture) + option, 2, "is one picture; frames need a folder");
+}
+
+TEST_F(UsageTest, PictureOptionsNeedAPicture) {
+  for (const char* option :
+       {"--size 300x300", "--scale 2", "--theme dark", "--transparent", "--backend auto"})
+    for (const char* verb : {"curve s.json ", "curve s.json -o a.csv -o a.json "})
+      expectRefused(std::string(verb) + option, 2,
+                    std::string(option).substr(0, std::string(option).find(' ')) +
+                        ": belongs to pictures, and no output is one");
+  for (const char* verb : {"curve s.json -o a.svg", "render s.json -o a.pdf"})
+    expectRefused(std::string(verb) + " --backend osmesa", 2, "--backend: draws pixels");
+  EXPECT_EQ(program.run("curve s.json -o a.csv -o a.png --theme dark").status, 0);
+}
+
+TEST_F(UsageTest, AnOutputStandsOnceAndReplacesNothingThatIsRead) {
+  program.run("surface s.json -o line.csv");
+  program.folder.write("p.json", R"({"surface":{"kind":"profile","file":"line.csv"}})");
+  const std::string line = TemporaryFolder::read(program.folder / "line.csv");
+  expectRefused("curve s.json -o a.csv -o ./a.csv", 2, "--output: ./a.csv is given more than once");
+  expectRefused("render s.json -o a.png -o b.png", 2, "--output: is given more than once");
+  for (const char* verb : {"curve", "surface"}) {
+    expectRefused(std::string(verb) + " s.json -o s.json", 2, "s.json is what is read");
+    expectRefused(std::string(verb) + " p.json -o line.csv", 2, "line.csv is what is read");
+  }
+  std::filesystem::rename(program.folder / "s.json", program.folder / "accuracy.json");
+  expectRefused("accuracy accuracy.json -o .", 2, "accuracy.json is what is read");
+  expectRefused("batch b.json -o .", 2, "b.json is what is read");
+  EXPECT_EQ(TemporaryFolder::read(program.folder / "line.csv"), line);
+}
+
+TEST_F(UsageTest, ABatchIsToldWhereItsFileIsWrong) {
+  program.folder.write("b.json", batch(R"("size":"3x3",)"));
+  expectRefused("batch b.json -o out", 2, "b.json: size: 3x3 is not WIDTHxHEIGHT");
+  program.folder.write("b.json", batch(R"("sise":"300x300",)"));
+  expectRefused("batch b.json -o out", 2, "'sise' is unknown; the nearest known key is size");
+  program.folder.write("b.json", batch(R"("title":"a","title":"b",)"));
+  expectRefused("batch b.json -o out", 2, "b.json: title: stands twice");
+  program.folder.write("b.json", R"({"schema": )");
+  expectRefused("batch b.json -o out", 2, "b.json: is not valid JSON: parse error at line 1");
+}
+
+TEST_F(UsageTest, TimeIsToldByEveryVerb) {
+  for (const char* verb : {"check s.json", "explain s.json", "surface s.json"})
+    EXPECT_THAT(program.run(std::string(verb) + " --timing").err, testing::StartsWith("time "));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,20 @@
+// What was found of a sentence of the paper, in words: for the table in the window and for what
+// `asperity figure` prints. Pure once the language is chosen; any thread.
+#pragma once
+
+#include <QString>
+
+#include "core/friction/figures/claim.h"
+
+namespace asperity {
+
+/// "yes", "no", "only for scheme ...".
+QString verdictText(const Claim& claim);
+
+/// Three digits, with a minus sign instead of a hyphen.
+QString claimNumber(double value);
+
+/// "1.26 ± 0.04": as many digits as the uncertainty leaves; three where there is none.
+QString estimateText(const Estimate& estimate);
+
+}  // namespace asperity
