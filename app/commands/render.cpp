@@ -68,7 +68,7 @@ class Rendering {
       checkView(command_.view, overlay_, frames_->length());
       if (showsCurve()) computeCurves();
     });
-    composer_.emplace(style_, PictureContent{layout_, curves_, overlay_, command_.view});
+    composer_.emplace(style_, content());
   }
 
   void run() {
@@ -120,6 +120,19 @@ class Rendering {
                        "goes on with a folder of frames; a single file is made anew");
   }
 
+  /// One picture has no time.
+  void checkStill() const {
+    const TimeChoice& time = command_.time;
+    for (const auto& [option, given] : {std::pair{"--frames", time.frames > 1},
+                                        {"--fps", time.framesPerSecond > 0},
+                                        {"--duration", time.duration > 0},
+                                        {"--cycles", time.cycles > 0},
+                                        {"--slow-motion", time.slowMotion > 0}})
+      if (given)
+        throw InputError("", option,
+                         command_.output + " is one picture; frames need a folder or a film");
+  }
+
   bool showsCurve() const {
     return layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both;
   }
@@ -135,24 +148,9 @@ class Rendering {
       if (!command_.overlay.empty()) refuse("--overlay", "the contact");
       if (const char* option = command_.view.firstOption()) refuse(option, "the contact");
       if (command_.time.slid) refuse("--slid", "the contact");
-      if (command_.time.at && scene_.sliding.kind == SlidingKind::Steady)
-        refuse("--at", "the contact");
     }
     if (!showsCurve())
       if (const char* option = command_.curves.firstOption()) refuse(option, "the curve");
-  }
-
-  /// One picture has no time.
-  void checkStill() const {
-    const TimeChoice& time = command_.time;
-    for (const auto& [option, given] : {std::pair{"--frames", time.frames > 1},
-                                        {"--fps", time.framesPerSecond > 0},
-                                        {"--duration", time.duration > 0},
-                                        {"--cycles", time.cycles > 0},
-                                        {"--slow-motion", time.slowMotion > 0}})
-      if (given)
-        throw InputError("", option,
-                         command_.output + " is one picture; frames need a folder or a film");
   }
 
   void checkLayout() const {
@@ -206,6 +204,8 @@ class Rendering {
     return composer_->compose(last_);
   }
 
+  PictureContent content() const { return {layout_, curves_, overlay_, command_.view}; }
+
   void writePicture() {
     HeadlessPictures pictures(style_.backend);
     pictures.write(command_.output, compose(0),
@@ -230,7 +230,7 @@ class Rendering {
                   FilmFile& film) const {
     if (indices.empty()) return;
     FrameSource frames(scene_, command_.time, false, fieldsFor(overlay_));
-    PictureComposer composer(style_, layout_, curve_, overlay_);
+    PictureComposer composer(style_, content());
     for (const std::int64_t index : indices)
       film.add(pictures.draw(composer.compose(frames.frame(index))));
   }

@@ -1,48 +1,26 @@
 #include "core/accuracy/target_curve.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 
+#include "core/accuracy/level_sampler.h"
 #include "core/accuracy/processor_time.h"
-#include "core/friction/curve_averages.h"
-#include "core/friction/realizations.h"
 #include "core/friction/study.h"
-#include "core/surface/line_source.h"
 
 namespace asperity {
 namespace {
 
-/// Nodes of the finest line that a run may make.
-constexpr std::int64_t kMostNodes = std::int64_t{1} << 23;
-
-/// Realizations of different levels and purposes must be different lines.
-constexpr std::int64_t kApart = std::int64_t{1} << 32;
-
-struct VelocityState {
-  double velocity = 0;
-  std::vector<LevelSums> levels = std::vector<LevelSums>(kMostLevels);
-  CurveAverages facts;  // beside mu
-  LevelPlan plan;
-  int known = 0;  // levels sampled
-  bool isPlanned = false;
-  bool isExhausted = false;  // no finer line, or no more lines, allowed
-};
-
 class Targeting {
  public:
-  Targeting(const Scene& scene, const CurveOptions& options) : scene_(scene), options_(options) {
-    scene_.accuracy.scheme = Scheme::Cubic;
-    sources_.push_back(std::make_unique<LineSource>(scene_, 1));
-    columns_.emplace(scene_, source(0));
-    isRandom_ = source(0).isRandom();
+  Targeting(const Scene& scene, const CurveOptions& options)
+      : scene_(resolved(scene)),
+        options_(options),
+        sampler_(scene_, options_),
+        columns_(scene_, sampler_.source(0)),
+        isRandom_(sampler_.source(0).isRandom()) {
     for (const double velocity : sweepVelocities(scene_.sweep))
       states_.emplace_back().velocity = velocity;
-    for (int level = 1; level < kMostLevels; ++level)
-      if (level <= 1 || source(0).elements() * oversamplingOf(level) <= kMostNodes)
-        sources_.push_back(nullptr);
   }
 
   TargetCurve run() {
@@ -56,8 +34,8 @@ class Targeting {
     const bool isWhole = isRandom_ ? runPilot() && planAll() : runSingle();
     if (!isWhole) throw StudyStopped{};
     plan.secondsOfPilot = threadSeconds() - start;
-    plan.secondsOfOperation = plan.secondsOfPilot / std::max(1.0, operations_);
-    plan.largestResidual = largestResidual_;
+    plan.secondsOfOperation = plan.secondsOfPilot / std::max(1.0, sampler_.cost().operations);
+    plan.largestResidual = sampler_.cost().largestResidual;
     const double target = scene_.accuracy.targetRelativeError;
     double standard = 0, resolution = 0;
     for (const VelocityState& state : states_) {
@@ -78,15 +56,12 @@ class Targeting {
   }
 
  private:
-  using States = std::vector<VelocityState*>;
+  static Scene resolved(Scene scene) {
+    scene.accuracy.scheme = Scheme::Cubic;
+    return scene;
+  }
 
   bool stopped() const { return options_.stop.stop_requested(); }
-
-  const LineSource& source(int level) {
-    auto& source = sources_[static_cast<std::size_t>(level)];
-    if (!source) source = std::make_unique<LineSource>(scene_, oversamplingOf(level));
-    return *source;
-  }
 
   States allStates() {
     States all;
@@ -94,73 +69,12 @@ class Targeting {
     return all;
   }
 
-  // ---- Sampling ------------------------------------------------------------------------------
-
-  /// results[line][velocity]; false where stopped.
-  bool slide(int level, const States& states, std::int64_t first, std::int64_t count,
-             std::vector<std::vector<SteadyResult>>& results) {
-    LoadCase one{scene_.load, {}};
-    for (const VelocityState* state : states) one.velocities.push_back(state->velocity);
-    const RealizationTask task{scene_, source(level), {&one, 1}, first};
-    results.clear();
-    return slideRealizations(
-        task, count, options_.threads, options_.stop,
-        [&](std::span<const SteadyResult> row) { results.emplace_back(row.begin(), row.end()); });
-  }
-
-  void count(LevelSums& sums, const SteadyResult& result, int level) {
-    const double nodes = static_cast<double>(source(level).elements() * oversamplingOf(level));
-    const double operations = static_cast<double>(result.passes) * nodes;
-    sums.operations.add(operations);
-    sums.value.add(result.mu);
-    operations_ += operations;
-    passes_ += result.passes;
-    ++solves_;
-    largestResidual_ = std::max(largestResidual_, result.residual);
-  }
-
-  /// Lines for the mean of a level.
-  bool sampleDirect(int level, const States& states, std::int64_t lines) {
-    const auto place = static_cast<std::size_t>(level);
-    const std::int64_t first = 2 * level * kApart + directDone_[place];
-    directDone_[place] += lines;
-    std::vector<std::vector<SteadyResult>> results;
-    if (!slide(level, states, first, lines, results)) return false;
-    for (const auto& row : results)
-      for (std::size_t i = 0; i < states.size(); ++i) {
-        LevelSums& sums = states[i]->levels[place];
-        count(sums, row[i], level);
-        sums.direct.add(row[i].mu);
-        states[i]->facts.add(row[i]);
-      }
-    return true;
-  }
-
-  /// Lines for the difference to the level below.
-  bool sampleCorrection(int level, const States& states, std::int64_t lines) {
-    const auto place = static_cast<std::size_t>(level);
-    const std::int64_t first = (2 * level + 1) * kApart + correctionDone_[place];
-    correctionDone_[place] += lines;
-    std::vector<std::vector<SteadyResult>> coarse, fine;
-    if (!slide(level - 1, states, first, lines, coarse)) return false;
-    if (!slide(level, states, first, lines, fine)) return false;
-    for (std::size_t r = 0; r < fine.size(); ++r)
-      for (std::size_t i = 0; i < states.size(); ++i) {
-        LevelSums& sums = states[i]->levels[place];
-        count(states[i]->levels[place - 1], coarse[r][i], level - 1);
-        count(sums, fine[r][i], level);
-        sums.correction.add(fine[r][i].mu - coarse[r][i].mu);
-        states[i]->facts.add(fine[r][i]);
-      }
-    return true;
-  }
-
   // ---- A random line: pilot, plan, lines until it is met -------------------------------------
 
   bool runPilot() {
     States all = allStates();
-    if (!sampleDirect(0, all, kPilotLines)) return false;
-    if (!sampleCorrection(1, all, kPilotLines)) return false;
+    if (!sampler_.sampleDirect(0, all, kPilotLines)) return false;
+    if (!sampler_.sampleCorrection(1, all, kPilotLines)) return false;
     for (VelocityState* state : all) state->known = 2;
     return true;
   }
@@ -175,8 +89,6 @@ class Targeting {
     }
   }
 
-  int levelsAllowed() const { return static_cast<int>(sources_.size()); }
-
   /// A plan for every velocity, sampling finer levels where the resolution asks for it.
   bool planAll() {
     for (;;) {
@@ -187,7 +99,7 @@ class Targeting {
         const std::optional<LevelPlan> plan = planLevels(state.levels, state.known, allowed(state));
         if (plan) {
           adopt(state, *plan);
-        } else if (state.known < levelsAllowed()) {
+        } else if (state.known < sampler_.levelsAllowed()) {
           level = std::min(level, state.known);
           unresolved.push_back(&state);
         } else {
@@ -196,7 +108,7 @@ class Targeting {
       }
       std::erase_if(unresolved, [&](const VelocityState* state) { return state->known != level; });
       if (unresolved.empty()) return true;
-      if (!sampleCorrection(level, unresolved, kPilotLines / 2)) return false;
+      if (!sampler_.sampleCorrection(level, unresolved, kPilotLines / 2)) return false;
       for (VelocityState* state : unresolved) ++state->known;
     }
   }
@@ -258,7 +170,7 @@ class Targeting {
   /// wanted.
   bool sampleWanted() {
     bool any = false;
-    for (int level = 0; level < levelsAllowed(); ++level)
+    for (int level = 0; level < sampler_.levelsAllowed(); ++level)
       for (const bool direct : {true, false}) {
         States wanting;
         std::int64_t lines = kMostLines;
@@ -273,8 +185,8 @@ class Targeting {
         if (wanting.empty()) continue;
         any = true;
         lines = std::max<std::int64_t>(lines, 4);  // not a round for every single line
-        const bool done =
-            direct ? sampleDirect(level, wanting, lines) : sampleCorrection(level, wanting, lines);
+        const bool done = direct ? sampler_.sampleDirect(level, wanting, lines)
+                                 : sampler_.sampleCorrection(level, wanting, lines);
         if (!done) return false;
       }
     return any;
@@ -285,9 +197,9 @@ class Targeting {
   bool runSingle() {
     States open = allStates();
     std::vector<std::vector<SteadyResult>> coarse, fine;
-    if (!slide(0, open, 0, 1, coarse)) return false;
-    for (int level = 1; level < levelsAllowed() && !open.empty(); ++level) {
-      if (!slide(level, open, 0, 1, fine)) return false;
+    if (!sampler_.slide(0, open, 0, 1, coarse)) return false;
+    for (int level = 1; level < sampler_.levelsAllowed() && !open.empty(); ++level) {
+      if (!sampler_.slide(level, open, 0, 1, fine)) return false;
       States still;
       std::vector<SteadyResult> left;
       for (std::size_t i = 0; i < open.size(); ++i) {
@@ -296,7 +208,7 @@ class Targeting {
         LevelSums& sums = state.levels[static_cast<std::size_t>(level)];
         sums.direct = RunningMean{};
         sums.direct.add(now.mu);
-        count(sums, now, level);
+        sampler_.count(sums, now, level);
         state.facts = {};
         state.facts.add(now);
         // Of the finer one: a third of the last difference at second order.
@@ -345,7 +257,7 @@ class Targeting {
     point.muLow = achieved.low;
     point.muHigh = achieved.high;
     point.realizations = achieved.lines;
-    columns_->addTo(point, state.facts.normalForce.mean());
+    columns_.addTo(point, state.facts.normalForce.mean());
     return point;
   }
 
@@ -363,13 +275,14 @@ class Targeting {
     }
     // The last lines are drawn for a variance that they still change a little.
     result.isReached &= result.worst <= 1.05 * scene_.accuracy.targetRelativeError;
-    result.operations = operations_;
+    const SamplingCost& cost = sampler_.cost();
+    result.operations = cost.operations;
     result.curve.isComplete = isWhole;
     result.curve.achievedError = result.worst;
     result.curve.isTargetMet = result.isReached;
-    result.curve.largestResidual = largestResidual_;
-    result.curve.meanPasses =
-        static_cast<double>(passes_) / static_cast<double>(std::max<std::int64_t>(1, solves_));
+    result.curve.largestResidual = cost.largestResidual;
+    result.curve.meanPasses = static_cast<double>(cost.passes) /
+                              static_cast<double>(std::max<std::int64_t>(1, cost.solves));
     return result;
   }
 
@@ -395,13 +308,10 @@ class Targeting {
 
   Scene scene_;
   const CurveOptions& options_;
-  std::optional<LawColumns> columns_;
+  LevelSampler sampler_;
+  LawColumns columns_;
   std::vector<VelocityState> states_;
-  std::vector<std::unique_ptr<LineSource>> sources_;  // of each level allowed, made when needed
-  bool isRandom_ = true;
-  std::array<std::int64_t, kMostLevels> directDone_{}, correctionDone_{};
-  double operations_ = 0, largestResidual_ = 0;
-  std::int64_t passes_ = 0, solves_ = 0;
+  bool isRandom_;
 };
 
 }  // namespace

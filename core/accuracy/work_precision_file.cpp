@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/friction/curve_file.h"
+#include "core/scene/printed_number.h"
 #include "core/scene/provenance.h"
 
 namespace asperity {
@@ -51,27 +52,44 @@ DiagramSeries frontSeries(const RegionPrecision& region) {
   return series;
 }
 
+/// "cubic \u00D72".
+std::string printedName(const MethodChoice& choice) {
+  std::string name = nameOf(choice);
+  if (const std::size_t times = name.rfind(" x"); times != name.npos)
+    name.replace(times, 2, " \u00D7");
+  return name;
+}
+
+/// A ring around the method that the scene has.
+DiagramSeries presentSeries(const WorkPrecisionPoint& present) {
+  DiagramSeries series;
+  series.name = "this scene: " + printedName(present.choice);
+  series.mark = SeriesMark::Ring;
+  series.stroke = SeriesStroke::None;
+  series.isTheory = true;  // in the colour of texts, set apart from every method's
+  series.points = {{present.seconds, present.error}};
+  return series;
+}
+
 Diagram regionDiagram(const WorkPrecision& comparison, const RegionPrecision& region) {
   Diagram diagram;
-  diagram.title = fmt::format("region {}: {:.2g} to {:.2g} m/s", region.region,
-                              region.velocities.front(), region.velocities.back());
+  diagram.title = fmt::format("region {}: {} to {} m/s", region.region,
+                              printedNumber(region.velocities.front(), 2),
+                              printedNumber(region.velocities.back(), 2));
   diagram.x = {"time of one simulation", "s"};
   diagram.y = {"relative error of \u03BC", ""};
   diagram.series = {
       frontSeries(region),
       methodSeries(region, Method::Literal, "literal march (difference)", SeriesMark::Square, 0),
       methodSeries(region, Method::Nodal, "nodal (difference)", SeriesMark::Diamond, 1),
-      methodSeries(region, Method::Linear, "linear x1 to x16", SeriesMark::Triangle, 4),
-      methodSeries(region, Method::Cubic, "cubic x1 to x16", SeriesMark::Circle, 2)};
-  if (const WorkPrecisionPoint* present = findPoint(region, comparison.present)) {
-    const std::string name = nameOf(present->choice);
-    diagram.labels.push_back({"this scene: " + name, present->seconds * 8, present->error * 8,
-                              present->seconds, present->error});
-  }
+      methodSeries(region, Method::Linear, "linear \u00D71 to \u00D716", SeriesMark::Triangle, 4),
+      methodSeries(region, Method::Cubic, "cubic \u00D71 to \u00D716", SeriesMark::Circle, 2)};
+  if (const WorkPrecisionPoint* present = findPoint(region, comparison.present))
+    diagram.series.push_back(presentSeries(*present));
   const double target = comparison.scene.accuracy.targetRelativeError;
   if (target > 0) {
     DiagramSeries line;
-    line.name = fmt::format("target {:g}", target);
+    line.name = "target " + printedNumber(target);
     line.isTheory = true;
     line.stroke = SeriesStroke::Dotted;
     double fastest = region.points.front().seconds, slowest = fastest;
@@ -196,7 +214,7 @@ DiagramSheet workPrecisionSheet(const WorkPrecision& comparison) {
 DiagramSheet standardErrorSheet(const WorkPrecision& comparison) {
   DiagramSheet sheet;
   sheet.title = "What realizations cost in time";
-  sheet.subtitle = sentenceOf(comparison) + ", " + nameOf(comparison.present);
+  sheet.subtitle = sentenceOf(comparison) + ", " + printedName(comparison.present);
   sheet.diagrams = {spreadDiagram(comparison, false), spreadDiagram(comparison, true)};
   sheet.note =
       "Circles: spread of the means over groups of so many lines. Lines: one over the square root.";

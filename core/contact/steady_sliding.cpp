@@ -29,6 +29,13 @@ StateSums sumsAt(const TravelLine& line, double depth, double memory, NodeShape*
                                       : stateAt(line, depth, memory, shape);
 }
 
+/// Complete contact is the whole line, of which a sum of a million lengths falls short.
+StateSums sumsAt(const TravelLine& line, double depth, double memory, bool isComplete) {
+  StateSums sums = sumsAt(line, depth, memory);
+  if (isComplete) sums.contactLength = line.length;
+  return sums;
+}
+
 }  // namespace
 
 SteadyResult steadyResultOf(const TravelLine& line, const SlidingConditions& conditions,
@@ -84,10 +91,9 @@ SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& condi
     countStage(Stage::ContactSearch);
     balance = balanceResolved(line, memory, load, guess);
   }
-  const StateSums sums = stateAt(line, balance.depth, memory);
+  const StateSums sums = sumsAt(line, balance.depth, memory, isComplete);
   if (isComplete) balance.residual = std::abs(sums.depth / load - 1);
   SteadyResult result = steadyResultOf(line, conditions, balance.depth, sums);
-  if (isComplete) result.contactFraction = 1;  // the sum of a million lengths falls short of it
   addBalance(result, balance);
   result.status = statusOf(result);
   return result;
@@ -98,8 +104,8 @@ SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& condi
   const double memory = memoryOf(conditions);
   const bool isComplete = line.scheme != Scheme::Nodal && isContactComplete(line, depth, memory);
   if (!isComplete) countStage(Stage::ContactSearch);
-  SteadyResult result = steadyResultOf(line, conditions, depth, sumsAt(line, depth, memory));
-  if (isComplete) result.contactFraction = 1;
+  SteadyResult result =
+      steadyResultOf(line, conditions, depth, sumsAt(line, depth, memory, isComplete));
   result.passes = 1;
   return result;
 }

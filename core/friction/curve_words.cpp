@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/friction/with_unit.h"
 #include "core/scene/parameters.h"
+#include "core/scene/printed_number.h"
 
 namespace asperity {
 namespace {
@@ -32,7 +32,7 @@ std::string inWords(const Parameter& row, const Scene& scene) {
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (real && *real == 0 && value == defaultOf(row)) return {};
   if (real && row.unit.empty()) return fmt::format("{} = {:g}", printed(row.symbol), *real);
-  if (real) return fmt::format("{} = {}", printed(row.symbol), withUnit(*real, row.unit));
+  if (real) return fmt::format("{} = {}", printed(row.symbol), printedQuantity(*real, row.unit));
   if (whole && *whole > 0) return fmt::format("{} = {}", printed(row.symbol), *whole);
   return {};
 }
@@ -47,8 +47,9 @@ bool isShiftIdle(const Parameter& row, const Scene& scene) {
 std::string inPlainWords(const Parameter& row, const Scene& scene) {
   const ParameterValue value = valueOf(row, scene);
   if (const auto* real = std::get_if<double>(&value))
-    return fmt::format("{} = {}", row.label,
-                       row.unit.empty() ? fmt::format("{:g}", *real) : withUnit(*real, row.unit));
+    return fmt::format(
+        "{} = {}", row.label,
+        row.unit.empty() ? fmt::format("{:g}", *real) : printedQuantity(*real, row.unit));
   if (const auto* whole = std::get_if<std::int64_t>(&value))
     return fmt::format("{} {}", row.label, *whole);
   std::string word = std::get<std::string>(value);

@@ -29,7 +29,8 @@ struct DiagramPoint {
   double high = std::numeric_limits<double>::quiet_NaN();  // the same
 };
 
-enum class SeriesMark { None, Circle, Square, Triangle, Diamond };
+/// A ring is open and larger than the others, to stand around one of them.
+enum class SeriesMark { None, Circle, Square, Triangle, Diamond, Ring };
 enum class SeriesStroke { None, Solid, Dashed, Dotted };
 
 struct DiagramSeries {

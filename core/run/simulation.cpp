@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "core/contact/scene_sliding.h"
+#include "core/contact/unmet_balance.h"
 #include "core/run/contact_age.h"
 #include "core/run/rigid_line.h"
 #include "core/scene/plan.h"
@@ -33,8 +33,8 @@ struct Simulation::Ready {
     }
     sliding.emplace(*scene);
     steady = sliding->at(rigid->travel, scene->sliding.velocity);
-    if (steady.result.status != SteadyStatus::Balanced || !std::isfinite(steady.result.mu))
-      throw std::runtime_error("no indentation carries the normal force to working accuracy");
+    requireBalance(steady.result, velocity());
+    if (!std::isfinite(steady.result.mu)) throw unmetBalance(steady.result, velocity());
   }
 
   const Line& line() const { return *rigid->line; }

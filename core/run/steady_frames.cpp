@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "core/contact/dissipation.h"
 #include "core/contact/scene_sliding.h"
+#include "core/contact/unmet_balance.h"
 #include "core/run/contact_age.h"
 #include "core/scene/effects.h"
 #include "core/surface/line_source.h"
@@ -18,8 +18,7 @@ constexpr std::int64_t kPicturePoints = 8192;
 
 SteadyState solve(const SceneSliding& sliding, const TravelLine& line, double velocity) {
   SteadyState state = sliding.at(line, velocity);
-  if (state.result.status != SteadyStatus::Balanced)
-    throw std::runtime_error("the force balance is not met");
+  requireBalance(state.result, velocity);
   return state;
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "core/contact/interface.h"
+#include "core/contact/unmet_balance.h"
 #include "core/run/contact_age.h"
 #include "core/scene/effects.h"
 #include "core/scene/plan.h"
@@ -22,8 +22,7 @@ TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
   }
   const SceneSliding sliding(scene);
   const SteadyState state = sliding.at(rigid.travel, scene.sliding.velocity);
-  if (state.result.status != SteadyStatus::Balanced)
-    throw std::runtime_error("no steady state to begin from: the force balance is not met");
+  requireBalance(state.result, scene.sliding.velocity);
   return steadyMarch(rigid, sliding, scene.sliding.velocity, state);
 }
 

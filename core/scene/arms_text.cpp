@@ -16,18 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One number of an arm: the table of parameters within the list.
-struct Member {
-  const char* name;
-  double Arm::*value;
-  double most;  // at least 0
-  const char* unit;
-};
-
-constexpr std::array<Member, 2> kMembers{
+constexpr std::array<ArmMember, 2> kMembers{
     {{"modulus", &Arm::modulus, 1e15, "Pa"}, {"relaxation_time", &Arm::relaxationTime, 1e12, "s"}}};
 
-std::string allowed(const Member& member) {
+std::string allowed(const ArmMember& member) {
   return rangeText(0, member.most, member.unit);
 }
 
@@ -47,11 +39,11 @@ Arm armFrom(const Json& json, const std::string& key) {
     throw InputError("", key, "needs an object of modulus and relaxation_time");
   for (const auto& [name, value] : json.items())
     if (std::none_of(kMembers.begin(), kMembers.end(),
-                     [&name = name](const Member& member) { return name == member.name; }))
+                     [&name = name](const ArmMember& member) { return name == member.name; }))
       throw InputError("", key + "." + shortened(name),
                        "unknown key; an arm has modulus and relaxation_time");
   Arm arm;
-  for (const Member& member : kMembers) {
+  for (const ArmMember& member : kMembers) {
     const std::string path = key + "." + member.name;
     if (!json.contains(member.name)) throw InputError("", path, "is missing");
     const Json& value = json[member.name];
@@ -68,6 +60,10 @@ Arm armFrom(const Json& json, const std::string& key) {
 
 }  // namespace
 
+std::span<const ArmMember> armMembers() {
+  return kMembers;
+}
+
 std::vector<Arm> armsFrom(std::string_view json, const std::string& key) {
   const Json list = parsed(json, key);
   std::vector<Arm> arms;
@@ -80,7 +76,7 @@ std::string textOf(const std::vector<Arm>& arms) {
   Json list = Json::array();
   for (const Arm& arm : arms) {
     Json one;
-    for (const Member& member : kMembers) one[member.name] = arm.*member.value;
+    for (const ArmMember& member : kMembers) one[member.name] = arm.*member.value;
     list.push_back(std::move(one));
   }
   return list.dump();

@@ -2,6 +2,7 @@
 // Pure functions.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,17 @@
 #include "core/scene/scene.h"
 
 namespace asperity {
+
+/// One number of an arm: the table of parameters within the list.
+struct ArmMember {
+  const char* name;
+  double Arm::*value;
+  double most;  // at least 0
+  const char* unit;
+};
+
+/// Modulus, then relaxation time.
+std::span<const ArmMember> armMembers();
 
 /// Throws InputError that names the member, such as KEY[1].modulus.
 std::vector<Arm> armsFrom(std::string_view json, const std::string& key);

@@ -392,6 +392,65 @@
     </message>
 </context>
 <context>
+    <name>asperity::ArmsEditor</name>
+    <message>
+        <source>Remove this arm</source>
+        <translation>Diesen Arm entfernen</translation>
+    </message>
+    <message>
+        <source>remove arm %1</source>
+        <translation>Arm %1 entfernen</translation>
+    </message>
+    <message>
+        <source>modulus of arm %1 (%2)</source>
+        <translation>Modul von Arm %1 (%2)</translation>
+    </message>
+    <message>
+        <source>relaxation time of arm %1 (%2)</source>
+        <translation>Relaxationszeit von Arm %1 (%2)</translation>
+    </message>
+    <message>
+        <source>modulus</source>
+        <translation>Modul</translation>
+    </message>
+    <message>
+        <source>relaxation time</source>
+        <translation>Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>Add arm</source>
+        <translation>Arm hinzufügen</translation>
+    </message>
+    <message>
+        <source>One more arm, with ten times the longest relaxation time</source>
+        <translation>Ein weiterer Arm mit der zehnfachen längsten Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>einer</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Fold the table away</source>
+        <translation>Tabelle einklappen</translation>
+    </message>
+    <message>
+        <source>Open the table</source>
+        <translation>Tabelle aufklappen</translation>
+    </message>
+    <message>
+        <source>arms: %1</source>
+        <translation>Arme: %1</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ClaimsTable</name>
     <message>
         <source>Measured: %1.</source>
@@ -1313,10 +1372,6 @@
 <context>
     <name>asperity::ParameterRow</name>
     <message>
-        <source>%1 to %2 %3</source>
-        <translation>%1 bis %2 %3</translation>
-    </message>
-    <message>
         <source>choose file…</source>
         <translation>Datei wählen…</translation>
     </message>
@@ -1347,6 +1402,106 @@
     <message>
         <source>A number alone counts in the unit beside it, one with an exponent (1e7) in %1; any unit may be typed with it.</source>
         <translation>Eine Zahl allein gilt in der Einheit daneben, eine mit Exponent (1e7) in %1; jede Einheit darf dazu getippt werden.</translation>
+    </message>
+    <message>
+        <source>Back to the default, one arm</source>
+        <translation>Zurück zur Vorgabe, ein Arm</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>a modulus or pressure</source>
+        <translation>ein Modul oder Druck</translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation>eine Kraft</translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation>eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation>eine Zeit</translation>
+    </message>
+    <message>
+        <source>a temperature</source>
+        <translation>eine Temperatur</translation>
+    </message>
+    <message>
+        <source>a frequency</source>
+        <translation>eine Frequenz</translation>
+    </message>
+    <message>
+        <source>a force on a length</source>
+        <translation>eine Kraft je Länge</translation>
+    </message>
+    <message>
+        <source>a viscosity</source>
+        <translation>eine Viskosität</translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation>eine Masse</translation>
+    </message>
+    <message>
+        <source>an energy</source>
+        <translation>eine Energie</translation>
+    </message>
+    <message>
+        <source>a power</source>
+        <translation>eine Leistung</translation>
+    </message>
+    <message>
+        <source>a voltage</source>
+        <translation>eine Spannung</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>ein Winkel</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>a wave number</source>
+        <translation>eine Wellenzahl</translation>
+    </message>
+    <message>
+        <source>a pure number</source>
+        <translation>eine reine Zahl</translation>
+    </message>
+    <message>
+        <source>a difference of temperatures</source>
+        <translation>ein Temperaturunterschied</translation>
+    </message>
+    <message>
+        <source>%1 is %2; wanted is %3, such as %4</source>
+        <translation>%1 ist %2; gefragt ist %3, etwa %4</translation>
+    </message>
+    <message>
+        <source>“%1” is no unit known here; wanted is %2, such as %3</source>
+        <translation>„%1“ ist hier keine bekannte Einheit; gefragt ist %2, etwa %3</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; allowed is %2</source>
+        <translation>„%1“ ist keine Zahl; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number; allowed is %2</source>
+        <translation>%1 ist keine ganze Zahl; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2</source>
+        <translation>%1 liegt außerhalb von %2</translation>
     </message>
 </context>
 <context>
@@ -1740,6 +1895,10 @@
 <context>
     <name>asperity::Words</name>
     <message>
+        <source>lines compared</source>
+        <translation>verglichene Linien</translation>
+    </message>
+    <message>
         <source>position</source>
         <translation>Ort</translation>
     </message>
@@ -2010,10 +2169,6 @@
     <message>
         <source>same parameters</source>
         <translation>gleiche Parameter</translation>
-    </message>
-    <message>
-        <source>lines compared</source>
-        <translation>Linien verglichen</translation>
     </message>
     <message>
         <source>the motion up to here</source>

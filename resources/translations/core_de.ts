@@ -1766,7 +1766,7 @@
         <translation>Reibungszahl μ</translation>
     </message>
     <message>
-        <source>cubic x1 to x16</source>
+        <source>cubic ×1 to ×16</source>
         <translation>kubisch ×1 bis ×16</translation>
     </message>
     <message>
@@ -1774,7 +1774,7 @@
         <translation>Eindringung d</translation>
     </message>
     <message>
-        <source>linear x1 to x16</source>
+        <source>linear ×1 to ×16</source>
         <translation>linear ×1 bis ×16</translation>
     </message>
     <message>
@@ -1842,20 +1842,24 @@
         <translation>Geschwindigkeit v</translation>
     </message>
     <message>
-        <source>the force balance is not met in the comparison of methods</source>
-        <translation>das Kräftegleichgewicht ist beim Vergleich der Verfahren nicht erfüllt</translation>
+        <source>the force balance is not met at velocity %1: relative residual %2</source>
+        <translation>das Kräftegleichgewicht ist bei der Geschwindigkeit %1 nicht erfüllt: relativer Rest %2</translation>
     </message>
     <message>
-        <source>no indentation carries the normal force to working accuracy</source>
-        <translation>keine Eindringung trägt die Normalkraft mit der nötigen Genauigkeit</translation>
+        <source>the force balance is not met at velocity %1 on realization %2: relative residual %3</source>
+        <translation>das Kräftegleichgewicht ist bei der Geschwindigkeit %1 in Realisierung %2 nicht erfüllt: relativer Rest %3</translation>
+    </message>
+    <message>
+        <source>contact is too short, or moduli are too far apart, for the digits that numbers have, at velocity %1</source>
+        <translation>für die Stellen, die Zahlen haben, ist bei der Geschwindigkeit %1 der Kontakt zu kurz, oder die Moduln liegen zu weit auseinander</translation>
+    </message>
+    <message>
+        <source>contact is too short, or moduli are too far apart, for the digits that numbers have, at velocity %1 on realization %2</source>
+        <translation>für die Stellen, die Zahlen haben, ist bei der Geschwindigkeit %1 in Realisierung %2 der Kontakt zu kurz, oder die Moduln liegen zu weit auseinander</translation>
     </message>
     <message>
         <source>the force balance is not met</source>
         <translation>das Kräftegleichgewicht ist nicht erfüllt</translation>
-    </message>
-    <message>
-        <source>no steady state to begin from: the force balance is not met</source>
-        <translation>kein stationärer Zustand als Anfang: Das Kräftegleichgewicht ist nicht erfüllt</translation>
     </message>
     <message>
         <source>stands beside interface.friction_coefficient; only one of them may be above 0</source>
@@ -1884,6 +1888,14 @@
     <message>
         <source>cubic x%1</source>
         <translation>kubisch ×%1</translation>
+    </message>
+    <message>
+        <source>cubic ×%1</source>
+        <translation>kubisch ×%1</translation>
+    </message>
+    <message>
+        <source>linear ×%1</source>
+        <translation>linear ×%1</translation>
     </message>
     <message>
         <source>linear x%1</source>

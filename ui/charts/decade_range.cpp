@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/language/language.h"
+#include "ui/picture/ticks.h"
 
 namespace asperity {
 
@@ -11,13 +11,6 @@ namespace {
 
 // 1e-5 written in binary may lie a little below the decade: that is not a reason for one more.
 constexpr double kSlack = 1e-9;
-
-QString superscript(int number) {
-  static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-  QString text;
-  for (const QChar c : QString::number(std::abs(number))) text += digits[c.digitValue()];
-  return number < 0 ? QStringLiteral("⁻") + text : text;
-}
 
 }  // namespace
 
@@ -40,14 +33,7 @@ DecadeRange steadyRange(const DecadeRange& shown, const DecadeRange& needed, boo
 }
 
 QString readingLabel(double value, int digits) {
-  if (!std::isfinite(value)) return QStringLiteral("–");
-  QString plain = inLanguage(QString::number(value, 'g', digits));
-  if (plain.startsWith('-')) plain.replace(0, 1, QStringLiteral("−"));
-  const qsizetype e = plain.indexOf('e');
-  if (e < 0) return plain;
-  const QString front = plain.left(e);
-  const QString power = QStringLiteral("10") + superscript(plain.mid(e + 1).toInt());
-  return front == QStringLiteral("1") ? power : front + QStringLiteral("·") + power;
+  return QString::fromStdString(shortNumber(value, digits));
 }
 
 }  // namespace asperity

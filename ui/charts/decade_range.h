@@ -15,7 +15,7 @@ DecadeRange decadesAround(double low, double high);
 /// `mayShrink` and an end lies two decades or more outside the data.
 DecadeRange steadyRange(const DecadeRange& shown, const DecadeRange& needed, bool mayShrink);
 
-/// A few digits for reading, not for computing: "0.125", "2.5·10⁻⁵", "10⁻⁶"; "–" where not finite.
+/// A few digits for reading, not for computing, as everywhere: shortNumber() of ui/picture.
 QString readingLabel(double value, int digits = 3);
 
 }  // namespace asperity

@@ -45,7 +45,7 @@ QString withError(const QString& name, double value, double error) {
 }
 
 QString signedPercent(double part) {
-  const QString text = inLanguage(QString::number(std::abs(100 * part), 'g', 3));
+  const QString text = readingLabel(std::abs(100 * part));
   return (part < 0 ? "−" : "+") + text + " %";
 }
 
@@ -180,7 +180,7 @@ QString FrictionSeries::reading(const CurvePoint& point, CurveAxes axes) {
 QString FrictionSeries::reading(const DifferencePoint& point, const CurveSetting& setting) {
   QString difference = tr("difference %1").arg(signedPercent(point.relative));
   if (std::isfinite(point.standardError))
-    difference += " ± " + inLanguage(QString::number(100 * point.standardError, 'g', 2)) + " %";
+    difference += " ± " + readingLabel(100 * point.standardError, 2) + " %";
   return tr("v = %1 m/s").arg(readingLabel(point.velocity)) + '\n' + difference + '\n' +
          withError(QStringLiteral("μ"), point.mu, point.muStandardError) + ' ' +
          tr("with %1").arg(translatedText(nameOf(setting)));

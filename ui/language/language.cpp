@@ -6,6 +6,8 @@
 #include <QTranslator>
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <map>
 #include <memory>
 
 // Outside of the namespace, as the resource compiler's function is.
@@ -18,15 +20,22 @@ namespace {
 
 constexpr std::array<Language, 2> kLanguages{{{"en", "English"}, {"de", "Deutsch"}}};
 
-struct Present {
+/// Loaded once and never taken away: other threads may be reading it.
+struct Loaded {
   std::string_view code = "en";
   std::unique_ptr<QTranslator> texts, dialogs;  // ours and Qt's own; none for English
-  bool hasComma = false;                        // in numbers
+  QLocale locale = QLocale::c();
+  bool hasComma = false;  // in numbers
 };
 
-Present& present() {
-  static Present present;
+std::atomic<const Loaded*>& presentOne() {
+  static const Loaded english;
+  static std::atomic<const Loaded*> present{&english};
   return present;
+}
+
+const Loaded& present() {
+  return *presentOne().load();
 }
 
 std::unique_ptr<QTranslator> loaded(const QString& name, const QString& folder) {
@@ -36,6 +45,27 @@ std::unique_ptr<QTranslator> loaded(const QString& name, const QString& folder) 
 
 QString text(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+std::unique_ptr<Loaded> load(std::string_view code) {
+  auto language = std::make_unique<Loaded>();
+  language->code = code;
+  if (code == "en") return language;
+  const QString name = text(code);
+  openResources();
+  language->texts = loaded("asperity_" + name, QStringLiteral(":/asperity/translations"));
+  language->dialogs = loaded("qtbase_" + name, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  language->locale = QLocale(name);
+  language->hasComma = language->locale.decimalPoint() == QStringLiteral(",");
+  return language;
+}
+
+/// One of kLanguages. Called by the thread that chooses languages.
+const Loaded& languageOf(std::string_view code) {
+  static std::map<std::string_view, std::unique_ptr<Loaded>> all;
+  std::unique_ptr<Loaded>& language = all[code];
+  if (!language) language = load(code);
+  return *language;
 }
 
 }  // namespace
@@ -58,21 +88,14 @@ std::string_view languageFor(std::string_view locale) {
 }
 
 void useLanguage(std::string_view code) {
-  Present next;
-  if (const std::string_view known = languageFor(code); !known.empty()) next.code = known;
-  const QString name = text(next.code);
-  if (next.code != "en") {
-    openResources();
-    next.texts = loaded("asperity_" + name, QStringLiteral(":/asperity/translations"));
-    next.dialogs = loaded("qtbase_" + name, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-  }
-  const QLocale locale(next.code == "en" ? QLocale::c() : QLocale(name));
-  next.hasComma = locale.decimalPoint() == QStringLiteral(",");
-  // A translator that goes away takes itself off the application.
-  present() = std::move(next);
-  QLocale::setDefault(locale);
+  const std::string_view known = languageFor(code);
+  const Loaded& next = languageOf(known.empty() ? kLanguages.front().code : known);
+  const Loaded& last = *presentOne().exchange(&next);
+  QLocale::setDefault(next.locale);
   if (!QCoreApplication::instance()) return;
-  for (const auto* translator : {&present().dialogs, &present().texts})
+  for (const auto* translator : {&last.dialogs, &last.texts})
+    if (*translator) QCoreApplication::removeTranslator(translator->get());
+  for (const auto* translator : {&next.dialogs, &next.texts})
     if (*translator) QCoreApplication::installTranslator(translator->get());
 }
 

@@ -2,7 +2,9 @@
 
 #include <QRegularExpression>
 #include <QStringList>
+#include <cmath>
 
+#include "core/scene/printed_number.h"
 #include "ui/language/language.h"
 
 namespace asperity {
@@ -14,12 +16,33 @@ using Found = std::optional<QString>;
 /// somebody wrote, in quotes.
 const QRegularExpression& quantity() {
   static const QRegularExpression form(
-      QStringLiteral("(?:(?<![\\w.])|(?<= x))[-\u2212]?\\d+(?:\\.\\d+)?(?:e[-+]?\\d+)?"
-                     "(?:\u00D710[\u207B\u2070\u00B9\u00B2\u00B3\u2074-\u2079]+)?"
-                     "(?: [fpn\u00B5mkMGT]?(?:m/s|N/m|Pa s|Pa|Hz|N|m|s|K)(?![\\w/^]))?"
+      QStringLiteral("(?:(?<![\\w.])|(?<= x)|(?<=\u00D7))[-\u2212]?"
+                     "(?:10[\u207B\u2070\u00B9\u00B2\u00B3\u2074-\u2079]+"
+                     "|\\d+(?:\\.\\d+)?(?:e[-+]?\\d+)?"
+                     "(?:\u00D710[\u207B\u2070\u00B9\u00B2\u00B3\u2074-\u2079]+)?)"
+                     "(?: [fpn\u00B5mkMGTP]?(?:m/s|N/m|Pa s|Pa|Hz|N|m|s|K)(?![\\w/^]))?"
                      "|(?<!\\w)'[^']*'(?!\\w)"),
       QRegularExpression::UseUnicodePropertiesOption);
   return form;
+}
+
+/// Numbers as computers write them, "1e-10" and "6.3e+02", as all others are printed.
+QString withPrintedNumbers(const QString& text) {
+  static const QRegularExpression form(
+      QStringLiteral("(?<![\\w.,])(-?\\d+)(?:[.,](\\d+))?e([-+]?\\d+)(?!\\w)"));
+  QString printed;
+  qsizetype end = 0;
+  for (auto it = form.globalMatch(text); it.hasNext();) {
+    const QRegularExpressionMatch match = it.next();
+    const QString front = match.captured(1), behind = match.captured(2);
+    const double value = (front + '.' + behind + 'e' + match.captured(3)).toDouble();
+    if (!std::isfinite(value)) continue;
+    const auto digits = static_cast<int>(front.size() + behind.size()) - front.startsWith('-');
+    printed += text.mid(end, match.capturedStart() - end) +
+               inLanguage(QString::fromStdString(printedNumber(value, digits)));
+    end = match.capturedEnd();
+  }
+  return printed + text.mid(end);
 }
 
 Found known(const QString& english) {
@@ -147,7 +170,9 @@ std::optional<std::string> translationOf(std::string_view english) {
   return found ? std::optional(found->toStdString()) : std::nullopt;
 }
 
-std::string translated(std::string_view english) {
+namespace {
+
+std::string inPresentLanguage(std::string_view english) {
   if (presentLanguage() == "en") return std::string(english);
   if (const auto found = translationOf(english)) return *found;
   // A sheet says first what somebody called the scene.
@@ -158,12 +183,17 @@ std::string translated(std::string_view english) {
          rest.value_or(std::string(english.substr(name + 2)));
 }
 
+}  // namespace
+
+std::string translated(std::string_view english) {
+  return translatedText(english).toStdString();
+}
+
 QString translatedText(std::string_view english) {
-  return QString::fromStdString(translated(english));
+  return withPrintedNumbers(QString::fromStdString(inPresentLanguage(english)));
 }
 
 DiagramSheet translated(DiagramSheet sheet) {
-  if (presentLanguage() == "en") return sheet;
   for (std::string* text : {&sheet.title, &sheet.subtitle, &sheet.note}) translate(*text);
   for (Diagram& diagram : sheet.diagrams) translate(diagram);
   return sheet;

@@ -18,7 +18,8 @@ namespace asperity {
 std::optional<std::string> translationOf(std::string_view english);
 
 /// The same; in English, or where there is no translation, the text itself. What follows a name
-/// that nobody knows and a semicolon is translated alone.
+/// that nobody knows and a semicolon is translated alone. Numbers like 1e-10 are printed as all
+/// others are (core/scene/printed_number.h).
 std::string translated(std::string_view english);
 QString translatedText(std::string_view english);
 

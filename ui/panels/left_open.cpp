@@ -72,6 +72,10 @@ bool isFile(const Parameter& parameter) {
   return parameter.key == kFile;
 }
 
+bool isLongText(const Parameter& parameter) {
+  return parameter.key == "description";
+}
+
 Missing missingOf(const Scene& scene) {
   if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
     return {kFile, ParameterPanel::tr("choose a profile file")};

@@ -40,6 +40,9 @@ void giveText(const Parameter& parameter, Scene& scene, std::string_view text);
 /// Whether the parameter names a file.
 bool isFile(const Parameter& parameter);
 
+/// Whether the parameter is a text of several sentences.
+bool isLongText(const Parameter& parameter);
+
 /// What has to be given before the scene can run, and where; the text is empty where nothing is
 /// missing.
 struct Missing {

@@ -47,6 +47,7 @@ QString symbolHtml(std::string_view symbol) {
                                      std::pair("kappa", u'κ'), std::pair("lambda", u'λ')})
     if (text.section('_', 0, 0) == QLatin1String(name))
       text.replace(0, text.section('_', 0, 0).size(), QChar(letter));
+  text.replace(QStringLiteral("_inf"), QStringLiteral("_∞"));
   const qsizetype low = text.indexOf('_');
   if (low < 0) return QStringLiteral("<i>%1</i>").arg(text.toHtmlEscaped());
   return QStringLiteral("<i>%1</i><sub>%2</sub>")
@@ -54,6 +55,10 @@ QString symbolHtml(std::string_view symbol) {
 }
 
 QString wordText(std::string_view word) {
+  if (presentLanguage() == "en")
+    for (const auto& [key, name] : {std::pair("kelvin", "Kelvin"), std::pair("prony", "Prony"),
+                                    std::pair("standard_solid", "standard solid")})
+      if (word == key) return QString::fromLatin1(name);
   return translatedText(fromUtf8(word).replace('_', '-').toStdString());
 }
 

@@ -15,12 +15,20 @@ QString panelStyleSheet(const QPalette& palette) {
     QLabel[role="note"] { color: %7; }
     QLineEdit { background: %5; color: %2; border: 1px solid %6; border-radius: 5px;
                 padding: 1px 5px; min-height: 19px; }
-    QLineEdit:focus { border-color: %7; }
+    QPlainTextEdit { background: %5; color: %2; border: 1px solid %6; border-radius: 5px;
+                     padding: 0px 1px; }
+    QLineEdit:focus, QPlainTextEdit:focus { border-color: %7; }
     QLineEdit[refused="true"] { border: 2px solid %4; padding: 0px 4px; }
     QLineEdit:disabled { background: transparent; color: %3; }
     QToolButton[role="browse"] { border: 1px solid %6; border-radius: 5px; background: %5;
                                  color: %2; padding: 1px 7px; min-height: 19px; }
     QToolButton[role="browse"]:hover, QToolButton[role="browse"]:focus { border-color: %7; }
+    QToolButton[role="browse"]:disabled { background: transparent; color: %3; }
+    QToolButton[role="remove"] { border: 1px solid transparent; border-radius: 5px;
+                                 background: transparent; color: %3; }
+    QToolButton[role="remove"]:hover { color: %4; }
+    QToolButton[role="remove"]:focus { border-color: %7; }
+    QToolButton[role="remove"]:disabled { color: transparent; }
     QToolButton[role="reset"] { border: none; background: transparent; color: %3; }
     QToolButton[role="reset"]:hover { color: %7; }
     QToolButton[role="reset"]:disabled { color: transparent; }

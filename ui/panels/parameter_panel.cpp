@@ -14,7 +14,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/panel_style.h"
 #include "ui/panels/parameter_row.h"
-#include "ui/panels/unit_text.h"
+#include "ui/panels/typed_number.h"
 
 namespace asperity {
 
@@ -44,7 +44,7 @@ QString sectionTitle(const QString& section) {
 
 /// What a person changes most comes first; sections the list does not know follow as in the table.
 QStringList sections() {
-  QStringList names{"sliding", "load", "elastomer", "surface", "sweep", "accuracy"};
+  QStringList names{"sliding", "load", "elastomer", "surface", "interface", "sweep", "accuracy"};
   for (const Parameter& parameter : parameters())
     if (!names.contains(sectionOf(parameter))) names += sectionOf(parameter);
   return names;
@@ -113,10 +113,11 @@ void ParameterPanel::setScene(const Scene& scene) {
 }
 
 void ParameterPanel::showError(const QString& key, const QString& text) {
-  ParameterRow* row = rows_.value(key);
+  const QString whole = key.section('[', 0, 0);  // of a list: its row
+  ParameterRow* row = rows_.value(whole);
   if (!row) return;
   row->showError(text);
-  complaints_.insert(key);
+  complaints_.insert(whole);
 }
 
 void ParameterPanel::clearErrors() {
@@ -163,11 +164,20 @@ void ParameterPanel::addRow(QVBoxLayout& column, const Parameter& parameter,
   connect(row, &ParameterRow::valueGiven, this, [this, row](const ParameterValue& value) {
     edit(*row, [&](Scene& scene) { giveValue(row->parameter(), scene, value); });
   });
-  connect(row, &ParameterRow::textGiven, this, [this, row](const QString& text) {
-    const QString plain = inPlainUnit(text.trimmed(), fromUtf8(row->parameter().unit));
-    edit(*row, [&](Scene& scene) { giveText(row->parameter(), scene, plain.toStdString()); });
-  });
+  connect(row, &ParameterRow::textGiven, this,
+          [this, row](const QString& text) { takeText(*row, text); });
   connect(row, &ParameterRow::fileWanted, this, [this, row] { chooseFile(*row); });
+}
+
+/// The core decides; why it refused is said in the words and units of the entry.
+void ParameterPanel::takeText(ParameterRow& row, const QString& text) {
+  const Parameter& parameter = row.parameter();
+  const bool isNumber = allowedRange(parameter).has_value();
+  const NumberRule rule = ruleOf(parameter);
+  const QString plain = isNumber ? plainNumberOf(text.trimmed(), rule) : text.trimmed();
+  const QString refusal = isNumber ? refusalOf(text, rule) : QString();
+  edit(
+      row, [&](Scene& scene) { giveText(parameter, scene, plain.toStdString()); }, refusal);
 }
 
 void ParameterPanel::chooseFile(ParameterRow& row) {
@@ -180,12 +190,12 @@ void ParameterPanel::chooseFile(ParameterRow& row) {
 }
 
 template <class Change>
-void ParameterPanel::edit(ParameterRow& row, Change&& change) {
+void ParameterPanel::edit(ParameterRow& row, Change&& change, const QString& refusal) {
   Scene next = scene_;
   try {
     change(next);
   } catch (const InputError& error) {
-    row.showError(translatedText(error.message()));
+    row.showError(refusal.isEmpty() ? translatedText(error.message()) : refusal);
     return;
   }
   complaints_.remove(fromUtf8(row.parameter().key));

@@ -57,7 +57,8 @@ class ParameterPanel : public QWidget {
   void addSection(QVBoxLayout& column, const QString& section);
   void addRow(QVBoxLayout& column, const Parameter& parameter, const QString& heading);
   template <class Change>
-  void edit(ParameterRow& row, Change&& change);
+  void edit(ParameterRow& row, Change&& change, const QString& refusal = {});
+  void takeText(ParameterRow& row, const QString& text);
   void showRows(const ParameterRow* edited);
   void showMissing();
   void chooseFile(ParameterRow& row);

@@ -6,14 +6,19 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/arms_text.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/arms_editor.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/text_box.h"
+#include "ui/panels/typed_number.h"
 #include "ui/panels/unit_text.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
@@ -35,36 +40,47 @@ ParameterValue sliderValue(const Parameter& parameter, double value) {
   return value;
 }
 
+/// "shear modulus G"; a label that ends with its own symbol, "shift C1", has it once.
+QString labelWithSymbol(const Parameter& parameter) {
+  QString label = ParameterRow::labelOf(parameter);
+  if (parameter.symbol.empty()) return label;
+  const QString plain = fromUtf8(parameter.symbol).remove('_');
+  if (label.endsWith(' ' + plain)) label.chop(plain.size() + 1);
+  return label + "&nbsp; " + symbolHtml(parameter.symbol);
+}
+
 /// Room for the longest label with its symbol.
 int labelWidth(const QFont& font) {
+  static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
   const QFontMetrics metrics(font);
   int width = 0;
-  for (const Parameter& parameter : parameters())
-    width = std::max(width, metrics.horizontalAdvance(ParameterRow::labelOf(parameter) + "  " +
-                                                      fromUtf8(parameter.symbol)));
+  for (const Parameter& parameter : parameters()) {
+    const QString text = labelWithSymbol(parameter).remove(tag).replace("&nbsp;", " ");
+    width = std::max(width, metrics.horizontalAdvance(text));
+  }
   return width + 4;
 }
 
-/// "0 to 1 m", in the way the entries are written.
+/// What is allowed, in the way the entries are written.
 QString rangeText(const Parameter& parameter) {
-  const auto between = [&](const auto& field) {
-    return ParameterRow::tr("%1 to %2 %3")
-        .arg(shownNumber(static_cast<double>(field.minimum)),
-             shownNumber(static_cast<double>(field.maximum)), fromUtf8(parameter.unit))
-        .trimmed();
-  };
-  if (const auto* real = std::get_if<RealField>(&parameter.field)) return between(*real);
-  if (const auto* whole = std::get_if<IntegerField>(&parameter.field)) return between(*whole);
+  if (allowedRange(parameter)) return allowedInWords(ruleOf(parameter));
   QStringList words;
   if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
     for (const std::string_view word : choice->choices) words += wordText(word);
   return words.join(QStringLiteral(", "));
 }
 
-/// Arms are typed as the list that a scene file holds.
-bool isText(const Parameter& parameter) {
-  return std::holds_alternative<TextField>(parameter.field) ||
-         std::holds_alternative<ArmsField>(parameter.field);
+/// A standard solid has one arm, a Prony series any number.
+std::optional<std::size_t> armsWanted(const Scene& scene) {
+  return scene.elastomer.rheology == Rheology::StandardSolid ? std::optional<std::size_t>(1)
+                                                             : std::nullopt;
+}
+
+/// The default's arms in words, any other value as its row shows it.
+QString resetText(const Parameter& parameter, const QString& value) {
+  return std::holds_alternative<ArmsField>(parameter.field)
+             ? ParameterRow::tr("Back to the default, one arm")
+             : ParameterRow::tr("Back to the default, %1").arg(value);
 }
 
 UnitText shownText(const Parameter& parameter, const ParameterValue& value) {
@@ -100,11 +116,14 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, Q
   addLabel(*line, heading);
   if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
     addChoice(*line, *choice);
-  else if (isText(parameter))
+  else if (std::holds_alternative<TextField>(parameter.field))
     addText(*line);
+  else if (std::holds_alternative<ArmsField>(parameter.field))
+    addArms(*line, *column);
   else
     addNumber(*line);
   addReset(*line);
+  if (text_) line->setAlignment(reset_, Qt::AlignTop);
 
   addRemarks(*column);
   setWidths();
@@ -119,6 +138,8 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
   const std::optional<StandIn> standIn = standInFor(parameter_, scene, known);
   if (slider_) slider_->showValue(standIn ? standIn->value.value_or(0) : asNumber(value));
   if (entry_) showEntry(value, standIn, replace);
+  if (text_) replace ? text_->replaceText(valueText(value)) : text_->showText(valueText(value));
+  if (arms_) arms_->showArms(scene.elastomer.arms, armsWanted(scene), replace);
   if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
   if (replace) showError({});
   showReset(value, restingValue(parameter_, scene));
@@ -142,7 +163,7 @@ void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& 
   resting_ = resting;
   reset_->setEnabled(value != resting);
   reset_->setToolTip(resting == defaultOf(parameter_)
-                         ? tr("Back to the default, %1").arg(textWithUnit(parameter_, resting))
+                         ? resetText(parameter_, textWithUnit(parameter_, resting))
                          : tr("As the file says"));
 }
 
@@ -195,8 +216,7 @@ void ParameterRow::changeEvent(QEvent* event) {
 void ParameterRow::addLabel(QHBoxLayout& line, const QString& heading) {
   auto* label = new QLabel;
   if (heading.isEmpty()) {
-    const QString symbol = symbolHtml(parameter_.symbol);
-    label->setText(labelOf(parameter_) + (parameter_.symbol.empty() ? "" : "&nbsp; " + symbol));
+    label->setText(labelWithSymbol(parameter_));
   } else {
     label->setText(heading);
     label->setProperty("role", "heading");
@@ -248,10 +268,30 @@ void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
 }
 
 void ParameterRow::addText(QHBoxLayout& line) {
+  if (isLongText(parameter_)) return addLongText(line);
   addEntry();
   connect(entry_, &ValueEntry::textCommitted, this, &ParameterRow::textGiven);
   line.addWidget(entry_, 1);
   if (isFile(parameter_)) addBrowse(line);
+}
+
+void ParameterRow::addLongText(QHBoxLayout& line) {
+  text_ = new TextBox;
+  describe(*text_, "text");
+  connect(text_, &TextBox::textCommitted, this, &ParameterRow::textGiven);
+  line.addWidget(text_, 1);
+  line.setAlignment(label_, Qt::AlignTop);
+}
+
+/// The line of the fold stands in the row, the table under it.
+void ParameterRow::addArms(QHBoxLayout& line, QVBoxLayout& column) {
+  arms_ = new ArmsEditor;
+  describe(*arms_, "arms");
+  arms_->setToolTip({});  // its parts have their own
+  connect(arms_, &ArmsEditor::armsGiven, this,
+          [this](const std::vector<Arm>& arms) { emit valueGiven(textOf(arms)); });
+  line.addWidget(&arms_->fold(), 1);
+  column.addWidget(arms_);
 }
 
 /// The end of a path says more than its beginning.
@@ -295,9 +335,9 @@ QString ParameterRow::accessibleLabel() const {
 
 QString ParameterRow::description() const {
   QString text = "<p>" + translatedText(parameter_.sentence).toHtmlEscaped() + "</p>";
-  if (!isText(parameter_))
+  if (const QString range = rangeText(parameter_); !range.isEmpty())
     text += QStringLiteral("<p><small>%1: %2</small></p>")
-                .arg(fromUtf8(parameter_.key), rangeText(parameter_).toHtmlEscaped());
+                .arg(fromUtf8(parameter_.key), range.toHtmlEscaped());
   if (std::holds_alternative<RealField>(parameter_.field) && !parameter_.unit.empty())
     text += QStringLiteral("<p><small>%1</small></p>")
                 .arg(tr("A number alone counts in the unit beside it, one with an exponent (1e7) "

@@ -1,9 +1,9 @@
 // One row of the table of parameters as controls: label with symbol, then slider and exact entry,
-// or a list of words, or a text, which a button beside it finds where it names a file; the sentence
-// and the allowed range as tooltip, a button back to the default, and the reason beneath where a
-// text is refused. Object names: "slider:KEY", "entry:KEY", "choice:KEY", "browse:KEY",
-// "reset:KEY", "note:KEY", "error:KEY", "row:KEY". The row holds no scene; it shows one and says
-// what a person gave. GUI thread.
+// or a list of words, or a text, which a button beside it finds where it names a file, or the table
+// of an elastomer's arms; the sentence and the allowed range as tooltip, a button back to the
+// default, and the reason beneath where a text is refused. Object names: "slider:KEY", "entry:KEY",
+// "text:KEY", "arms:KEY", "choice:KEY", "browse:KEY", "reset:KEY", "note:KEY", "error:KEY",
+// "row:KEY". The row holds no scene; it shows one and says what a person gave. GUI thread.
 #pragma once
 
 #include <QWidget>
@@ -18,7 +18,9 @@ class QVBoxLayout;
 
 namespace asperity {
 
+class ArmsEditor;
 class ChoiceBox;
+class TextBox;
 class ValueEntry;
 class ValueSlider;
 
@@ -57,6 +59,8 @@ class ParameterRow : public QWidget {
   void addNumber(QHBoxLayout& line);
   void addChoice(QHBoxLayout& line, const ChoiceField& field);
   void addText(QHBoxLayout& line);
+  void addLongText(QHBoxLayout& line);
+  void addArms(QHBoxLayout& line, QVBoxLayout& column);
   void addBrowse(QHBoxLayout& line);
   void addReset(QHBoxLayout& line);
   void addRemarks(QVBoxLayout& column);
@@ -71,6 +75,8 @@ class ParameterRow : public QWidget {
   ValueSlider* slider_ = nullptr;
   ValueEntry* entry_ = nullptr;
   ChoiceBox* choice_ = nullptr;
+  ArmsEditor* arms_ = nullptr;
+  TextBox* text_ = nullptr;  // of several sentences
   QLabel* label_ = nullptr;
   QLabel* unit_ = nullptr;  // of numbers
   QToolButton* browse_ = nullptr;

@@ -19,9 +19,9 @@ struct Prefix {
 };
 
 // Both letters that look like mu: the micro sign and the Greek one.
-const Prefix kPrefixes[] = {{u"", 0},        {u"p", -12},     {u"n", -9}, {u"u", -6},
-                            {u"\u00b5", -6}, {u"\u03bc", -6}, {u"m", -3}, {u"c", -2},
-                            {u"k", 3},       {u"M", 6},       {u"G", 9}};
+const Prefix kPrefixes[] = {{u"", 0},        {u"f", -15},     {u"p", -12}, {u"n", -9}, {u"u", -6},
+                            {u"\u00b5", -6}, {u"\u03bc", -6}, {u"m", -3},  {u"c", -2}, {u"k", 3},
+                            {u"M", 6},       {u"G", 9},       {u"T", 12},  {u"P", 15}};
 
 std::optional<int> exponentOf(const QString& given, const QString& unit) {
   for (const Prefix& prefix : kPrefixes)

@@ -9,8 +9,8 @@ namespace asperity {
 /// A number with a comma instead of a point, "2,5 mm", with a point; any other text as it is.
 QString withPoint(const QString& text);
 
-/// The number in plain `unit` ("Pa", "m/s"), as text: "1e7" for "10 MPa" in "Pa". Prefixes from p
-/// to G. A text with no unit, or another one, comes back as it is: the parameter's own reader has
+/// The number in plain `unit` ("Pa", "m/s"), as text: "1e7" for "10 MPa" in "Pa". Prefixes from f
+/// to P. A text with no unit, or another one, comes back as it is: the parameter's own reader has
 /// the word.
 QString inPlainUnit(const QString& text, const QString& unit);
 

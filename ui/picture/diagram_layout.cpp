@@ -148,6 +148,7 @@ std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& optio
 
 float addHeading(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& sizes,
                  const Theme& theme) {
+  if (sheet.title.empty() && sheet.subtitle.empty()) return std::round(2 * sizes.unit);
   const float side = sheetMargin(sizes), width = static_cast<float>(list.width) - 2 * side;
   float room = 0.3F * static_cast<float>(list.height) - side, top = std::round(0.8F * side);
   const Paragraph title = paragraph(sheet.title, sizes.title, std::round(0.75F * sizes.title), true,

@@ -92,6 +92,7 @@ void dropEntries(Legend& legend, float height) {
   if (legend.entries.size() <= places) return;
   const std::size_t kept = places > 0 ? places - 1 : 0;
   const std::size_t missing = legend.entries.size() - kept;
+  legend.isWhole = false;
   legend.entries.resize(kept);
   if (places > 0)
     legend.entries.push_back(

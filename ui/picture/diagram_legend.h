@@ -25,6 +25,7 @@ struct Legend {
   std::size_t rows = 0;   // of entries in a column
   float columnWidth = 0;  // of entries, without padding
   float width = 0, height = 0;
+  bool isWhole = true;  // no entry is missing
   bool empty() const { return entries.empty() && !ramp; }
 };
 

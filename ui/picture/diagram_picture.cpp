@@ -60,17 +60,20 @@ class Panel {
   }
 
  private:
-  /// With the legend inside the frame where it hides next to nothing, otherwise at the right of it
-  /// where the frame can spare the room, otherwise where it hides least.
+  /// With the legend inside the frame where it hides next to nothing and is whole, otherwise at the
+  /// right of it where the frame can spare the room, otherwise where it hides least.
   void arrange() {
     place(0);
     if (legend_.empty()) return;
     const float inside = hidden_;
-    if (inside <= kHidden) return;
+    if (inside <= kHidden && legend_.isWhole) return;
     const float gap = std::round(10 * sizes_.unit);
     const Legend beside =
         legendFor(diagram_, styles_, sizes_.legend, 0.36F * cell_.width, axes_.plot.box.height);
-    const bool spare = axes_.plot.box.width - beside.width - gap > 0.55F * cell_.width;
+    const bool gains = beside.isWhole && !legend_.isWhole;
+    const float least = gains ? 0.45F : 0.55F;  // of the width, for the frame
+    const bool spare = axes_.plot.box.width - beside.width - gap > least * cell_.width;
+    if (!gains && inside <= kHidden) return;
     if (!spare && inside <= 0.25F) return;
     place(beside.width + gap);
     legend_ = beside;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/printed_number.h"
+
 namespace asperity {
 namespace {
 
@@ -40,14 +42,6 @@ std::vector<LogTick> decades(double from, double to, int most) {
 }
 
 }  // namespace
-
-std::string powerOfTen(int exponent) {
-  static constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = "10";
-  if (exponent < 0) text += "⁻";
-  for (const char digit : std::to_string(std::abs(exponent))) text += kRaised[digit - '0'];
-  return text;
-}
 
 std::vector<LogTick> logTicks(double from, double to, int most) {
   if (!(from < to) || !(std::abs(from) < kMostDecades) || !(std::abs(to) < kMostDecades) ||

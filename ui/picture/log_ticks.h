@@ -6,9 +6,6 @@
 
 namespace asperity {
 
-/// "10⁻³"; UTF-8.
-std::string powerOfTen(int exponent);
-
 struct LogTick {
   double decade = 0;  // decimal logarithm of the value
   std::string label;  // "10⁻³", "2×10³"

@@ -1,9 +1,24 @@
 #include "ui/picture/marks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace asperity {
 namespace {
+
+constexpr float kRing = 1.9F;  // of the other marks' size
+constexpr int kRingSides = 32;
+
+void addRing(DrawLayer& layer, Place at, float size, const Rgba& colour) {
+  const float width = std::max(1.0F, 0.2F * size), r = (kRing * size - width) / 2;
+  std::vector<Place> circle;
+  for (int i = 0; i <= kRingSides; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kRingSides;
+    circle.push_back({at.x + r * std::cos(angle), at.y + r * std::sin(angle)});
+  }
+  addLine(layer, circle, width, colour);
+}
 
 /// Of the line around a mark, whose smooth edge the triangles lack.
 float edgeWidth(float size) {
@@ -33,6 +48,7 @@ std::vector<Place> markCorners(SeriesMark mark, Place at, float size) {
       return shifted({{0, -1.3F}, {1.16F, 0}, {0, 1.3F}, {-1.16F, 0}});
     case SeriesMark::None:
     case SeriesMark::Circle:
+    case SeriesMark::Ring:
       break;
   }
   return {};
@@ -41,6 +57,7 @@ std::vector<Place> markCorners(SeriesMark mark, Place at, float size) {
 void addMark(DrawLayer& layer, SeriesMark mark, Place at, float size, const Rgba& colour) {
   if (mark == SeriesMark::None) return;
   if (mark == SeriesMark::Circle) return addLine(layer, {at}, size, colour);
+  if (mark == SeriesMark::Ring) return addRing(layer, at, size, colour);
   const float edge = edgeWidth(size);
   const std::vector<Place> corners = markCorners(mark, at, size - edge);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
@@ -51,7 +68,7 @@ void addMark(DrawLayer& layer, SeriesMark mark, Place at, float size, const Rgba
 
 void addMarkRim(DrawLayer& layer, SeriesMark mark, Place at, float size, float rim,
                 const Rgba& colour) {
-  if (mark == SeriesMark::None) return;
+  if (mark == SeriesMark::None || mark == SeriesMark::Ring) return;  // what it is around shows
   if (mark == SeriesMark::Circle) return addLine(layer, {at}, size + 2 * rim, colour);
   addLine(layer, closed(markCorners(mark, at, size)), 2 * rim, colour);
 }

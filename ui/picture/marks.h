@@ -7,7 +7,7 @@
 namespace asperity {
 
 /// The corners of a mark around a place, as large to the eye as a circle `size` wide; empty for a
-/// circle and for none.
+/// circle, a ring and for none.
 std::vector<Place> markCorners(SeriesMark mark, Place at, float size);
 
 /// Draws a filled mark with smooth edges.

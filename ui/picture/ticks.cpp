@@ -1,36 +1,13 @@
 #include "ui/picture/ticks.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 
 #include "ui/language/language.h"
-#include "ui/picture/log_ticks.h"
 
 namespace asperity {
 namespace {
-
-constexpr std::string_view kMinus = "\u2212";
-constexpr std::array<std::string_view, 11> kPrefixes = {"f", "p", "n", "\u00B5", "m", "",
-                                                        "k", "M", "G", "T",      "P"};
-constexpr int kSmallestPrefix = -15;  // power of ten of the first
-
-struct Prefix {
-  std::string_view text;
-  double size;
-};
-
-/// The prefix that leaves 1 to 999.
-Prefix prefixFor(double magnitude) {
-  if (!(magnitude > 0) || !std::isfinite(magnitude)) return {"", 1};
-  // A little upwards: 0.001 is 1 m, whatever its logarithm rounds to.
-  const int power = static_cast<int>(std::floor((std::log10(magnitude) + 1e-12) / 3));
-  const int last = static_cast<int>(kPrefixes.size()) - 1;
-  const int index = std::clamp(power - kSmallestPrefix / 3, 0, last);
-  return {kPrefixes[static_cast<std::size_t>(index)], std::pow(10.0, kSmallestPrefix + 3 * index)};
-}
 
 /// A prefix would be wrong before a power (km² is not 1000 m²), a kilogram or what is no letter.
 bool takesPrefix(std::string_view unit) {
@@ -50,44 +27,13 @@ struct AxisUnit {
 /// power of ten where plain numbers would be long ("10⁻⁶", "10³ 1/m").
 AxisUnit axisUnit(double magnitude, std::string_view unit) {
   if (takesPrefix(unit)) {
-    const Prefix prefix = prefixFor(magnitude);
+    const UnitPrefix prefix = prefixFor(magnitude);
     return {std::string(prefix.text) + std::string(unit), prefix.size};
   }
   if (!(magnitude > 0) || !std::isfinite(magnitude) || (magnitude >= 1e-2 && magnitude < 1e5))
     return {std::string(unit), 1};
   const int power = 3 * static_cast<int>(std::floor((std::log10(magnitude) + 1e-12) / 3));
   return {powerOfTen(power) + (unit.empty() ? "" : " ") + std::string(unit), std::pow(10.0, power)};
-}
-
-/// With a point; "-0" is "0"; the minus is a true minus sign.
-std::string fixed(double value, int decimals) {
-  std::array<char, 400> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                 std::chars_format::fixed, std::max(decimals, 0));
-  std::string text(buffer.data(), end.ptr);
-  if (text.find_first_of("123456789") == std::string::npos && text[0] == '-') text.erase(0, 1);
-  if (text[0] == '-') text.replace(0, 1, kMinus);
-  return text;
-}
-
-std::string withoutTrailingZeros(std::string text) {
-  if (text.find('.') == std::string::npos) return text;
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
-/// Power of ten of the first digit after rounding to `digits` digits.
-int leadingPower(double value, int digits) {
-  std::array<char, 64> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
-                                 std::chars_format::scientific, digits - 1);
-  const std::string_view text(buffer.data(), static_cast<std::size_t>(end.ptr - buffer.data()));
-  const std::size_t e = text.find('e');
-  const std::size_t number = e + (text[e + 1] == '+' ? 2 : 1);
-  int power = 0;
-  std::from_chars(text.data() + number, text.data() + text.size(), power);
-  return power;
 }
 
 double nextOf(std::initializer_list<double> factors, double value) {
@@ -121,7 +67,8 @@ AxisTicks linearTicks(double from, double to, int most, std::string_view unit) {
   if (std::abs(first) > 1e12 || std::abs(to / step) > 1e12) return axis;
   const int decimals = -static_cast<int>(std::floor(std::log10(step / counted.size) + 1e-9));
   for (double k = first; k <= to / step + 1e-9; ++k)
-    axis.ticks.push_back({k * step, inLanguage(fixed(k * (step / counted.size), decimals))});
+    axis.ticks.push_back(
+        {k * step, inLanguage(printedDecimals(k * (step / counted.size), decimals))});
   return axis;
 }
 
@@ -140,27 +87,11 @@ std::vector<double> minorTicks(const AxisTicks& axis, double from, double to) {
 }
 
 std::string shortNumber(double value, int digits, Zeros zeros) {
-  if (!std::isfinite(value)) return "\u2013";
-  if (value == 0) return "0";
-  const int power = leadingPower(value, digits);
-  const auto tidy = [&](const std::string& t) {
-    return inLanguage(zeros == Zeros::Drop ? withoutTrailingZeros(t) : t);
-  };
-  if (power >= digits && power < 6) {  // whole numbers are rounded as well
-    const double unit = std::pow(10.0, power - digits + 1);
-    return fixed(std::round(value / unit) * unit, 0);
-  }
-  if (power >= -4 && power < 6) return tidy(fixed(value, digits - 1 - power));
-  const double mantissa = value / std::pow(10.0, power);
-  return tidy(fixed(mantissa, digits - 1)) + "\u00D7" + powerOfTen(power);
+  return inLanguage(printedNumber(value, digits, zeros));
 }
 
 std::string quantity(double value, std::string_view unit, int digits, Zeros zeros) {
-  if (!std::isfinite(value)) return "\u2013";
-  const double rounding = 1 + 0.5 * std::pow(10.0, -digits);  // 999.9 mm is 1 m
-  const Prefix prefix = prefixFor(std::abs(value) * rounding);
-  return shortNumber(value / prefix.size, digits, zeros) + " " + std::string(prefix.text) +
-         std::string(unit);
+  return inLanguage(printedQuantity(value, unit, digits, zeros));
 }
 
 }  // namespace asperity

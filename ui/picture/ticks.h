@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/scene/printed_number.h"
+
 namespace asperity {
 
 struct Tick {
@@ -34,13 +36,8 @@ AxisTicks linearTicks(double from, double to, int most, std::string_view unit);
 /// to].
 std::vector<double> minorTicks(const AxisTicks& axis, double from, double to);
 
-/// Significant digits kept as they are ("0.0120") or without trailing zeros ("0.012").
-enum class Zeros { Keep, Drop };
-
-/// "0.0123", "\u22121.5", "2.3\u00D710\u207B\u2075"; "\u2013" where it is not a finite number.
+/// printedNumber() and printedQuantity() in the language in use.
 std::string shortNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop);
-
-/// With a prefixed unit: "3.4 mN", "0 N".
 std::string quantity(double value, std::string_view unit, int digits = 3,
                      Zeros zeros = Zeros::Drop);
 

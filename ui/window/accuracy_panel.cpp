@@ -14,7 +14,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/picture/ticks.h"
 #include "ui/window/comparison_box.h"
-#include "ui/window/figure_picture.h"
+#include "ui/window/region_pictures.h"
 
 namespace asperity {
 
@@ -41,10 +41,10 @@ QLabel* addLine(QVBoxLayout& column, const char* name) {
   return label;
 }
 
-QHBoxLayout* ends() {
+QHBoxLayout* betweenItsEnds(QSlider& slider) {
   auto* line = new QHBoxLayout;
   line->addWidget(new QLabel(AccuracyPanel::tr("quick")));
-  line->addStretch(1);
+  line->addWidget(&slider, 1);
   line->addWidget(new QLabel(AccuracyPanel::tr("exact")));
   return line;
 }
@@ -81,13 +81,12 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), slider_(new QSl
   controls->setFixedWidth(kControlsWidth);
   auto* column = new QVBoxLayout(controls);
   column->setContentsMargins(14, 8, 10, 8);
-  column->addLayout(ends());
   slider_->setObjectName("accuracySlider");
   slider_->setOrientation(Qt::Horizontal);
   slider_->setRange(0, kAccuracySteps);
   slider_->setAccessibleName(tr("accuracy from quick to exact"));
   connect(slider_, &QSlider::valueChanged, this, [this](int place) { setTarget(targetAt(place)); });
-  column->addWidget(slider_);
+  column->addLayout(betweenItsEnds(*slider_));
   target_ = addLine(*column, "accuracyTarget");
   predicted_ = addLine(*column, "accuracyPredicted");
   measured_ = addLine(*column, "accuracyMeasured");
@@ -108,8 +107,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), slider_(new QSl
   buttons->addWidget(compare_, 1);
   column->addLayout(buttons);
 
-  picture_ = new FigurePicture;
-  picture_->setMinimumSize(200, 120);
+  picture_ = new RegionPictures;
   showInvitation();
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(0, 0, 0, 0);

@@ -23,7 +23,7 @@ class QSlider;
 namespace asperity {
 
 class ComparisonBox;
-class FigurePicture;
+class RegionPictures;
 
 /// The target at a place of the slider, 0 (quick, 20 %) to kAccuracySteps (exact, 0.2 %).
 inline constexpr int kAccuracySteps = 20;
@@ -71,7 +71,7 @@ class AccuracyPanel : public QWidget {
   ComparisonBox* comparisonBox_;
   QPushButton* free_;     // no target
   QPushButton* compare_;  // starts and cancels
-  FigurePicture* picture_;
+  RegionPictures* picture_;
   bool isComparing_ = false;
   std::optional<Scene> pictured_;  // whose methods are compared on the picture
   std::uint64_t asked_ = 0;

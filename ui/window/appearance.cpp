@@ -136,6 +136,12 @@ QString windowStyleSheet(const Theme& theme) {
     QTabWidget QTabBar::tab:hover { color: %2; }
     QTabWidget QTabBar::tab:selected { color: %2; border-bottom: 2px solid %5; }
     #planList QHeaderView::section { background: %1; color: %6; border: none; padding: 4px 6px; }
+    #regionPictures { background: %10; }
+    #regionBar QLabel { color: %6; }
+    #regionBar QToolButton { border: none; border-radius: 5px; padding: 2px 9px; color: %6; }
+    #regionBar QToolButton:hover { background: %4; color: %2; }
+    #regionBar QToolButton:checked { background: %4; color: %2; }
+    #regionBar QToolButton:focus { border: 1px solid %5; padding: 1px 8px; }
     #dockTitle { background: %1; border-bottom: 1px solid %3; }
     #dockTitle QLabel { color: %6; }
     #dockTitle QToolButton { border: none; border-radius: 4px; color: %6; padding: 2px 6px; }
@@ -150,7 +156,7 @@ QString windowStyleSheet(const Theme& theme) {
            accent(theme).name(), colourOf(theme.faintText).name(),
            dark ? QStringLiteral("#5b2a2a") : QStringLiteral("#fde3e1"),
            dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"),
-           mixed(panel, accent(theme), 0.12).name());
+           mixed(panel, accent(theme), 0.12).name(), colourOf(theme.background).name());
 }
 
 }  // namespace asperity

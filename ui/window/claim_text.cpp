@@ -11,7 +11,7 @@
 namespace asperity {
 
 QString claimNumber(double value) {
-  return readingLabel(value).replace('-', u'−');
+  return readingLabel(value);
 }
 
 QString verdictText(const Claim& claim) {

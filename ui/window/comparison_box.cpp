@@ -13,6 +13,7 @@ namespace asperity {
 
 namespace {
 
+constexpr int kHeight = 24;  // pixels of its entries
 constexpr int kMostOversampling = 64, kMostLines = 10000;
 
 QSpinBox* spin(const char* name, int value, int most, const QString& label) {
@@ -50,6 +51,9 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   lines_ = spin("comparisonLines", suggested_, kMostLines, tr("lines to compare with"));
   lines_->setSuffix(tr(" lines"));
 
+  for (QWidget* entry : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(oversampling_),
+                         static_cast<QWidget*>(lines_)})
+    entry->setMinimumHeight(kHeight);
   auto* choice = new QHBoxLayout;
   choice->setContentsMargins(22, 0, 0, 0);
   choice->addWidget(scheme_);

@@ -38,6 +38,11 @@ void FigurePicture::setTheme(const Theme& theme) {
   update();
 }
 
+void FigurePicture::setLeastText(float part) {
+  leastText_ = part;
+  requestPicture();
+}
+
 bool FigurePicture::isPainted() const {
   return made_ && shown_ == asked_ && image_.size() == size() * devicePixelRatioF();
 }
@@ -46,7 +51,8 @@ void FigurePicture::requestPicture() {
   if (!made_ || size().isEmpty()) return;
   const double scale = devicePixelRatioF();
   const QSize pixels = size() * scale;
-  DiagramOptions options{pixels.width(), pixels.height(), static_cast<float>(scale), theme_};
+  DiagramOptions options{pixels.width(), pixels.height(), static_cast<float>(scale), theme_,
+                         leastText_};
   ++asked_;
   worker().request({[this, number = asked_, made = made_, options] {
                       composed_ = number;

@@ -23,6 +23,8 @@ class FigurePicture : public QWidget {
   void showFigure(std::shared_ptr<const MadeFigure> made);
   void showText(const QString& text);
   void setTheme(const Theme& theme);
+  /// Texts keep this part of their usual size where a low picture would make them smaller.
+  void setLeastText(float part);
 
   /// Whether the picture is of the figure last shown, at this size and in this theme.
   bool isPainted() const;
@@ -46,6 +48,7 @@ class FigurePicture : public QWidget {
   std::shared_ptr<const MadeFigure> made_;
   QString text_;
   Theme theme_ = lightTheme();
+  float leastText_ = 0;
   QImage image_;
   std::uint64_t asked_ = 0, shown_ = 0;    // numbers of requests
   std::uint64_t first_ = 0;                // request for the figure shown; older ones are dropped

@@ -106,13 +106,14 @@ std::string parameterLine(const Scene& scene, const FigureEntry& entry) {
   std::vector<std::string> parts;
   if (!isVaried("surface.hurst")) parts.push_back(fmt::format("H = {:g}", scene.surface.hurst));
   if (!isVaried("load.normal_force"))
-    parts.push_back("F\u2099 = " + withUnit(scene.load.normalForce, "N"));
-  parts.push_back("G = " + withUnit(scene.elastomer.shearModulus, "Pa"));
+    parts.push_back("F\u2099 = " + printedQuantity(scene.load.normalForce, "N"));
+  parts.push_back("G = " + printedQuantity(scene.elastomer.shearModulus, "Pa"));
   if (!isVaried("surface.rms_height"))
-    parts.push_back("h = " + withUnit(scene.surface.rmsHeight, "m"));
+    parts.push_back("h = " + printedQuantity(scene.surface.rmsHeight, "m"));
   if (!isVaried("elastomer.relaxation_time"))
-    parts.push_back("\u03C4 = " + withUnit(scene.elastomer.relaxationTime, "s"));
-  if (!isVaried("surface.length")) parts.push_back("L = " + withUnit(scene.surface.length, "m"));
+    parts.push_back("\u03C4 = " + printedQuantity(scene.elastomer.relaxationTime, "s"));
+  if (!isVaried("surface.length"))
+    parts.push_back("L = " + printedQuantity(scene.surface.length, "m"));
   if (!isVaried("surface.elements")) parts.push_back(fmt::format("N = {}", scene.surface.elements));
   if (entry.name != FigureName::Contact)
     parts.push_back(fmt::format("{} realizations", scene.ensemble.realizations));

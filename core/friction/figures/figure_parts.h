@@ -10,7 +10,7 @@
 #include "core/friction/figures/figure.h"
 #include "core/friction/figures/readings.h"
 #include "core/friction/study.h"
-#include "core/friction/with_unit.h"
+#include "core/scene/printed_number.h"
 
 namespace asperity {
 

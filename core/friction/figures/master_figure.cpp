@@ -28,19 +28,19 @@ std::vector<Variant> variantsOf(const Scene& base) {
     variants.push_back(std::move(variant));
   };
   for (const double factor : {0.1, 10.0, 100.0})
-    add("F\u2099 = " + withUnit(factor * base.load.normalForce, "N"), 1,
+    add("F\u2099 = " + printedQuantity(factor * base.load.normalForce, "N"), 1,
         [&](Scene& scene) { scene.load.normalForce *= factor; });
   for (const double factor : {0.25, 4.0})
-    add("L = " + withUnit(factor * base.surface.length, "m"), 2, [&](Scene& scene) {
+    add("L = " + printedQuantity(factor * base.surface.length, "m"), 2, [&](Scene& scene) {
       // The spacing stays: the elastomer is only longer.
       scene.surface.length *= factor;
       scene.surface.elements = std::llround(factor * static_cast<double>(scene.surface.elements));
     });
   for (const double factor : {0.1, 10.0})
-    add("\u03C4 = " + withUnit(factor * base.elastomer.relaxationTime, "s"), 3,
+    add("\u03C4 = " + printedQuantity(factor * base.elastomer.relaxationTime, "s"), 3,
         [&](Scene& scene) { scene.elastomer.relaxationTime *= factor; });
   for (const double factor : {0.2, 5.0})
-    add("h = " + withUnit(factor * base.surface.rmsHeight, "m"), 4,
+    add("h = " + printedQuantity(factor * base.surface.rmsHeight, "m"), 4,
         [&](Scene& scene) { scene.surface.rmsHeight *= factor; });
   return variants;
 }

@@ -86,8 +86,8 @@ void addSpacingFigure(Figure& figure, const FigureOptions& options) {
     normalized.series.push_back(seriesOf(study, ramp, true));
     figure.csv += tableRows(study, 0, fmt::format("{},{},", spacings[k], study.line().rmsSlope));
   }
-  plain.ramp = normalized.ramp =
-      DiagramRamp{"spacing", withUnit(spacings.front(), "m"), withUnit(spacings.back(), "m")};
+  plain.ramp = normalized.ramp = DiagramRamp{"spacing", printedQuantity(spacings.front(), "m"),
+                                             printedQuantity(spacings.back(), "m")};
   figure.sheet.diagrams = {std::move(plain), std::move(normalized)};
   figure.sheet.note =
       "The spacing sets the shortest wave of the line and with it the rms slope: it acts as a "

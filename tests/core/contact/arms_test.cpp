@@ -8,8 +8,8 @@
 #include "core/contact/scene_sliding.h"
 #include "core/scene/temperature_shift.h"
 #include "core/surface/shapes.h"
-#include "tests/core/contact/elastomers.h"
 #include "tests/core/contact/lines.h"
+#include "tests/core/elastomers.h"
 
 namespace asperity {
 namespace {

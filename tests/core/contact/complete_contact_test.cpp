@@ -11,8 +11,8 @@
 #include "core/contact/sweep.h"
 #include "core/scene/plan.h"
 #include "core/surface/shapes.h"
-#include "tests/core/contact/elastomers.h"
 #include "tests/core/contact/lines.h"
+#include "tests/core/elastomers.h"
 
 namespace asperity {
 namespace {

@@ -7,7 +7,7 @@
 #include <complex>
 
 #include "core/contact/decay_moments.h"
-#include "tests/core/contact/elastomers.h"
+#include "tests/core/elastomers.h"
 
 namespace asperity {
 namespace {

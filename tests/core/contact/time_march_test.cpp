@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/surface/shapes.h"
-#include "tests/core/contact/elastomers.h"
 #include "tests/core/contact/lines.h"
+#include "tests/core/elastomers.h"
 
 namespace asperity {
 namespace {

@@ -6,16 +6,13 @@
 
 #include "core/friction/ensemble.h"
 #include "core/surface/line_source.h"
+#include "tests/core/small_scene.h"
 
 namespace asperity {
 namespace {
 
 Scene smallScene() {
-  Scene scene;
-  scene.surface.elements = 500;
-  scene.sweep.points = 17;
-  scene.ensemble.realizations = 3;
-  return scene;
+  return sceneOfSize(500, 17, 3);
 }
 
 NamedCurve curveOf(const Scene& scene, std::string name = {}, int place = 0) {

@@ -8,16 +8,13 @@
 
 #include "core/friction/ensemble.h"
 #include "core/scene/input_error.h"
+#include "tests/core/small_scene.h"
 
 namespace asperity {
 namespace {
 
 Scene smallScene() {
-  Scene scene;
-  scene.surface.elements = 500;
-  scene.sweep.points = 7;
-  scene.ensemble.realizations = 12;
-  return scene;
+  return sceneOfSize(500, 7, 12);
 }
 
 TEST(CurveDifference, OfASettingFromItselfIsNothing) {

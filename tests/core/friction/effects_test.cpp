@@ -9,17 +9,16 @@
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/plan.h"
-#include "tests/core/contact/elastomers.h"
+#include "tests/core/elastomers.h"
+#include "tests/core/small_scene.h"
 
 namespace asperity {
 namespace {
 
 Scene smallScene() {
-  Scene scene;
-  scene.surface.elements = 200;
+  Scene scene = sceneOfSize(200, 6, 4);
   scene.sweep = {1e-4, 10, 6};
   scene.load.normalForce = 0.02;
-  scene.ensemble.realizations = 4;
   return scene;
 }
 

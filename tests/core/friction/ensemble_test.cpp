@@ -9,16 +9,13 @@
 #include "core/friction/curve_file.h"
 #include "core/scene/input_error.h"
 #include "core/surface/line_source.h"
+#include "tests/core/small_scene.h"
 
 namespace asperity {
 namespace {
 
 Scene smallScene() {
-  Scene scene;
-  scene.surface.elements = 300;
-  scene.sweep.points = 9;
-  scene.ensemble.realizations = 21;
-  return scene;
+  return sceneOfSize(300, 9, 21);
 }
 
 TEST(Ensemble, VelocitiesAreEvenInTheirLogarithmAndEndExactly) {

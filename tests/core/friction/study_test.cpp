@@ -6,15 +6,14 @@
 #include <cmath>
 
 #include "core/friction/ensemble.h"
+#include "tests/core/small_scene.h"
 
 namespace asperity {
 namespace {
 
 Scene smallScene(std::int64_t realizations = 12) {
-  Scene scene;
-  scene.surface.elements = 400;
+  Scene scene = sceneOfSize(400, 5, realizations);
   scene.sweep = {1e-3, 10, 5};
-  scene.ensemble.realizations = realizations;
   return scene;
 }
 

@@ -10,7 +10,7 @@
 #include "core/run/runner.h"
 #include "core/run/simulation.h"
 #include "core/run/steady_frames.h"
-#include "tests/core/contact/elastomers.h"
+#include "tests/core/elastomers.h"
 
 namespace asperity {
 namespace {

@@ -6,17 +6,15 @@
 #include <functional>
 #include <thread>
 
+#include "tests/core/small_scene.h"
+
 namespace asperity {
 namespace {
 
 using namespace std::chrono_literals;
 
 Scene smallScene() {
-  Scene scene;
-  scene.surface.elements = 100;
-  scene.sweep.points = 5;
-  scene.ensemble.realizations = 9;
-  return scene;
+  return sceneOfSize(100, 5, 9);
 }
 
 /// Polls until the condition holds; a test that waits for ever has failed.

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/scene/input_error.h"
-#include "tests/core/contact/elastomers.h"
+#include "tests/core/elastomers.h"
 
 namespace asperity {
 namespace {

@@ -8,17 +8,13 @@
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/temperature_shift.h"
+#include "tests/core/elastomers.h"
 
 namespace asperity {
 namespace {
 
 Elastomer prony(std::vector<Arm> arms, double equilibrium = 1e6, double viscosity = 0) {
-  Elastomer elastomer;
-  elastomer.rheology = Rheology::Prony;
-  elastomer.equilibriumModulus = equilibrium;
-  elastomer.viscosity = viscosity;
-  elastomer.arms = std::move(arms);
-  return elastomer;
+  return asperity::prony(equilibrium, std::move(arms), viscosity);
 }
 
 TEST(TemperatureShift, IsTheFormulaOfWilliamsLandelAndFerry) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/friction/ensemble.h"
+#include "tests/core/small_scene.h"
 #include "ui/charts/friction_plot.h"
 
 namespace asperity {
@@ -13,11 +14,7 @@ namespace {
 using testing::ElementsAre;
 
 Scene smallScene() {
-  Scene scene;
-  scene.surface.elements = 200;
-  scene.sweep.points = 21;
-  scene.ensemble.realizations = 2;
-  return scene;
+  return sceneOfSize(200, 21, 2);
 }
 
 CurveUpdate curveOf(const Scene& scene) {

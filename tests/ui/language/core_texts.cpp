@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/accuracy/work_precision_file.h"
+#include "core/contact/unmet_balance.h"
 #include "core/friction/curve_diagram.h"
 #include "core/friction/curve_regions.h"
 #include "core/friction/curve_words.h"
@@ -148,6 +149,12 @@ Texts planTexts() {
 
 Texts refusalTexts() {
   Texts texts;
+  SteadyResult unmet;
+  for (const double residual : {0.0, 0.03}) {
+    unmet.residual = residual;
+    for (const char* where : {"", " on realization 3"})
+      texts.insert(unmetBalance(unmet, 0.5, where).what());
+  }
   const auto refused = [&](const Parameter& row, const auto& give) {
     Scene scene;
     try {

@@ -29,9 +29,25 @@ TEST_F(Translated, NumbersKeepTheirPlacesAndGetAComma) {
             "die Eindringung, die 0,0034 N trägt, wird gesucht");
 }
 
+TEST_F(Translated, NumbersArePrintedInOneStyle) {
+  EXPECT_EQ(translated("-2.5e-05 is outside 1e-6 to 1e+15 Pa"),
+            "\u22122,5\u00D710\u207B\u2075 liegt außerhalb von 10\u207B\u2076 bis "
+            "10\u00B9\u2075 Pa");
+  useLanguage("en");
+  EXPECT_EQ(translated("from 100 s to 1e-10 s"), "from 100 s to 10\u207B\u00B9\u2070 s");
+  EXPECT_EQ(translated("at 6.3e+02 m/s"), "at 630 m/s");
+  for (const char* text : {"profile_1e5.csv", "the 1e", "2e5x", "a1e5", "1e999"})
+    EXPECT_EQ(translated(text), text);
+}
+
+TEST_F(Translated, AQuantityWithAPowerOfTenIsOne) {
+  EXPECT_EQ(translated("region II: 6.3\u00D710\u207B\u2075 to 10\u207B\u00B9 m/s"),
+            "Bereich II: 6,3\u00D710\u207B\u2075 bis 10\u207B\u00B9 m/s");
+}
+
 TEST_F(Translated, ListsOfValuesAreSetApartBySemicolons) {
   EXPECT_EQ(translated("H = 0.7, h = 500 nm, \u03BB_r = 1.5e-3 m"),
-            "H = 0,7; h = 500 nm; \u03BB_r = 1,5e-3 m");
+            "H = 0,7; h = 500 nm; \u03BB_r = 0,0015 m");
 }
 
 TEST_F(Translated, WhatNobodyTranslatedStaysAsItIs) {

@@ -88,6 +88,24 @@ TEST_F(German, HasTheDiagrams) {
   EXPECT_EQ(missing(diagramTexts()), "");
 }
 
+/// Numbers are printed in one style wherever a text of core is shown: never "1e-10".
+TEST(Translations, ShowNoNumberAsComputersWriteIt) {
+  static const QRegularExpression machine(QStringLiteral("(?<![\\w.,])\\d[\\d.,]*e[-+]?\\d"));
+  for (const char* code : {"en", "de"}) {
+    useLanguage(code);
+    for (const auto& texts :
+         {tableTexts(), sceneTexts(), planTexts(), refusalTexts(), figureTexts(), diagramTexts()})
+      for (const std::string& text : texts) {
+        const QString shown = translatedText(text);
+        // What somebody typed is quoted as it was typed.
+        if (text.find('\'') == text.npos && !text.starts_with("1e999")) {
+          EXPECT_FALSE(machine.match(shown).hasMatch()) << shown.toStdString();
+        }
+      }
+  }
+  useLanguage("en");
+}
+
 TEST(Translations, AreFinishedAndKeepThePlacesOfValues) {
   for (const char* name : {"asperity_de.ts", "core_de.ts"}) {
     const Messages messages = messagesOf(kFolder + name);

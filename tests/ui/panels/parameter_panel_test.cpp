@@ -13,6 +13,7 @@
 #include "core/scene/parameters.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/text_box.h"
 #include "ui/panels/unit_text.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
@@ -63,6 +64,12 @@ bool isNumber(const Parameter& parameter) {
          std::holds_alternative<IntegerField>(parameter.field);
 }
 
+QString controlOf(const Parameter& parameter) {
+  if (std::holds_alternative<ChoiceField>(parameter.field)) return "choice:";
+  if (std::holds_alternative<ArmsField>(parameter.field)) return "arms:";
+  return parameter.key == "description" ? "text:" : "entry:";
+}
+
 TEST_F(ParameterPanelTest, EveryApplicableRowHasItsControlsForEveryKind) {
   for (const Parameter& kind : parameters()) {
     const auto* field = std::get_if<ChoiceField>(&kind.field);
@@ -74,8 +81,7 @@ TEST_F(ParameterPanelTest, EveryApplicableRowHasItsControlsForEveryKind) {
       for (const Parameter& row : parameters()) {
         const QString key = fromUtf8(row.key);
         const bool applies = isApplicable(row, scene);
-        const bool choice = std::holds_alternative<ChoiceField>(row.field);
-        EXPECT_EQ(isShown((choice ? "choice:" : "entry:") + key), applies) << row.key;
+        EXPECT_EQ(isShown(controlOf(row) + key), applies) << row.key;
         if (isNumber(row)) {
           EXPECT_EQ(isShown("slider:" + key), applies) << row.key;
         }
@@ -89,10 +95,11 @@ TEST_F(ParameterPanelTest, ControlsSayWhatTheyAre) {
   for (const Parameter& row : parameters()) {
     const QString key = fromUtf8(row.key);
     for (QWidget* widget : panel_.findChildren<QWidget*>(QRegularExpression(
-             "^(slider|entry|choice):" + QRegularExpression::escape(key) + "$"))) {
+             "^(slider|entry|choice|arms|text):" + QRegularExpression::escape(key) + "$"))) {
       EXPECT_TRUE(widget->accessibleName().startsWith(fromUtf8(row.label))) << row.key;
       EXPECT_TRUE(widget->accessibleName().contains(fromUtf8(row.unit))) << row.key;
       EXPECT_EQ(widget->accessibleDescription(), fromUtf8(row.sentence));
+      if (controlOf(row) == "arms:") continue;  // its parts have their own
       EXPECT_TRUE(widget->toolTip().contains(fromUtf8(row.sentence).toHtmlEscaped())) << row.key;
     }
   }
@@ -179,6 +186,52 @@ TEST_F(ParameterPanelTest, EscapeTakesBackWhatWasTyped) {
   QTest::keyClick(&force, Qt::Key_Escape);
   EXPECT_EQ(force.text(), "3.4");
   EXPECT_EQ(spy_.count(), 0);
+}
+
+TEST_F(ParameterPanelTest, RefusalsNameTheRangeInReadableUnits) {
+  type("elastomer.shear_modulus", "-2");
+  EXPECT_EQ(complaint("elastomer.shear_modulus"), "-2 MPa is outside 1 \u00B5Pa to 1 PPa");
+  type("surface.length", "40 °C");
+  EXPECT_EQ(complaint("surface.length"),
+            "40 °C is a temperature; wanted is a length, such as 20 mm");
+  type("elastomer.temperature", "40 °C");
+  EXPECT_EQ(panel_.scene().elastomer.temperature, 313.15);
+  EXPECT_TRUE(slider("surface.length").toolTip().contains("1 nm to 1000 m"));
+}
+
+TEST_F(ParameterPanelTest, SentencesHaveABox) {
+  auto& box = *control<TextBox>("text:description");
+  panel_.activateWindow();
+  box.setFocus();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return box.hasFocus(); }));
+  QTest::keyClicks(&box, "Look at the left.");
+  EXPECT_EQ(spy_.count(), 0);
+  QTest::keyClick(&box, Qt::Key_Escape);
+  EXPECT_EQ(box.toPlainText(), "");
+  QTest::keyClicks(&box, "Look.");
+  QTest::keyClick(&box, Qt::Key_Return);
+  QTest::keyClicks(&box, "Again.");
+  QTest::keyClick(&box, Qt::Key_Tab);  // goes on
+  EXPECT_FALSE(box.hasFocus());
+  EXPECT_EQ(panel_.scene().description, "Look. Again.");
+  EXPECT_EQ(spy_.count(), 1);
+  panel_.setScene({});
+  EXPECT_EQ(box.toPlainText(), "");
+}
+
+TEST_F(ParameterPanelTest, NamesAndSymbolsAreAsPeopleWriteThem) {
+  const auto label = [&](const char* key) {
+    for (const QLabel* found :
+         panel_.findChild<QWidget*>("row:" + QString(key))->findChildren<QLabel*>())
+      if (found->textFormat() == Qt::RichText) return found->text();
+    return QString();
+  };
+  EXPECT_EQ(label("elastomer.equilibrium_modulus"),
+            QStringLiteral("rest modulus&nbsp; <i>G</i><sub>∞</sub>"));
+  EXPECT_EQ(label("elastomer.shift.c1"), "shift&nbsp; <i>C</i><sub>1</sub>");
+  auto* rheology = control<QComboBox>("choice:elastomer.rheology");
+  EXPECT_EQ(rheology->itemText(rheology->findData("kelvin")), "Kelvin");
+  EXPECT_EQ(rheology->itemText(rheology->findData("standard_solid")), "standard solid");
 }
 
 TEST_F(ParameterPanelTest, ResetGoesBackToTheDefault) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/scene/printed_number.h"
 #include "sample_sheets.h"
 #include "ui/picture/diagram_colours.h"
 #include "ui/picture/diagram_picture.h"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/scene/printed_number.h"
+
 namespace asperity {
 namespace {
 

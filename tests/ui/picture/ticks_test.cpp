@@ -89,7 +89,7 @@ TEST(Quantity, ChoosesThePrefix) {
   EXPECT_EQ(quantity(0.9999, "m"), "1 m");
   EXPECT_EQ(quantity(-0.1, "m/s"), "\u2212100 mm/s");
   EXPECT_EQ(quantity(std::nan(""), "m"), "\u2013");
-  EXPECT_EQ(quantity(3e-20, "N"), "3\u00D710\u207B\u2075 fN");
+  EXPECT_EQ(quantity(3e-20, "N"), "3\u00D710\u207B\u00B2\u2070 N");
 }
 
 TEST(Ticks, UnitsThatTakeNoPrefixCountInPowersOfTen) {

@@ -1,6 +1,7 @@
 // The accuracy panel as a person uses it; predictions are real.
 #include "ui/window/accuracy_panel.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
@@ -11,9 +12,11 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QTest>
+#include <QToolButton>
 #include <mutex>
 #include <vector>
 
+#include "tests/core/small_scene.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/figure_picture.h"
 
@@ -23,11 +26,7 @@ namespace {
 constexpr int kPatience = 60000;  // ms, far more than anything here takes
 
 Scene smallScene() {
-  Scene scene;
-  scene.surface.elements = 64;
-  scene.sweep.points = 9;
-  scene.ensemble.realizations = 4;
-  return scene;
+  return sceneOfSize(64, 9, 4);
 }
 
 class AccuracyPanelTest : public testing::Test {
@@ -117,6 +116,29 @@ TEST_F(AccuracyPanelTest, AComparisonCanBeCancelled) {
   EXPECT_TRUE(button.text().startsWith("Cancel"));
   QTest::mouseClick(&button, Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor([&] { return button.text() == "Compare methods"; }, kPatience));
+}
+
+TEST_F(AccuracyPanelTest, TheComparisonIsShownRegionByRegion) {
+  Scene scene = smallScene();
+  scene.sweep.points = 41;
+  scene.surface.elements = 128;
+  panel_.showScene(scene);
+  QTest::mouseClick(&control<QPushButton>("accuracyCompare"), Qt::LeftButton);
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return panel_.findChild<QToolButton*>("region:1"); }, kPatience));
+  auto& first = control<QToolButton>("region:0");
+  auto& second = control<QToolButton>("region:1");
+  EXPECT_TRUE(first.isChecked());
+  EXPECT_EQ(first.text(), "region I");
+  EXPECT_THAT(text("regionRange").toStdString(), testing::MatchesRegex("[^ ]+ to [^ ]+ m/s"));
+  const QString range = text("regionRange");
+  QTest::keyClick(&second, Qt::Key_Space);
+  EXPECT_TRUE(second.isChecked());
+  EXPECT_FALSE(first.isChecked());
+  EXPECT_NE(text("regionRange"), range);
+  const auto& picture = control<FigurePicture>("figurePicture");
+  EXPECT_TRUE(picture.accessibleName().endsWith(second.text()));
+  EXPECT_TRUE(picture.toolTip().contains("median"));
 }
 
 TEST_F(AccuracyPanelTest, MeasuredNumbersGoWithTheirScene) {

@@ -24,6 +24,7 @@
 
 #include "core/friction/study.h"
 #include "core/scene/scene_file.h"
+#include "tests/core/small_scene.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
@@ -46,11 +47,8 @@ bool waitFor(Condition condition) {
 }
 
 Scene smallScene() {
-  Scene scene;
+  Scene scene = sceneOfSize(256, 9, 3);
   scene.title = "small";
-  scene.surface.elements = 256;
-  scene.sweep.points = 9;
-  scene.ensemble.realizations = 3;
   return scene;
 }
 
@@ -406,7 +404,7 @@ TEST(EstimateText, HasTheDigitsThatTheUncertaintyLeaves) {
   EXPECT_EQ(estimateText({-0.4127, 0.003}), QStringLiteral("−0.413 ± 0.003"));
   EXPECT_EQ(estimateText({123.4, 31}), QStringLiteral("123 ± 31"));
   EXPECT_EQ(estimateText({0.5, kNotApplicable}), QStringLiteral("0.5"));
-  EXPECT_EQ(estimateText({2.5e-9, 1e-10}), QStringLiteral("2.5·10⁻⁹ ± 10⁻¹⁰"));
+  EXPECT_EQ(estimateText({2.5e-9, 1e-10}), QStringLiteral("2.5×10⁻⁹ ± 10⁻¹⁰"));
   EXPECT_EQ(estimateText({}), QStringLiteral("–"));
 }
 

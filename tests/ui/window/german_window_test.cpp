@@ -240,6 +240,13 @@ TEST(GermanWindow, ARefusalIsGerman) {
   QTest::keyClick(entry, Qt::Key_Return);
   EXPECT_EQ(window->findChild<QLabel*>("error:surface.hurst")->text(),
             "1,4 liegt außerhalb von 0 bis 1");
+  entry = window->findChild<ValueEntry*>("entry:load.normal_force");
+  entry->setFocus();
+  entry->selectAll();
+  QTest::keyClicks(entry, "0.5 kg");
+  QTest::keyClick(entry, Qt::Key_Return);
+  EXPECT_EQ(window->findChild<QLabel*>("error:load.normal_force")->text(),
+            "0,5 kg ist eine Masse; gefragt ist eine Kraft, etwa 3,4 mN");
 }
 
 TEST(WindowLanguageMenu, TheChoiceIsRememberedForTheNextWindow) {

@@ -12,6 +12,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include "tests/core/small_scene.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
@@ -23,11 +24,8 @@ namespace asperity {
 inline constexpr int kWindowPatience = 20000;  // ms, far more than anything here takes
 
 inline Scene smallScene() {
-  Scene scene;
+  Scene scene = sceneOfSize(256, 9, 3);
   scene.title = "small";
-  scene.surface.elements = 256;
-  scene.sweep.points = 9;
-  scene.ensemble.realizations = 3;
   return scene;
 }
 

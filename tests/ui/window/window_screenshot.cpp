@@ -2,8 +2,8 @@
 // Usage: window_screenshot FILE.png [--dark] [--size WxH] [--scene FILE [--set KEY=VALUE]...]
 //        [--wait MS] [--expect-message] [--figure WORD] [--tab NUMBER]
 //        [--do ACTION]... [--point X,Y] [--zoom X,Y,STEPS] [--language CODE]
-// ACTION: an action's or a button's object name; X and Y: shares of the contact's plot from its
-// left lower corner. Exit: 0 when the window was exposed, animated and showed a curve (or, with
+// ACTION: object name of an action or a button; X and Y: shares of the contact's plot from its left
+// lower corner. Exit: 0 when the window was exposed, animated and showed a curve (or, with
 // --expect-message, a message); 1 with the reason otherwise.
 #include <QAbstractButton>
 #include <QAction>
@@ -119,10 +119,11 @@ QPointF placeOn(const ContactCanvas& canvas, const QStringList& shares) {
 /// What hands would do to the contact view.
 void handle(MainWindow& window, const Wish& wish) {
   ContactCanvas& canvas = window.canvas();
-  for (const QString& name : wish.actions) {
-    if (auto* action = window.findChild<QAction*>(name)) action->trigger();
-    if (auto* button = window.findChild<QAbstractButton*>(name)) button->click();
-  }
+  for (const QString& name : wish.actions)
+    if (auto* action = window.findChild<QAction*>(name))
+      action->trigger();
+    else if (auto* button = window.findChild<QAbstractButton*>(name))
+      button->click();
   if (wish.zoom.size() == 3) {
     const QPointF place = placeOn(canvas, wish.zoom);
     QWheelEvent wheel(place, canvas.mapToGlobal(place), {},

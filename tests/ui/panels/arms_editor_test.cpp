@@ -1,0 +1,182 @@
+// The table of an elastomer's arms in the panel, as a person uses it: keys, mouse, text.
+#include "ui/panels/arms_editor.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include "tests/ui/window/qt_application.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/panels/value_entry.h"
+
+namespace asperity {
+namespace {
+
+Scene prony(std::vector<Arm> arms) {
+  Scene scene;
+  scene.elastomer.rheology = Rheology::Prony;
+  scene.elastomer.arms = std::move(arms);
+  return scene;
+}
+
+class ArmsEditorTest : public testing::Test {
+ protected:
+  ArmsEditorTest() : panel_(prony({{1e7, 1e-3}, {2e6, 0.1}})) {
+    panel_.resize(380, 700);
+    panel_.show();
+    panel_.activateWindow();
+  }
+
+  template <class Control>
+  Control& control(const QString& name) {
+    return *panel_.findChild<Control*>(name);
+  }
+  bool isShown(const QString& name) {
+    auto* widget = panel_.findChild<QWidget*>(name);
+    return widget && widget->isVisibleTo(&panel_);
+  }
+  ValueEntry& entry(const char* column, int row) {
+    return control<ValueEntry>(QStringLiteral("%1:%2").arg(column).arg(row));
+  }
+  void type(const char* column, int row, const QString& text) {
+    ValueEntry& field = entry(column, row);
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, text);
+    QTest::keyClick(&field, Qt::Key_Return);
+  }
+  QString complaint(int row) {
+    return control<QLabel>(QStringLiteral("armError:%1").arg(row)).text();
+  }
+  const std::vector<Arm>& arms() { return panel_.scene().elastomer.arms; }
+
+  ParameterPanel panel_;
+};
+
+TEST_F(ArmsEditorTest, ShowsTheArmsByTimeInEngineeringUnits) {
+  panel_.setScene(prony({{2e6, 0.1}, {1e7, 1e-3}}));
+  EXPECT_EQ(entry("armModulus", 0).text(), "10");
+  EXPECT_EQ(entry("armModulus", 0).unit(), "MPa");
+  EXPECT_EQ(entry("armTime", 0).text(), "1");
+  EXPECT_EQ(entry("armTime", 0).unit(), "ms");
+  EXPECT_EQ(entry("armTime", 1).text(), "100");
+  EXPECT_EQ(control<QToolButton>("armsFold").text(), "2, 1 ms to 100 ms");
+}
+
+TEST_F(ArmsEditorTest, ValuesAreTypedWithTheirUnits) {
+  const QSignalSpy edited(&panel_, &ParameterPanel::sceneEdited);
+  type("armModulus", 0, "3,5 MPa");
+  EXPECT_EQ(arms()[0].modulus, 3.5e6);
+  type("armTime", 0, "20");
+  EXPECT_EQ(arms()[0].relaxationTime, 0.02);
+  EXPECT_EQ(edited.count(), 2);
+}
+
+TEST_F(ArmsEditorTest, AChangedTimeFindsItsPlace) {
+  type("armTime", 0, "5 s");
+  EXPECT_EQ(arms(), (std::vector<Arm>{{2e6, 0.1}, {1e7, 5}}));
+  EXPECT_EQ(entry("armModulus", 0).text(), "2");
+  EXPECT_EQ(entry("armTime", 1).text(), "5");
+}
+
+TEST_F(ArmsEditorTest, ARefusedValueSaysWhyInPlaceAndChangesNothing) {
+  const Scene before = panel_.scene();
+  type("armModulus", 1, "-2 MPa");
+  EXPECT_EQ(complaint(1), "-2 MPa is outside 0 to 1 PPa");
+  EXPECT_TRUE(entry("armModulus", 1).hasError());
+  type("armTime", 0, "5 kg");
+  EXPECT_EQ(complaint(0), "5 kg is a mass; wanted is a time, such as 1 ms");
+  EXPECT_EQ(panel_.scene(), before);
+  QTest::keyClick(&entry("armTime", 0), Qt::Key_Escape);
+  EXPECT_FALSE(isShown("armError:0"));
+  EXPECT_EQ(entry("armTime", 0).text(), "1");
+  type("armModulus", 1, "4 MPa");
+  EXPECT_FALSE(isShown("armError:1"));
+  EXPECT_EQ(arms()[1].modulus, 4e6);
+}
+
+TEST_F(ArmsEditorTest, ArmsAreAddedAndRemovedByKeys) {
+  auto& add = control<QToolButton>("armsAdd");
+  add.setFocus();
+  QTest::keyClick(&add, Qt::Key_Space);
+  ASSERT_EQ(arms().size(), 3U);
+  EXPECT_EQ(arms()[2], (Arm{2e6, 1}));  // a decade on
+  EXPECT_TRUE(QTest::qWaitFor([&] { return entry("armModulus", 2).hasFocus(); }));
+  QTest::keyClicks(&entry("armModulus", 2), "7");
+  QTest::keyClick(&entry("armModulus", 2), Qt::Key_Tab);
+  EXPECT_EQ(arms()[2].modulus, 7e6);
+  EXPECT_TRUE(entry("armTime", 2).hasFocus());
+
+  auto& remove = control<QToolButton>("armRemove:0");
+  EXPECT_TRUE(remove.focusPolicy() & Qt::TabFocus);
+  QTest::keyClick(&remove, Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return arms().size() == 2; }));
+  EXPECT_EQ(arms()[0], (Arm{2e6, 0.1}));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel_.findChild<QWidget*>("armRemove:2"); }));
+}
+
+TEST_F(ArmsEditorTest, AllMayGoAndTheFirstComesBack) {
+  for (std::size_t left = 2; left > 0; --left) {
+    control<QToolButton>("armRemove:0").click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return arms().size() == left - 1; }));
+  }
+  EXPECT_EQ(control<QToolButton>("armsFold").text(), "none");
+  control<QToolButton>("armsAdd").click();
+  EXPECT_EQ(arms(), std::vector<Arm>(1));
+}
+
+TEST_F(ArmsEditorTest, AStandardSolidKeepsItsOne) {
+  Scene scene = prony(std::vector<Arm>(1));
+  scene.elastomer.rheology = Rheology::StandardSolid;
+  panel_.setScene(scene);
+  EXPECT_FALSE(control<QToolButton>("armsAdd").isEnabled());
+  EXPECT_FALSE(control<QToolButton>("armRemove:0").isEnabled());
+  scene.elastomer.arms.resize(3);
+  panel_.setScene(scene);  // two too many
+  EXPECT_TRUE(control<QToolButton>("armRemove:0").isEnabled());
+}
+
+TEST_F(ArmsEditorTest, AFullListTakesNoMore) {
+  panel_.setScene(prony(std::vector<Arm>(kMostArms)));
+  EXPECT_FALSE(control<QToolButton>("armsAdd").isEnabled());
+}
+
+TEST_F(ArmsEditorTest, ALongListIsFoldedUntilItIsOpened) {
+  EXPECT_TRUE(isShown("armModulus:0"));
+  panel_.setScene(prony(std::vector<Arm>(13)));
+  EXPECT_FALSE(isShown("armModulus:0"));
+  auto& fold = control<QToolButton>("armsFold");
+  fold.setFocus();
+  QTest::keyClick(&fold, Qt::Key_Space);
+  EXPECT_TRUE(isShown("armModulus:12"));
+  type("armModulus", 3, "2");
+  EXPECT_TRUE(isShown("armModulus:12"));
+}
+
+TEST_F(ArmsEditorTest, EveryControlSaysWhatItIs) {
+  EXPECT_EQ(entry("armModulus", 1).accessibleName(), "modulus of arm 2 (Pa)");
+  EXPECT_EQ(entry("armTime", 0).accessibleName(), "relaxation time of arm 1 (s)");
+  EXPECT_EQ(control<QToolButton>("armRemove:1").accessibleName(), "remove arm 2");
+  EXPECT_EQ(control<QToolButton>("armsFold").accessibleName(), "arms: 2, 1 ms to 100 ms");
+}
+
+TEST_F(ArmsEditorTest, ResetBringsTheDefaultBack) {
+  auto& reset = control<QToolButton>("reset:elastomer.arms");
+  EXPECT_EQ(reset.toolTip(), "Back to the default, one arm");
+  reset.click();
+  EXPECT_EQ(arms(), Elastomer{}.arms);
+  EXPECT_FALSE(reset.isEnabled());
+}
+
+TEST_F(ArmsEditorTest, ComplaintsOfTheRunnerStandInTheRow) {
+  panel_.showError("elastomer.arms[1].modulus", "too little");
+  EXPECT_EQ(control<QLabel>("error:elastomer.arms").text(), "too little");
+  panel_.clearErrors();
+  EXPECT_FALSE(isShown("error:elastomer.arms"));
+}
+
+}  // namespace
+}  // namespace asperity
