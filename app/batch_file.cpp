@@ -132,6 +132,9 @@ class Entry {
     if (!show_.empty()) layoutFrom(show_, "show");
     readSet();
     sweeps_ = sweepsOf(json_);
+    for (const Sweep& sweep : sweeps_)
+      if (json_.contains("set") && json_["set"].contains(sweep.key))
+        refuse(sweep.key, "stands in set and in sweep; one of them is enough");
     std::size_t count = 1;
     for (const Sweep& sweep : sweeps_) {
       count *= sweep.values.size();

@@ -54,7 +54,14 @@ class CommandLine {
 
   int run(int argc, char** argv) {
     try {
-      app_.parse(argc, argv);
+      // From the last to the first, as the parser takes them.
+      std::vector<std::string> words(std::make_reverse_iterator(argv + argc),
+                                     std::make_reverse_iterator(argv + std::min(argc, 1)));
+      if (!words.empty() && words.back() == "help" && !std::filesystem::exists("help")) {
+        words.pop_back();
+        words.insert(words.begin(), "--help");
+      }
+      app_.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() == 0) return app_.exit(error);
       throw errorOf(app_, error);
@@ -67,9 +74,10 @@ class CommandLine {
 
   /// A first word that is neither an option, a verb nor a file is a verb misspelt.
   void checkVerb(int argc, char** argv) const {
-    const std::string word = argc > 1 ? argv[1] : "";
+    const bool asksForHelp = argc > 2 && argv[1] == std::string_view("help");
+    const std::string word = asksForHelp ? argv[2] : argc > 1 ? argv[1] : "";
     const bool looksLikeVerb = !word.empty() && word.find_first_of("-./") == std::string::npos;
-    if (!looksLikeVerb || std::filesystem::exists(word)) return;
+    if (!looksLikeVerb || word == "help" || std::filesystem::exists(word)) return;
     std::string verbs;
     for (const CLI::App* verb : app_.get_subcommands({})) {
       if (verb->get_name() == word) return;
@@ -90,8 +98,8 @@ class CommandLine {
         ->type_name("KEY=VALUE")
         ->take_all()
         ->allow_extra_args(false);
-    app.add_option("--threads", common.threads, "Threads to use; 0: all of the machine")
-        ->check(wholeWithin(0, 1024));
+    limitWhole(app.add_option("--threads", common.threads, "Threads to use; 0: all of the machine"),
+               0, 1024);
     if (&app != &app_) {  // the window says nothing
       app.add_flag("--quiet", common.quiet, "No progress and no summary");
       app.add_flag("--json", common.json, "Machine-readable answer on standard output");
@@ -145,16 +153,18 @@ class CommandLine {
     addViewOptions(*verb, render_.view);
     addCurveOptions(*verb, render_.curves);
     TimeChoice& time = render_.time;
-    verb->add_option("--frames", time.frames, "Frames; else 60 a period, or 60 for a motion")
-        ->check(wholeWithin(1, 1000000));
-    verb->add_option("--fps", time.framesPerSecond, "Frames per second of film; else 25")
-        ->check(within(0.001, 1000.0));
-    verb->add_option("--duration", time.duration, "Seconds of film, instead of --frames")
-        ->check(within(0.001, 1e6, "s"));
-    verb->add_option("--cycles", time.cycles, "Periods of the line that pass; else 1")
-        ->check(within(1e-6, 1e6));
-    verb->add_option("--slow-motion", time.slowMotion, "Seconds of film to a simulated second")
-        ->check(within(1e-12, 1e15));
+    limitWhole(
+        verb->add_option("--frames", time.frames, "Frames; else 60 a period, or 60 for a motion"),
+        1, 1000000);
+    limit(verb->add_option("--fps", time.framesPerSecond, "Frames per second of film; else 25"),
+          0.001, 1000);
+    limit(verb->add_option("--duration", time.duration, "Seconds of film, instead of --frames"),
+          0.001, 1e6, "s");
+    limit(verb->add_option("--cycles", time.cycles, "Periods of the line that pass; else 1"), 1e-6,
+          1e6);
+    limit(
+        verb->add_option("--slow-motion", time.slowMotion, "Seconds of film to a simulated second"),
+        1e-12, 1e15);
     verb->add_option("--at", time.at,
                      "One picture of the moment after so many seconds of sliding; else the start "
                      "of steady sliding and the end of a motion")
@@ -183,9 +193,10 @@ class CommandLine {
         ->required();
     verb->add_option("-o,--output", figure_.output, "Folder for CSV, PNG, SVG and claims.json")
         ->required();
-    verb->add_option("--realizations", figure_.realizations, "Random lines to average over")
-        ->capture_default_str()
-        ->check(wholeWithin(1, 1000000));
+    limitWhole(
+        verb->add_option("--realizations", figure_.realizations, "Random lines to average over")
+            ->capture_default_str(),
+        1, 1000000);
     addShared(*verb, figure_.common);
     verb->footer("Figures:\n" + words);
     verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });

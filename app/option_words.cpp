@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "core/scene/known_words.h"
@@ -22,18 +21,19 @@ bool isRead(const std::string& text, Number& number) {
 }
 
 template <class Number>
-CLI::Validator numberWithin(Number least, Number most, const char* what, std::string_view unit) {
-  const std::string allowed = std::is_integral_v<Number> ? fmt::format("{} to {}", least, most)
-                                                         : rangeText(least, most, unit);
-  return {[=](const std::string& text) -> std::string {
-            Number number{};
-            if (!isRead(text, number) || !std::isfinite(static_cast<double>(number)))
-              return fmt::format("'{}' is not a {}; allowed is {}", shortened(text), what, allowed);
-            return number >= least && number <= most
-                       ? std::string()
-                       : fmt::format("{} is outside {}", shortened(text), allowed);
-          },
-          allowed};
+void limitNumber(CLI::Option* option, Number least, Number most, const char* what,
+                 const std::string& allowed) {
+  const CLI::Validator check(
+      [=](const std::string& text) -> std::string {
+        Number number{};
+        if (!isRead(text, number) || !std::isfinite(static_cast<double>(number)))
+          return fmt::format("'{}' is not a {}; allowed is {}", shortened(text), what, allowed);
+        return number >= least && number <= most
+                   ? std::string()
+                   : fmt::format("{} is outside {}", shortened(text), allowed);
+      },
+      "");
+  option->check(check)->type_name(allowed);
 }
 
 /// The verb that was given, or the app itself.
@@ -83,12 +83,12 @@ InputError mismatch(const std::string& said) {
 
 }  // namespace
 
-CLI::Validator within(double least, double most, std::string_view unit) {
-  return numberWithin(least, most, "number", unit);
+void limit(CLI::Option* option, double least, double most, std::string_view unit) {
+  limitNumber(option, least, most, "number", rangeText(least, most, unit));
 }
 
-CLI::Validator wholeWithin(std::int64_t least, std::int64_t most) {
-  return numberWithin(least, most, "whole number", {});
+void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most) {
+  limitNumber(option, least, most, "whole number", fmt::format("{} to {}", least, most));
 }
 
 void refuseEmptyWords(CLI::App& app) {

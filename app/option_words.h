@@ -10,10 +10,10 @@
 
 namespace asperity {
 
-/// Checks of a number's text: a finite one, or a whole one, within the limits, which
-/// are said with the unit.
-CLI::Validator within(double least, double most, std::string_view unit = {});
-CLI::Validator wholeWithin(std::int64_t least, std::int64_t most);
+/// The option takes a finite number, or a whole one, within limits that its help shows, with the
+/// unit.
+void limit(CLI::Option* option, double least, double most, std::string_view unit = {});
+void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most);
 
 /// No option or file of the app and its verbs may be empty text, and a flag takes no value: both
 /// would be taken in silence. Once, when all options are there.

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/contact/lane_stream.h"
@@ -35,8 +36,9 @@ class LaneStream {
     }
     for (std::size_t stream = 0; stream < kLanes; ++stream) {
       PassTask task;
-      if (queue_.begin(stream, task)) beginPass(stream, task);
+      if (queue_.begin(stream, task)) setPass(stream, task);
     }
+    fillLanes();
     for (int look = kStepsBetweenLooks; idleCount_ < kLanes; --look) {
       if (look == 0) {
         if (queue_.isStopped()) return;
@@ -52,13 +54,15 @@ class LaneStream {
 
  private:
   static constexpr std::size_t kLanes = Wide::kLanes;
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   static constexpr std::size_t kWindow = BlockLevel::kPadding;  // blocks compared at once
 
   /// A pass under way.
   struct Pass {
     PassTask task;
     PassSums sums;
-    std::size_t parts = 0;  // not finished
+    std::size_t parts = 0, running = 0;     // begun; of these, not finished
+    std::size_t from = kNone, nextCut = 0;  // where the next part begins, and may end
     double inverse = 0;
     double lost[kMostLevels][kWindow + 1];  // part of a depth, over 0, 1, ... blocks of each level
   };
@@ -68,23 +72,44 @@ class LaneStream {
     double looks = 0;
   };
 
-  void beginPass(std::size_t stream, const PassTask& task) {
+  void setPass(std::size_t stream, const PassTask& task) {
     Pass& pass = passes_[stream];
     if (pass.inverse == 0 || pass.task.memory != task.memory) setMemory(pass, task.memory);
     pass.task = task;
     pass.sums = {};
-    pass.parts = 0;
-    std::size_t from = 0;
-    const std::size_t wanted = static_cast<std::size_t>(task.parts);
-    for (std::size_t k = 0; k < line_.cuts.size() && pass.parts + 1 < wanted; ++k) {
-      const std::size_t cut = line_.cuts[k].segment;
-      // Those left over are spread evenly.
-      if (k * wanted < (pass.parts + 1) * line_.cuts.size() || !touchesAt(line_.cuts[k], task))
-        continue;
-      addPart(stream, from, cut - 1);
-      from = cut;
+    pass.parts = pass.running = pass.nextCut = pass.from = 0;
+  }
+
+  /// Gives idle lanes the parts that begin first, of any pass: so lanes stay near each other, and
+  /// what one of them has read of a long line the others find in the cache.
+  void fillLanes() {
+    for (std::size_t from = 0; idleCount_ > 0 && from != kNone;) {
+      std::size_t first = 0;
+      for (std::size_t stream = 1; stream < kLanes; ++stream)
+        if (passes_[stream].from < passes_[first].from) first = stream;
+      from = passes_[first].from;
+      if (from != kNone) beginPart(first);
     }
-    addPart(stream, from, last_);
+  }
+
+  void beginPart(std::size_t stream) {
+    Pass& pass = passes_[stream];
+    const std::size_t lane = idle_[--idleCount_], from = pass.from;
+    std::size_t last = last_;
+    pass.from = kNone;
+    const std::size_t wanted = static_cast<std::size_t>(pass.task.parts), cuts = line_.cuts.size();
+    ++pass.parts;
+    ++pass.running;
+    for (std::size_t k = pass.nextCut; k < cuts && pass.parts < wanted; ++k) {
+      // Those not taken are spread evenly.
+      if (k * wanted < pass.parts * cuts || !touchesAt(line_.cuts[k], pass.task)) continue;
+      pass.from = line_.cuts[k].segment;
+      last = pass.from - 1;
+      pass.nextCut = k + 1;
+      break;
+    }
+    places_[lane].pass = stream;
+    begin(lane, from, last);
   }
 
   void setMemory(Pass& pass, double memory) {
@@ -106,17 +131,6 @@ class LaneStream {
     const double rise = line_.rise[cut.segment], w = task.depth - rise;
     return task.depth - before.highest - task.memory * before.steepest > 0 && w > 0 &&
            cut.clear >= task.memory * std::log1p(rise / w);
-  }
-
-  void addPart(std::size_t stream, std::size_t from, std::size_t last) {
-    ++passes_[stream].parts;
-    if (idleCount_ == 0) {
-      waiting_[(firstWaiting_ + waitingCount_++) % kMostWaiting] = {stream, from, last};
-      return;
-    }
-    const std::size_t lane = idle_[--idleCount_];
-    places_[lane].pass = stream;
-    begin(lane, from, last);
   }
 
   void begin(std::size_t lane, std::size_t from, std::size_t last) {
@@ -169,15 +183,10 @@ class LaneStream {
     sums.looks += place.looks;
     lanes_.busy[lane] = 0;
     idle_[idleCount_++] = lane;
-    if (waitingCount_ > 0) {
-      const Waiting part = waiting_[firstWaiting_];
-      firstWaiting_ = (firstWaiting_ + 1) % kMostWaiting;
-      --waitingCount_;
-      --passes_[part.pass].parts;  // counted again
-      addPart(part.pass, part.from, part.last);
-    }
     PassTask task;
-    if (--pass.parts == 0 && queue_.next(stream, sums, task)) beginPass(stream, task);
+    if (--pass.running == 0 && pass.from == kNone && queue_.next(stream, sums, task))
+      setPass(stream, task);
+    fillLanes();
   }
 
   /// Goes from segment i to the last at most, over as many blocks at once as are `simple`, up and
@@ -285,11 +294,6 @@ class LaneStream {
     if (i == places_[lane].last) lanes_.closes[lane] = 1;
   }
 
-  struct Waiting {
-    std::size_t pass, from, last;
-  };
-  static constexpr std::size_t kMostWaiting = kLanes * (TravelLine::kMostCuts + 1);
-
   const TravelLine& line_;
   PassQueue& queue_;
   std::size_t last_, levels_;
@@ -297,8 +301,6 @@ class LaneStream {
   Place places_[kLanes];
   Lanes lanes_;
   std::size_t idle_[kLanes], idleCount_ = 0;
-  Waiting waiting_[kMostWaiting];  // a ring
-  std::size_t firstWaiting_ = 0, waitingCount_ = 0;
 };
 
 }  // namespace HWY_NAMESPACE

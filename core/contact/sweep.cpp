@@ -133,10 +133,12 @@ class SweepQueue final : public PassQueue {
 
   double memoryOf(const Lane& one) const { return table_.velocities[one.column] * tau_; }
 
-  /// Long passes are cut, by what the last one at this velocity cost.
+  /// Long passes are cut, by what the last one at this velocity cost, or might.
   PassTask taskOf(const Lane& one) {
-    constexpr double kLooksOfPart = 48;
-    const double parts = std::clamp(looksOf(one.column) / kLooksOfPart, 1.0, 16.0);
+    constexpr double kLooksOfPart = 48, kMostParts = 4096, kSegmentsToALook = 1024;
+    double& looks = looksOf(one.column);
+    if (looks == 0) looks = static_cast<double>(line_.segments()) / kSegmentsToALook;
+    const double parts = std::clamp(looks / kLooksOfPart, 1.0, kMostParts);
     return {one.balance.depth(), memoryOf(one), static_cast<int>(parts)};
   }
   double& looksOf(std::size_t column) { return looks_[column % looks_.size()]; }

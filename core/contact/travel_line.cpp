@@ -126,11 +126,13 @@ bool addBlocksOver(TravelLine& travel, std::size_t level, const std::stop_token&
   return true;
 }
 
-/// Finds a cut in each of equal parts of the line but the first, at its lowest node.
+/// Finds a cut in each of equal parts of the line but the first, at its lowest node. Parts of long
+/// lines are no longer than what the cache of a core holds of them.
 void addCuts(TravelLine& travel) {
-  constexpr std::size_t kFewestSegments = 16;  // in a part
+  constexpr std::size_t kFewestSegments = 16, kMostSegments = 8192, kFewestParts = 16;
   travel.cuts.clear();
-  const std::size_t parts = TravelLine::kMostCuts + 1, size = travel.segments() / parts;
+  const std::size_t parts = std::max(kFewestParts, travel.segments() / kMostSegments);
+  const std::size_t size = travel.segments() / parts;
   if (size < kFewestSegments) return;
   for (std::size_t k = 1; k < parts; ++k) {
     const std::size_t segment = k * size + placeOfLowest({&travel.rise[k * size], size});

@@ -40,7 +40,6 @@ struct TravelLine {
     std::size_t segment;
     double clear;  // m: so far back of it nothing is lower, but for the segment before it
   };
-  static constexpr std::size_t kMostCuts = 15;
   std::vector<Cut> cuts;
   double meanRise = 0;                 // m, of the line as the scheme sees it
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself

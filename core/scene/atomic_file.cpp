@@ -30,9 +30,9 @@ fs::path targetOf(const fs::path& file) {
 /// The hidden name that every write of this file takes if it needs one, so that the next write
 /// finds what a kill left behind. A number, because a name of 255 bytes bears no addition.
 std::string partOf(const fs::path& target) {
+  const std::string name = target.filename().string();
   std::uint64_t number = 14695981039346656037U;  // Fowler, Noll and Vo, 1a
-  for (const unsigned char byte : target.filename().native())
-    number = (number ^ byte) * 1099511628211U;
+  for (const unsigned char byte : name) number = (number ^ byte) * 1099511628211U;
   return (target.parent_path() / fmt::format(".asperity.{:016x}.part", number)).string();
 }
 

@@ -1091,10 +1091,6 @@
         <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
-        <source>The language changes when Asperity is started again.</source>
-        <translation>Die Sprache wechselt beim nächsten Start von Asperity.</translation>
-    </message>
-    <message>
         <source>Copy picture</source>
         <translation>Bild kopieren</translation>
     </message>

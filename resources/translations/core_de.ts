@@ -66,16 +66,16 @@
         <translation>Lokale Reibungszahl im Kontakt; sie kommt zum Verformungsanteil hinzu und wird getrennt ausgewiesen; 0: keine.</translation>
     </message>
     <message>
-        <source>Of a dashpot beside the arms; 0: none.</source>
-        <translation>Eines Dämpfers neben den Armen; 0: keiner.</translation>
+        <source>Viscosity of a dashpot beside the arms; 0: none.</source>
+        <translation>Viskosität eines Dämpfers neben den Armen; 0: keiner.</translation>
     </message>
     <message>
-        <source>Of the elastomer; it shifts all relaxation times together.</source>
-        <translation>Des Elastomers; sie verschiebt alle Relaxationszeiten gemeinsam.</translation>
+        <source>Temperature of the elastomer; it shifts all relaxation times together.</source>
+        <translation>Temperatur des Elastomers; sie verschiebt alle Relaxationszeiten gemeinsam.</translation>
     </message>
     <message>
-        <source>Of the velocity about its mean: v = velocity + amplitude sin(2 pi frequency t).</source>
-        <translation>Der Geschwindigkeit um ihr Mittel: v = Geschwindigkeit + Amplitude · sin(2π · Frequenz · t).</translation>
+        <source>Amplitude of the velocity about its mean: v = velocity + amplitude sin(2 pi frequency t).</source>
+        <translation>Amplitude der Geschwindigkeit um ihr Mittel: v = Geschwindigkeit + Amplitude · sin(2π · Frequenz · t).</translation>
     </message>
     <message>
         <source>Oscillations of the velocity in a second.</source>
@@ -106,8 +106,8 @@
         <translation>Quadratischer Mittelwert der Höhe (ISO Rq), bestimmt von den langen Wellen.</translation>
     </message>
     <message>
-        <source>Second constant of that shift.</source>
-        <translation>Zweite Konstante dieser Verschiebung.</translation>
+        <source>Second constant of the shift with temperature (Williams, Landel and Ferry).</source>
+        <translation>Zweite Konstante der Verschiebung mit der Temperatur (Williams, Landel und Ferry).</translation>
     </message>
     <message>
         <source>Shear modulus that is left when all arms have relaxed; steady sliding needs more than 0.</source>
@@ -138,8 +138,8 @@
         <translation>Statischer Schubmodul des Elastomers.</translation>
     </message>
     <message>
-        <source>Tangential load on each length in contact instead of that coefficient; 0: none.</source>
-        <translation>Tangentiallast je Länge im Kontakt anstelle dieser Reibungszahl; 0: keine.</translation>
+        <source>Tangential load on each length in contact, instead of a local coefficient of friction; 0: none.</source>
+        <translation>Tangentiallast je Länge im Kontakt, anstelle einer lokalen Reibungszahl; 0: keine.</translation>
     </message>
     <message>
         <source>Temperature at which the relaxation times are as given.</source>

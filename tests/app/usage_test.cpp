@@ -135,6 +135,23 @@ TEST_F(UsageTest, ABatchIsToldWhereItsFileIsWrong) {
   expectRefused("batch b.json -o out", 2, "b.json: is not valid JSON: parse error at line 1");
 }
 
+TEST_F(UsageTest, AKeyIsSetOrSwept) {
+  program.folder.write("b.json", R"({"schema":"asperity-batch/1","entries":[{"name":"one",
+      "set":{"surface.hurst":0.5},"sweep":{"surface.hurst":[0.3,0.7]}}]})");
+  const Said said = program.run("batch b.json -o out");
+  EXPECT_EQ(said.status, 1);
+  EXPECT_THAT(said.err, testing::HasSubstr("one: surface.hurst: stands in set and in sweep"));
+}
+
+TEST_F(UsageTest, HelpIsAlsoAWord) {
+  EXPECT_EQ(program.run("help").out, program.run("--help").out);
+  EXPECT_EQ(program.run("help render").out, program.run("render --help").out);
+  EXPECT_THAT(program.run("help render").out,
+              testing::AllOf(testing::HasSubstr("--fps 0.001 to 1000 "),
+                             testing::HasSubstr("--slow-motion 1e-12 to 1e15")));
+  expectRefused("help rendr", 2, "rendr");
+}
+
 TEST_F(UsageTest, TimeIsToldByEveryVerb) {
   for (const char* verb : {"check s.json", "explain s.json", "surface s.json"})
     EXPECT_THAT(program.run(std::string(verb) + " --timing").err, testing::StartsWith("time "));

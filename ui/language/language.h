@@ -1,5 +1,5 @@
-// The language of what people see: English, or one that resources/translations has. Chosen once,
-// before pictures are composed or a window is made; read by any thread after that. Tables, scene
+// The language of what people see: English, or one that resources/translations has. Chosen by
+// one thread, read by any at any time; what was made before keeps its words. Tables, scene
 // files and lines on stderr are English whatever is chosen.
 #pragma once
 

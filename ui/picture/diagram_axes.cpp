@@ -85,20 +85,20 @@ double barEnd(AxisScale scale, double end, double value) {
 }
 
 /// The places between the ticks of a linear axis as decimal logarithms.
-PlotAxis plainTicksOnLogarithmic(const DiagramAxis& axis, const AxisRange& range, int most) {
+PictureAxis plainTicksOnLogarithmic(const DiagramAxis& axis, const AxisRange& range, int most) {
   const AxisTicks ticks =
       linearTicks(std::pow(10, range.from), std::pow(10, range.to), most, axis.unit);
-  PlotAxis plot{range.from, range.to, {}, titleWithUnit(axis.title, ticks.unit), {}, {}};
+  PictureAxis plot{range.from, range.to, {}, titleWithUnit(axis.title, ticks.unit), {}, {}};
   for (const Tick& tick : ticks.ticks)
     if (tick.value > 0) plot.ticks.push_back({std::log10(tick.value), tick.label});
   return plot;
 }
 
-PlotAxis logarithmic(const DiagramAxis& axis, const AxisRange& range, int most, float pixels,
-                     float unit) {
+PictureAxis logarithmic(const DiagramAxis& axis, const AxisRange& range, int most, float pixels,
+                        float unit) {
   const std::vector<LogTick> ticks = logTicks(range.from, range.to, most);
   if (ticks.size() < 2) return plainTicksOnLogarithmic(axis, range, most);
-  PlotAxis plot =
+  PictureAxis plot =
       logarithmicAxis(range.from, range.to, most, titleWithUnit(axis.title, axis.unit), {});
   plot.minor =
       minorLogTicks(range.from, range.to, ticks, pixels / (range.to - range.from), 3.0 * unit);
@@ -168,13 +168,13 @@ AxisRange rangeUp(const Diagram& diagram, const AxisRange& along) {
   return padded(diagram.y, data, theory, true);
 }
 
-PlotAxis diagramAxisAlong(const DiagramAxis& axis, const AxisRange& range, float pixels,
-                          const DiagramSizes& sizes) {
+PictureAxis diagramAxisAlong(const DiagramAxis& axis, const AxisRange& range, float pixels,
+                             const DiagramSizes& sizes) {
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
     return linearAxisAlong(range.from, range.to, pixels, size, axis.title, axis.unit);
   for (int most = std::clamp(static_cast<int>(pixels / (3.5F * size)), 2, 20);; --most) {
-    PlotAxis plot = logarithmic(axis, range, most, pixels, sizes.unit);
+    PictureAxis plot = logarithmic(axis, range, most, pixels, sizes.unit);
     if (most <= 1 || plot.ticks.size() < 2) return plot;
     // Labels must not touch; unequal distances between multiples of a decade count.
     bool clear = true;
@@ -189,13 +189,13 @@ PlotAxis diagramAxisAlong(const DiagramAxis& axis, const AxisRange& range, float
   }
 }
 
-PlotAxis diagramAxisUp(const DiagramAxis& axis, const AxisRange& range, float pixels,
-                       const DiagramSizes& sizes) {
+PictureAxis diagramAxisUp(const DiagramAxis& axis, const AxisRange& range, float pixels,
+                          const DiagramSizes& sizes) {
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
     return linearAxisUp(range.from, range.to, pixels, size, axis.title, axis.unit);
   for (int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16);; --most) {
-    PlotAxis plot = logarithmic(axis, range, most, pixels, sizes.unit);
+    PictureAxis plot = logarithmic(axis, range, most, pixels, sizes.unit);
     if (most <= 1 || plot.ticks.size() < 2) return plot;
     double least = plot.to - plot.from;
     for (std::size_t i = 0; i + 1 < plot.ticks.size(); ++i)
@@ -214,7 +214,7 @@ Place DiagramAxes::place(double x, double y) const {
   return {held(plot.px(px)), held(plot.py(py))};
 }
 
-float leftOfAxes(const PlotAxis& up, const DiagramSizes& sizes) {
+float leftOfAxes(const PictureAxis& up, const DiagramSizes& sizes) {
   const float title = up.title.empty() ? 0 : 1.75F * sizes.axis;
   return std::ceil(title + widestLabel(up, sizes.tick) + 0.7F * sizes.tick);
 }

@@ -22,10 +22,10 @@ AxisRange rangeAlong(const Diagram& diagram);
 AxisRange rangeUp(const Diagram& diagram, const AxisRange& along);
 
 /// With as many ticks as have room in `pixels`.
-PlotAxis diagramAxisAlong(const DiagramAxis& axis, const AxisRange& range, float pixels,
+PictureAxis diagramAxisAlong(const DiagramAxis& axis, const AxisRange& range, float pixels,
+                             const DiagramSizes& sizes);
+PictureAxis diagramAxisUp(const DiagramAxis& axis, const AxisRange& range, float pixels,
                           const DiagramSizes& sizes);
-PlotAxis diagramAxisUp(const DiagramAxis& axis, const AxisRange& range, float pixels,
-                       const DiagramSizes& sizes);
 
 struct DiagramAxes {
   PlotAxes plot;
@@ -36,7 +36,7 @@ struct DiagramAxes {
 };
 
 /// Pixels left of the frame for title and labels, and below it.
-float leftOfAxes(const PlotAxis& up, const DiagramSizes& sizes);
+float leftOfAxes(const PictureAxis& up, const DiagramSizes& sizes);
 float belowAxes(const DiagramSizes& sizes);
 
 void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,

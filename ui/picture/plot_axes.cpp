@@ -15,15 +15,15 @@ int tickCount(float pixels, float each) {
   return std::clamp(static_cast<int>(pixels / each), 2, 12);
 }
 
-PlotAxis axisOf(double from, double to, const AxisTicks& ticks, const std::string& name) {
-  PlotAxis axis{
+PictureAxis axisOf(double from, double to, const AxisTicks& ticks, const std::string& name) {
+  PictureAxis axis{
       from, to, {}, titleWithUnit(name, ticks.unit), ticks.unit, minorTicks(ticks, from, to)};
   for (const Tick& tick : ticks.ticks) axis.ticks.push_back({tick.value, tick.label});
   return axis;
 }
 
 /// The title that fits; none where neither does.
-std::string titleWithin(const PlotAxis& axis, float pixels, float size) {
+std::string titleWithin(const PictureAxis& axis, float pixels, float size) {
   for (const std::string* title : {&axis.title, &axis.shortTitle})
     if (textWidth(*title, size) <= pixels) return *title;
   return {};
@@ -43,13 +43,13 @@ AxisTicks roomyTicks(double from, double to, float pixels, float size, std::stri
   return linearTicks(from, to, 1, unit);
 }
 
-PlotAxis linearAxisAlong(double from, double to, float pixels, float size, const std::string& name,
-                         std::string_view unit) {
+PictureAxis linearAxisAlong(double from, double to, float pixels, float size,
+                            const std::string& name, std::string_view unit) {
   return axisOf(from, to, roomyTicks(from, to, pixels, size, unit), name);
 }
 
-PlotAxis linearAxisUp(double from, double to, float pixels, float size, const std::string& name,
-                      std::string_view unit) {
+PictureAxis linearAxisUp(double from, double to, float pixels, float size, const std::string& name,
+                         std::string_view unit) {
   int most = tickCount(pixels, 4 * size);
   AxisTicks axis = linearTicks(from, to, most, unit);
   // A low axis has closer ticks rather than a single one, which says nothing of the scale.
@@ -61,15 +61,15 @@ PlotAxis linearAxisUp(double from, double to, float pixels, float size, const st
   return axisOf(from, to, axis, name);
 }
 
-PlotAxis logarithmicAxis(double from, double to, int most, std::string title,
-                         std::string shortTitle) {
-  PlotAxis axis{from, to, {}, std::move(title), std::move(shortTitle), {}};
+PictureAxis logarithmicAxis(double from, double to, int most, std::string title,
+                            std::string shortTitle) {
+  PictureAxis axis{from, to, {}, std::move(title), std::move(shortTitle), {}};
   for (const LogTick& tick : logTicks(from, to, most))
     axis.ticks.push_back({tick.decade, tick.label});
   return axis;
 }
 
-float widestLabel(const PlotAxis& axis, float size) {
+float widestLabel(const PictureAxis& axis, float size) {
   float widest = 0;
   for (const PlotTick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
   return widest;

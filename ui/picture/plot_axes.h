@@ -17,7 +17,7 @@ struct PlotTick {
   std::string label;
 };
 
-struct PlotAxis {
+struct PictureAxis {
   double from = 0, to = 1;  // SI; the decimal logarithms of it on a logarithmic axis
   std::vector<PlotTick> ticks;
   std::string title, shortTitle;  // the short one where there is no room for the other
@@ -28,24 +28,24 @@ struct PlotAxis {
 AxisTicks roomyTicks(double from, double to, float pixels, float size, std::string_view unit);
 
 /// A horizontal and a vertical linear axis; titles become "position (mm)".
-PlotAxis linearAxisAlong(double from, double to, float pixels, float size, const std::string& name,
+PictureAxis linearAxisAlong(double from, double to, float pixels, float size,
+                            const std::string& name, std::string_view unit);
+PictureAxis linearAxisUp(double from, double to, float pixels, float size, const std::string& name,
                          std::string_view unit);
-PlotAxis linearAxisUp(double from, double to, float pixels, float size, const std::string& name,
-                      std::string_view unit);
 
 /// `from` and `to` are decimal logarithms. At most `most` ticks.
-PlotAxis logarithmicAxis(double from, double to, int most, std::string title,
-                         std::string shortTitle);
+PictureAxis logarithmicAxis(double from, double to, int most, std::string title,
+                            std::string shortTitle);
 
 /// "position (mm)"; the name alone without a unit.
 std::string titleWithUnit(const std::string& name, const std::string& unit);
 
 /// The widest label of an axis.
-float widestLabel(const PlotAxis& axis, float size);
+float widestLabel(const PictureAxis& axis, float size);
 
 struct PlotAxes {
   Box box;
-  PlotAxis along, up;
+  PictureAxis along, up;
 
   float px(double x) const;
   float py(double y) const;

@@ -33,7 +33,7 @@ ScissorBox scissorBox(const Clip& clip, const DrawList& list) {
   return box;
 }
 
-void appendTriangles(const std::vector<DrawVertex>& corners, Geometry& geometry, Batch& batch) {
+void appendTriangles(const std::vector<DrawVertex>& corners, Geometry& geometry, DrawBatch& batch) {
   batch.triangleOffset = geometry.data.size();
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
     if (!isFinite(corners[i]) || !isFinite(corners[i + 1]) || !isFinite(corners[i + 2])) continue;
@@ -66,7 +66,8 @@ void appendSegment(const DrawVertex& before, const DrawVertex& from, const DrawV
 }
 
 /// A line of one vertex is a round dot.
-void appendLine(const std::vector<DrawVertex>& v, float width, Geometry& geometry, Batch& batch) {
+void appendLine(const std::vector<DrawVertex>& v, float width, Geometry& geometry,
+                DrawBatch& batch) {
   if (v.empty() || !(width > 0)) return;
   const std::size_t last = v.size() - 1;
   const std::size_t segments = std::max<std::size_t>(last, 1);
@@ -85,7 +86,7 @@ void flatten(const DrawList& list, Geometry& geometry) {
   geometry.batches.clear();
   std::vector<DrawVertex> clean;
   for (const DrawLayer& layer : list.layers) {
-    Batch batch;
+    DrawBatch batch;
     batch.scissor = scissorBox(layer.clip, list);
     appendTriangles(layer.triangles, geometry, batch);
     batch.segmentOffset = geometry.data.size();

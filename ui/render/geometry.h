@@ -19,7 +19,7 @@ struct ScissorBox {
 };
 
 /// One layer: triangles first, then segments. Offsets count floats from the start of the data.
-struct Batch {
+struct DrawBatch {
   ScissorBox scissor;
   std::size_t triangleOffset = 0, triangleCorners = 0;
   std::size_t segmentOffset = 0, segments = 0;
@@ -27,7 +27,7 @@ struct Batch {
 
 struct Geometry {
   std::vector<float> data;
-  std::vector<Batch> batches;
+  std::vector<DrawBatch> batches;
 };
 
 /// Fills `geometry`, reusing its memory.

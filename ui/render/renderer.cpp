@@ -34,8 +34,8 @@ struct Renderer::Body {
   void prepare(const DrawList& list, unsigned framebuffer);
   void upload();
   void attribute(GLuint index, GLint floats, int stride, std::size_t offset, GLuint divisor);
-  void drawTriangles(const Batch& batch, const DrawList& list);
-  void drawSegments(const Batch& batch, const DrawList& list);
+  void drawTriangles(const DrawBatch& batch, const DrawList& list);
+  void drawSegments(const DrawBatch& batch, const DrawList& list);
 
   GlFunctions gl;
   ShaderProgram triangles, lines;
@@ -81,7 +81,7 @@ void Renderer::Body::attribute(GLuint index, GLint floats, int stride, std::size
   gl.vertexAttribDivisor(index, divisor);
 }
 
-void Renderer::Body::drawTriangles(const Batch& batch, const DrawList& list) {
+void Renderer::Body::drawTriangles(const DrawBatch& batch, const DrawList& list) {
   if (batch.triangleCorners == 0) return;
   triangles.use(list.width, list.height);
   gl.bindVertexArray(triangleArray);
@@ -90,7 +90,7 @@ void Renderer::Body::drawTriangles(const Batch& batch, const DrawList& list) {
   gl.drawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(batch.triangleCorners));
 }
 
-void Renderer::Body::drawSegments(const Batch& batch, const DrawList& list) {
+void Renderer::Body::drawSegments(const DrawBatch& batch, const DrawList& list) {
   if (batch.segments == 0) return;
   lines.use(list.width, list.height);
   gl.bindVertexArray(lineArray);
@@ -111,7 +111,7 @@ void Renderer::draw(const DrawList& list, unsigned framebuffer) {
   body.prepare(list, framebuffer);
   flatten(list, body.geometry);
   body.upload();
-  for (const Batch& batch : body.geometry.batches) {
+  for (const DrawBatch& batch : body.geometry.batches) {
     const ScissorBox& box = batch.scissor;
     if (box.width <= 0 || box.height <= 0) continue;
     body.gl.scissor(box.x, box.y, box.width, box.height);

@@ -139,6 +139,10 @@ std::optional<CurveSetting> AccuracyPanel::comparison() const {
   return comparisonBox_->setting();
 }
 
+void AccuracyPanel::setComparison(const std::optional<CurveSetting>& setting) {
+  comparisonBox_->setSetting(setting);
+}
+
 void AccuracyPanel::setTheme(const Theme& theme) {
   picture_->setTheme(theme);
 }

@@ -44,6 +44,7 @@ class AccuracyPanel : public QWidget {
 
   /// With what the curve is to be compared; none: with nothing.
   std::optional<CurveSetting> comparison() const;
+  void setComparison(const std::optional<CurveSetting>& setting);
 
  signals:
   /// The scene shown with another target.

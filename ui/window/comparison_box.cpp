@@ -84,6 +84,15 @@ std::optional<CurveSetting> ComparisonBox::setting() const {
   return setting;
 }
 
+void ComparisonBox::setSetting(const std::optional<CurveSetting>& setting) {
+  if (setting) {
+    scheme_->setCurrentIndex(static_cast<int>(setting->scheme));
+    oversampling_->setValue(static_cast<int>(setting->oversampling));
+    lines_->setValue(static_cast<int>(setting->realizations));
+  }
+  wanted_->setChecked(setting.has_value());
+}
+
 void ComparisonBox::suggestLines(std::int64_t lines) {
   if (lines_->value() != suggested_) return;
   suggested_ = static_cast<int>(std::min<std::int64_t>(lines, kMostLines));

@@ -21,6 +21,7 @@ class ComparisonBox : public QWidget {
 
   /// Nothing where the box is not ticked.
   std::optional<CurveSetting> setting() const;
+  void setSetting(const std::optional<CurveSetting>& setting);
   /// A target accuracy leaves nothing to compare at one resolution.
   void allow(bool allowed);
   /// As many lines as the scene has, unless somebody chose another number: fewer would add their

@@ -27,7 +27,11 @@ constexpr int kSteps = 1000;  // of the progress bar
 }  // namespace
 
 GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
-    : QWidget(parent), gallery_(new FigureGallery(std::move(maker), this)) {
+    : GalleryPage(std::make_unique<FigureGallery>(std::move(maker)), parent) {}
+
+GalleryPage::GalleryPage(std::unique_ptr<FigureGallery> figures, QWidget* parent)
+    : QWidget(parent), gallery_(figures.release()) {
+  gallery_->setParent(this);
   setObjectName("galleryPage");
   messages_ = new MessageBar;
   auto* splitter = new QSplitter(Qt::Horizontal);
@@ -53,10 +57,18 @@ GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
   auto* escape =
       new QShortcut(Qt::Key_Escape, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
   connect(escape, &QShortcut::activated, this, &GalleryPage::closed);
+  for (const FigureEntry& entry : figureEntries())
+    list_->showStatus(entry.name, gallery_->status(entry.name));
   showChosen();
 }
 
 GalleryPage::~GalleryPage() = default;
+
+std::unique_ptr<FigureGallery> GalleryPage::takeFigures() {
+  gallery_->disconnect(this);
+  gallery_->setParent(nullptr);
+  return std::unique_ptr<FigureGallery>(gallery_);
+}
 
 QWidget* GalleryPage::makeHeading() {
   auto* heading = new QWidget;

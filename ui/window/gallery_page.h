@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 #include <thread>
 
 #include "ui/picture/contact_picture.h"
@@ -30,9 +31,13 @@ class GalleryPage : public QWidget {
   static constexpr int kPaper = 200;  // as many as the paper averages over
 
   explicit GalleryPage(FigureMaker maker = makeFigure, QWidget* parent = nullptr);
+  /// With figures that were made, or are being made.
+  explicit GalleryPage(std::unique_ptr<FigureGallery> figures, QWidget* parent = nullptr);
   ~GalleryPage() override;
 
   FigureGallery& gallery() { return *gallery_; }
+  /// For another page; this one goes next.
+  std::unique_ptr<FigureGallery> takeFigures();
   FigurePicture& picture() { return *picture_; }
   MessageBar& messages() { return *messages_; }
 

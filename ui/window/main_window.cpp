@@ -20,8 +20,10 @@
 #include "ui/window/curve_reading.h"
 #include "ui/window/diagram_view.h"
 #include "ui/window/gallery_page.h"
+#include "ui/window/gesture_counter.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/plan_list.h"
+#include "ui/window/scene_document.h"
 #include "ui/window/session.h"
 #include "ui/window/status_line.h"
 #include "ui/window/tour_bar.h"
@@ -60,11 +62,10 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
     : QMainWindow(parent), session_(new Session(scene, options, this)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
-  buildDocument(scene);
-  buildViews();
-  buildPanel();
-  buildActions();
-  connectSession();
+  gestures_ = new GestureCounter(this);
+  document_ = new SceneDocument(scene, this);
+  canvas_ = new ContactCanvas;
+  putTogether();
   setColours(Colours::System);
   showAboutScene();
   showDescription();
@@ -81,8 +82,18 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
 
 MainWindow::~MainWindow() = default;
 
+/// Everything that has words.
+void MainWindow::putTogether() {
+  parts_ = new QObject(this);
+  connectDocument();
+  buildViews();
+  buildPanel();
+  buildActions();
+  connectSession();
+}
+
 void MainWindow::buildViews() {
-  canvas_ = new ContactCanvas;
+  canvas_->setAccessibleName(ContactCanvas::tr("contact view"));
   plot_ = makePlotView();
   plot_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_->setObjectName("frictionPlot");
@@ -92,6 +103,7 @@ void MainWindow::buildViews() {
   splitter_->setHandleWidth(1);
   splitter_->setChildrenCollapsible(false);
   splitter_->addWidget(canvas_);
+  canvas_->show();
   splitter_->addWidget(buildTabs());
   splitter_->setStretchFactor(0, 58);
   splitter_->setStretchFactor(1, 42);
@@ -132,26 +144,35 @@ void MainWindow::buildPanel() {
 }
 
 void MainWindow::connectSession() {
-  connect(session_, &Session::frameArrived, this, [this] {
-    const std::shared_ptr<const Frame> frame = session_->frame();
-    if (!isShowingFigures()) canvas_->setFrame(frame);
-    status_->showFrame(*frame, readCurve(*frame, session_->curve()));
-    if (frame->transient && frame->sceneNumber == session_->sceneNumber())
-      strips_->show(frame->scene->sliding, frame->transient, frame->spacing, frame->length);
-    if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
-  });
+  connect(session_, &Session::frameArrived, this, &MainWindow::showFrame);
   connect(accuracy_, &AccuracyPanel::sceneEdited, this,
           [this](const Scene& scene) { editScene(scene); });
   connect(session_, &Session::complained, this, [this](const QString& key, const QString& english) {
-    const QString text = translatedText(english.toStdString());
-    messages_->showComplaint(key.isEmpty() ? text : key + ": " + text);
-    panel_->showError(key, text);
+    complaint_ = {key, english};
+    showComplaint();
   });
+  connect(session_, &Session::sceneRuns, this, [this] { complaint_.reset(); });
   connect(session_, &Session::sceneRuns, messages_, &MessageBar::endComplaint);
   connect(session_, &Session::sceneRuns, panel_, &ParameterPanel::clearErrors);
   connect(session_, &Session::playingChanged, this, &MainWindow::showPlaying);
   connectView();
   connectChart();
+}
+
+void MainWindow::showFrame() {
+  const std::shared_ptr<const Frame> frame = session_->frame();
+  if (!isShowingFigures()) canvas_->setFrame(frame);
+  status_->showFrame(*frame, readCurve(*frame, session_->curve()));
+  if (frame->transient && frame->sceneNumber == session_->sceneNumber())
+    strips_->show(frame->scene->sliding, frame->transient, frame->spacing, frame->length);
+  if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
+}
+
+void MainWindow::showComplaint() {
+  const auto& [key, english] = *complaint_;
+  const QString text = translatedText(english.toStdString());
+  messages_->showComplaint(key.isEmpty() ? text : key + ": " + text);
+  panel_->showError(key, text);
 }
 
 void MainWindow::showDescription() {

@@ -8,8 +8,11 @@
 #include <QFont>
 #include <QMainWindow>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string_view>
 #include <thread>
+#include <utility>
 
 #include "core/run/runner.h"
 #include "ui/picture/contact_picture.h"
@@ -28,6 +31,7 @@ class AccuracyPanel;
 class ContactCanvas;
 class CurveCommands;
 class DiagramView;
+class FigureGallery;
 class GalleryPage;
 class GestureCounter;
 class MessageBar;
@@ -67,9 +71,9 @@ class MainWindow : public QMainWindow {
   void showScene(const SceneOrigin& origin);
 
   /// The next step of the present scene, for whatever lets a person change it outside of the panel
-  /// of parameters; can be undone. Steps within one drag are one. `what` names it in the menu;
-  /// empty: after the parameters that differ.
-  void editScene(const Scene& scene, const QString& what = {});
+  /// of parameters; can be undone. Steps within one drag are one. `what` names it in the menu,
+  /// a source text of this class; null: after the parameters that differ.
+  void editScene(const Scene& scene, const char* what = nullptr);
   SceneDocument& document() { return *document_; }
 
   /// A scene file, or any file that the program wrote from one. False, with the reason in the
@@ -86,6 +90,10 @@ class MainWindow : public QMainWindow {
   void openFigures();
   void closeFigures();
   bool isShowingFigures() const;
+
+  /// All words in another language, at once; scene, history, runs, curves and layout go on. An
+  /// unknown code changes nothing. Not from within a menu's own action: the menus go.
+  void setLanguage(std::string_view code);
 
   void setDark(bool dark);
   bool isDark() const { return dark_; }
@@ -119,9 +127,12 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  void putTogether();
   void buildViews();
   void buildPanel();
   void connectSession();
+  void showFrame();
+  void showComplaint();
   void showDescription();
   void showTitle();
   QString nameOfScene() const;
@@ -141,6 +152,7 @@ class MainWindow : public QMainWindow {
   void buildHelpCommands();
   void fillHelp(QMenu& menu);
   void showTourStep(int step);
+  void showTourBar(int step);
   void endTour();
   void showShortcuts();
   void showAbout();
@@ -154,7 +166,7 @@ class MainWindow : public QMainWindow {
   bool askSave();
 
   // In main_window_document.cpp: history, and what is not saved yet.
-  void buildDocument(const Scene& scene);
+  void connectDocument();
   void buildEditCommands();
   void fillEdit(QMenu& menu);
   void showHistory();
@@ -188,6 +200,10 @@ class MainWindow : public QMainWindow {
   QTabWidget* buildTabs();
   void showAboutScene();
   void showMeasuredCurve();
+  struct Measured {
+    double seconds, error;
+  };
+  void showMeasured(const Measured& measured);
 
   // In main_window_status.cpp: the facts below.
   void buildStatus();
@@ -204,12 +220,20 @@ class MainWindow : public QMainWindow {
 
   // In main_window_figures.cpp.
   void buildFigures();
+  void makeGallery(std::unique_ptr<FigureGallery> figures);
   void fillFigures(QMenu& menu);
+
+  // In main_window_language.cpp.
+  struct Arrangement;
+  Arrangement arrangementNow();
+  void takeApart();
+  void arrange(Arrangement arrangement);
 
   Session* session_ = nullptr;
   SceneDocument* document_ = nullptr;
   GestureCounter* gestures_ = nullptr;
   ContactCanvas* canvas_ = nullptr;
+  QObject* parts_ = nullptr;  // owns what is no widget and has words or serves what has
   PlotView* plot_ = nullptr;
   ParameterPanel* panel_ = nullptr;
   QTabWidget* tabs_ = nullptr;  // under the contact
@@ -217,7 +241,9 @@ class MainWindow : public QMainWindow {
   DiagramView *spectrum_ = nullptr, *statistics_ = nullptr;
   PlanList* plan_ = nullptr;
   AccuracyPanel* accuracy_ = nullptr;
-  QElapsedTimer curveTime_;  // since the present curve was wanted
+  QElapsedTimer curveTime_;                               // since the present curve was wanted
+  std::optional<Measured> measured_;                      // of the present curve
+  std::optional<std::pair<QString, QString>> complaint_;  // of the scene: key and text of core
   MessageBar* messages_ = nullptr;
   MessageBar* description_ = nullptr;  // what to look for in the scene that was opened
   std::optional<QString> described_;   // and what it said last

@@ -42,7 +42,7 @@ void MainWindow::buildActions() {
 
 QAction* MainWindow::addCommand(const char* name, const QString& text, const QKeySequence& key,
                                 Symbol symbol, std::function<void()> run) {
-  auto* action = new QAction(this);
+  auto* action = new QAction(parts_);
   action->setObjectName(name);
   action->setShortcut(key);
   setCommandText(*action, text);
@@ -69,8 +69,10 @@ void MainWindow::buildMenus() {
   view->addSeparator();
   fillLayout(*view);
   view->addSeparator();
+  // Later: the menu that was chosen from goes.
   addLanguages(*view, [this] {
-    messages_->showMessage(tr("The language changes when Asperity is started again."));
+    QMetaObject::invokeMethod(
+        this, [this] { setLanguage(windowLanguage()); }, Qt::QueuedConnection);
   });
 
   buildChartCommands(*menuBar()->addMenu(tr("&Curve")));

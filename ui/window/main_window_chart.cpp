@@ -20,12 +20,12 @@ constexpr int kOnePlot = 170, kTwoPlots = 300;  // least heights, pixels
 
 }  // namespace
 
-/// Called once, when menus, views and session are there.
+/// Called when menus, views and session are there.
 void MainWindow::buildChartCommands(QMenu& menu) {
   const auto run = [this](std::function<void()> work, std::function<void()> done) {
     runExport(std::move(work), std::move(done));
   };
-  curveCommands_ = new CurveCommands(*session_, *plot_, run, this);
+  curveCommands_ = new CurveCommands(*session_, *plot_, run, parts_);
   curveCommands_->fill(menu);
   addActions(menu.actions());  // keys work where the menu bar is hidden, too
   connect(curveCommands_, &CurveCommands::exported, this, [this](const QString& file) {
@@ -38,10 +38,10 @@ void MainWindow::buildChartCommands(QMenu& menu) {
 void MainWindow::connectChart() {
   plot_->setFocusPolicy(Qt::StrongFocus);
   connect(session_, &Session::plotChanged, this, &MainWindow::showMeasuredCurve);
-  auto* display = new CurveDisplay(*session_, *plot_, this);
+  auto* display = new CurveDisplay(*session_, *plot_, parts_);
   connect(display, &CurveDisplay::sceneEdited, this,
-          [this](const Scene& scene) { editScene(scene, tr("Velocity")); });
-  auto* comparison = new CurveComparison(*session_, this);
+          [this](const Scene& scene) { editScene(scene, QT_TR_NOOP("Velocity")); });
+  auto* comparison = new CurveComparison(*session_, parts_);
   connect(accuracy_, &AccuracyPanel::comparisonChanged, this, [this, comparison] {
     comparison->setSetting(accuracy_->comparison());
     // Two plots need more room than one.

@@ -19,9 +19,7 @@
 
 namespace asperity {
 
-void MainWindow::buildDocument(const Scene& scene) {
-  gestures_ = new GestureCounter(this);
-  document_ = new SceneDocument(scene, this);
+void MainWindow::connectDocument() {
   connect(document_, &SceneDocument::sceneWanted, this, [this](const Scene& wanted) {
     panel_->setScene(wanted);
     session_->setScene(wanted);
@@ -40,7 +38,7 @@ void MainWindow::buildEditCommands() {
   if (const QKeySequence y(Qt::CTRL | Qt::Key_Y); !again.contains(y)) again += y;
   redo_->setShortcuts(again);
   revert_ = addCommand("revert", tr("Back to the scene as opened"), {}, Symbol::None, [this] {
-    editScene(document_->origin().scene, tr("Back to the scene as opened"));
+    editScene(document_->origin().scene, QT_TR_NOOP("Back to the scene as opened"));
   });
   resetAll_ = addCommand("resetAll", tr("All parameters to their defaults"), {}, Symbol::None,
                          [this] { resetAll(); });
@@ -88,7 +86,7 @@ void MainWindow::takeStep(const Scene& scene) {
   showAboutScene();
 }
 
-void MainWindow::editScene(const Scene& scene, const QString& what) {
+void MainWindow::editScene(const Scene& scene, const char* what) {
   if (scene == document_->scene()) return;
   document_->change(scene, gestures_->present(), what);
   panel_->setScene(scene);
@@ -101,7 +99,7 @@ void MainWindow::editScene(const Scene& scene, const QString& what) {
 void MainWindow::resetAll() {
   Scene scene;
   scene.folder = document_->scene().folder;
-  editScene(scene, tr("All parameters"));
+  editScene(scene, QT_TR_NOOP("All parameters"));
 }
 
 void MainWindow::showScene(const Scene& scene) {
@@ -111,6 +109,7 @@ void MainWindow::showScene(const Scene& scene) {
 void MainWindow::showScene(const SceneOrigin& origin) {
   endTour();
   messages_->hide();  // whatever was said of the scene before
+  complaint_.reset();
   described_.reset();
   document_->open(origin);
   panel_->setScene(origin.scene);

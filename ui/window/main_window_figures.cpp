@@ -36,8 +36,12 @@ void MainWindow::buildFigures() {
 }
 
 GalleryPage& MainWindow::gallery() {
-  if (gallery_) return *gallery_;
-  gallery_ = new GalleryPage;
+  if (!gallery_) makeGallery(std::make_unique<FigureGallery>());
+  return *gallery_;
+}
+
+void MainWindow::makeGallery(std::unique_ptr<FigureGallery> figures) {
+  gallery_ = new GalleryPage(std::move(figures));
   gallery_->setTheme(dark_ ? darkTheme() : lightTheme());
   pages_->addWidget(gallery_);
   connect(gallery_, &GalleryPage::closed, this, &MainWindow::closeFigures);
@@ -45,7 +49,6 @@ GalleryPage& MainWindow::gallery() {
     closeFigures();
     replaceScene({{}, {}, scene});
   });
-  return *gallery_;
 }
 
 void MainWindow::fillFigures(QMenu& menu) {

@@ -78,10 +78,14 @@ void MainWindow::showTourStep(int step) {
   if (found == library.end()) return endTour();
   showScene({name, {}, found->scene});
   isTouring_ = true;
+  showTourBar(step);
+}
+
+void MainWindow::showTourBar(int step) {
   tourBar_->showStep(step);
   description_->hide();
   tourBack_->setEnabled(step > 0);
-  tourNext_->setEnabled(step + 1 < count);
+  tourNext_->setEnabled(step + 1 < static_cast<int>(tourSteps().size()));
 }
 
 /// The scene stays, with what was tried.

@@ -95,7 +95,7 @@ void MainWindow::showTab(int index) {
 }
 
 void MainWindow::fillColours(QMenu& menu) {
-  auto* group = new QActionGroup(this);
+  auto* group = new QActionGroup(parts_);
   const QStringList texts{tr("As the desktop"), tr("Light"), tr("Dark")};
   for (int i = 0; i < texts.size(); ++i) {
     QAction* action =

@@ -24,11 +24,11 @@ void MainWindow::buildStatus() {
   statusBar()->addWidget(status_, 1);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->setContentsMargins(0, 0, 0, 0);
-  auto* drawing = new QTimer(this);
+  auto* drawing = new QTimer(parts_);
   connect(drawing, &QTimer::timeout, this,
           [this] { status_->showDrawing(canvas_->framesPerSecond(), canvas_->backendName()); });
   drawing->start(kDrawingInterval);
-  auto* work = new QTimer(this);
+  auto* work = new QTimer(parts_);
   connect(work, &QTimer::timeout, this, &MainWindow::showWork);
   work->start(kWorkInterval);
   connect(status_, &StatusLine::stopWanted, session_, &Session::stopCurve);

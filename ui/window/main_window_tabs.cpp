@@ -64,6 +64,7 @@ void MainWindow::showAboutScene() {
   spectrum_->show([scene = session_->scene()] { return spectrumSheet(scene); });
   accuracy_->showScene(session_->scene());
   curveTime_.start();
+  measured_.reset();
 }
 
 /// Once, when the present scene's curve is complete.
@@ -78,9 +79,14 @@ void MainWindow::showMeasuredCurve() {
         squares += std::pow(point.error / point.y, 2);
         ++count;
       }
-  accuracy_->showMeasured(1e-3 * static_cast<double>(curveTime_.elapsed()),
-                          count > 0 ? std::sqrt(squares / count) : kNotApplicable);
+  showMeasured({1e-3 * static_cast<double>(curveTime_.elapsed()),
+                count > 0 ? std::sqrt(squares / count) : kNotApplicable});
   curveTime_.invalidate();
+}
+
+void MainWindow::showMeasured(const Measured& measured) {
+  measured_ = measured;
+  accuracy_->showMeasured(measured.seconds, measured.error);
 }
 
 }  // namespace asperity

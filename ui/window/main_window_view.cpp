@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// Called once, when menus, views and session are there. What it adds stands first in the View
+/// Called when menus, views and session are there. What it adds stands first in the View
 /// menu.
 void MainWindow::buildViewCommands(QMenu& menu) {
   menu.setToolTipsVisible(true);

@@ -1,5 +1,6 @@
 #include "ui/window/scene_document.h"
 
+#include <QCoreApplication>
 #include <QUndoCommand>
 #include <algorithm>
 #include <utility>
@@ -22,13 +23,20 @@ QString capitalized(const QString& text) {
 /// From one scene to the next; shown by the one who made the change, so its first redo is silent.
 class SceneStep : public QUndoCommand {
  public:
-  SceneStep(SceneDocument& document, Scene after, std::uint64_t gesture, const QString& what)
-      : QUndoCommand(what.isEmpty() ? stepName(document.scene(), after) : what),
-        document_(document),
+  SceneStep(SceneDocument& document, Scene after, std::uint64_t gesture, const char* what)
+      : document_(document),
         before_(document.scene()),
         after_(std::move(after)),
         keys_(differingKeys(before_, after_)),
-        gesture_(gesture) {}
+        gesture_(gesture),
+        what_(what) {
+    takeName();
+  }
+
+  void takeName() {
+    setText(what_ ? QCoreApplication::translate("asperity::MainWindow", what_)
+                  : stepName(before_, after_));
+  }
 
   int id() const override { return 1; }
 
@@ -54,6 +62,7 @@ class SceneStep : public QUndoCommand {
   Scene before_, after_;
   std::vector<std::string_view> keys_;
   std::uint64_t gesture_;
+  const char* what_;
   bool isDone_ = false;
 };
 
@@ -63,6 +72,11 @@ SceneDocument::SceneDocument(const Scene& scene, QObject* parent) : QObject(pare
   connect(&history_, &QUndoStack::indexChanged, this, &SceneDocument::changed);
 }
 
+/// A history that goes clears itself and says so, when the parent it would tell is half gone.
+SceneDocument::~SceneDocument() {
+  history_.disconnect(this);
+}
+
 void SceneDocument::open(const SceneOrigin& origin) {
   origin_ = origin;
   scene_ = origin.scene;
@@ -70,9 +84,14 @@ void SceneDocument::open(const SceneOrigin& origin) {
   emit changed();
 }
 
-void SceneDocument::change(const Scene& scene, std::uint64_t gesture, const QString& what) {
+void SceneDocument::change(const Scene& scene, std::uint64_t gesture, const char* what) {
   if (scene == scene_) return;
   history_.push(new SceneStep(*this, scene, gesture, what));
+}
+
+void SceneDocument::nameSteps() {
+  for (int i = 0; i < history_.count(); ++i)
+    static_cast<SceneStep*>(const_cast<QUndoCommand*>(history_.command(i)))->takeName();
 }
 
 void SceneDocument::saved(const QString& file) {

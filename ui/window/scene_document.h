@@ -29,13 +29,18 @@ class SceneDocument : public QObject {
 
  public:
   explicit SceneDocument(const Scene& scene, QObject* parent = nullptr);
+  ~SceneDocument() override;
 
   /// A fresh document: no history, unchanged.
   void open(const SceneOrigin& origin);
 
-  /// The next step. `gesture`: steps of one number may merge. `what`: for the menu; empty: named
-  /// after the parameters that differ. Nothing where the scene is the present one.
-  void change(const Scene& scene, std::uint64_t gesture, const QString& what = {});
+  /// The next step. `gesture`: steps of one number may merge. `what`: for the menu, a source text
+  /// of MainWindow; null: named after the parameters that differ. Nothing where the scene is the
+  /// present one.
+  void change(const Scene& scene, std::uint64_t gesture, const char* what = nullptr);
+
+  /// The steps' names anew, in the language in use.
+  void nameSteps();
 
   /// The present scene is now what the file says.
   void saved(const QString& file);

@@ -1,5 +1,5 @@
-// The window's language: remembered between runs, else the desktop's. A window keeps the language
-// it was made in. GUI thread, after prepareApplication.
+// The window's language: remembered between runs, else the desktop's. GUI thread, after
+// prepareApplication.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace asperity {
 std::string_view windowLanguage();
 
 /// A submenu of all languages and the desktop's. What is chosen is remembered; `changed` is called
-/// where the next window will have another language than this one.
+/// where the window is to have another language than the present one.
 void addLanguages(QMenu& menu, std::function<void()> changed);
 
 }  // namespace asperity

@@ -7,6 +7,8 @@
 #include "core/run/steady_frames.h"
 #include "sample_sheets.h"
 #include "tidy_texts.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/picture/diagram_picture.h"
 
 namespace asperity {
@@ -71,6 +73,42 @@ TEST(DiagramTexts, AreAllThereAtUsualSizes) {
         EXPECT_TRUE(says(list, words)) << named.name << ": " << words;
     }
   }
+}
+
+/// As in the window's low views, where names would not fit into the frame.
+TEST(DiagramTexts, ALegendThatFitsBesideTheFrameIsWhole) {
+  DiagramSheet sheet = sheetOf({{1e-5, 1e-2}, {1e-3, 1e-6}});
+  sheet.title.clear();
+  const DiagramSeries series = sheet.diagrams[0].series[0];
+  sheet.diagrams[0].series.clear();
+  for (const char* name : {"literal march (difference)", "nodal (difference)", "linear", "cubic",
+                           "best for the time", "this scene: cubic \u00D72"}) {
+    sheet.diagrams[0].series.push_back(series);
+    sheet.diagrams[0].series.back().name = name;
+  }
+  const DrawList list = composeDiagrams(sheet, {573, 178, 1, lightTheme(), 0.9F});
+  for (const DiagramSeries& each : sheet.diagrams[0].series)
+    EXPECT_TRUE(says(list, each.name)) << each.name;
+  expectTidy(list, "low view");
+}
+
+/// The tabs of a window of 1280 x 720, in each language: nothing is shortened.
+TEST(DiagramTexts, TheWindowsLowViewsSayAllTheirAxesAreOf) {
+  Scene scene;
+  scene.surface.elements = 400;
+  const auto frame = SteadyFrames(std::make_shared<const Scene>(scene)).frame(0, 1, 25);
+  for (const char* code : {"en", "de"}) {
+    useLanguage(code);
+    for (const DiagramSheet& sheet : {spectrumSheet(scene), statisticsSheet(frame)}) {
+      const DrawList list = composeDiagrams(sheet, {899, 209, 1, lightTheme(), 0.85F});
+      EXPECT_EQ(allTexts(list).find("…"), std::string::npos) << allTexts(list);
+      for (const Diagram& diagram : translated(sheet).diagrams)
+        for (const DiagramAxis* axis : {&diagram.x, &diagram.y})
+          EXPECT_NE(allTexts(list).find(axis->title), std::string::npos) << axis->title;
+      expectTidy(list, code);
+    }
+  }
+  useLanguage("en");
 }
 
 TEST(DiagramTexts, AxesCarryTheirUnits) {

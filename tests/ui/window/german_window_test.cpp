@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QListWidget>
@@ -21,7 +23,9 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
+#include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/scene_document.h"
 #include "ui/window/window_language.h"
 
 namespace asperity {
@@ -140,13 +144,18 @@ Texts allTextsIn(std::string_view code) {
   return texts;
 }
 
+/// Words of one set that stand in the other, too, though they are not the same in both languages.
+Texts leftOver(const Texts& shown, const Texts& other) {
+  Texts left;
+  for (const std::string& text : shown)
+    if (other.contains(text) && !isTheSame(text)) left.insert(text);
+  return left;
+}
+
 TEST(GermanWindow, HasNothingLeftInEnglish) {
   const Texts english = allTextsIn("en"), german = allTextsIn("de");
   EXPECT_GT(german.size(), 150U);
-  Texts left;
-  for (const std::string& text : german)
-    if (english.contains(text) && !isTheSame(text)) left.insert(text);
-  EXPECT_THAT(left, IsEmpty());
+  EXPECT_THAT(leftOver(german, english), IsEmpty());
   EXPECT_TRUE(german.contains("Reibungskurve"));
 }
 
@@ -249,16 +258,102 @@ TEST(GermanWindow, ARefusalIsGerman) {
             "0,5 kg ist eine Masse; gefragt ist eine Kraft, etwa 3,4 mN");
 }
 
-TEST(WindowLanguageMenu, TheChoiceIsRememberedForTheNextWindow) {
+TEST(LanguageSwitch, LeavesNoWordBehindInEitherDirection) {
+  WindowIn window("en");
+  ASSERT_TRUE(window.waitForCurve());
+  window->findChild<QAction*>("tour")->trigger();
+  ASSERT_TRUE(window.waitForCurve());
+  const Texts english = textsOf(*window);
+  window->setLanguage("de");
+  EXPECT_EQ(presentLanguage(), "de");
+  ASSERT_TRUE(window.waitForCurve());
+  EXPECT_TRUE(window->isTouring());
+  const Texts german = textsOf(*window);
+  EXPECT_THAT(leftOver(german, english), IsEmpty());
+  EXPECT_GT(german.size(), 150U);
+  EXPECT_EQ(cutOffIn(*window), "");
+  window->setLanguage("en");
+  const Texts back = textsOf(*window);
+  EXPECT_THAT(leftOver(back, german), IsEmpty());
+  EXPECT_TRUE(back.contains("Friction curve"));
+}
+
+TEST(LanguageSwitch, KeepsSceneHistoryRunsAndLayout) {
+  WindowIn window("en");
+  ASSERT_TRUE(window.waitForCurve());
+  Scene scene = window->session().scene();
+  scene.load.normalForce = 0.01;
+  window->editScene(scene);
+  window->findChild<QAction*>("resetAll")->trigger();
+  window->document().history().undo();
+  window->setDark(true);
+  window->findChild<QDockWidget*>("parameterDock")->hide();
+  auto* tabs = window->findChild<QTabWidget*>("tabs");
+  const QString name = tabs->widget(2)->objectName();
+  tabs->setCurrentIndex(2);
+  window->session().setPlaying(false);
+  const auto number = window->session().sceneNumber();
+  const auto actions = window->findChildren<QAction*>().size();
+
+  for (const char* code : {"de", "en", "de"}) window->setLanguage(code);
+  EXPECT_EQ(window->session().scene(), scene);
+  EXPECT_EQ(window->session().sceneNumber(), number);  // nothing was begun anew
+  EXPECT_FALSE(window->session().isPlaying());
+  EXPECT_TRUE(window->isDark());
+  EXPECT_TRUE(window->findChild<QDockWidget*>("parameterDock")->isHidden());
+  tabs = window->findChild<QTabWidget*>("tabs");
+  EXPECT_EQ(tabs->currentWidget()->objectName(), name);
+  EXPECT_EQ(window->findChildren<QAction*>().size(), actions);
+  EXPECT_EQ(window->findChild<QAction*>("play")->text(), "Start");
+
+  QUndoStack& history = window->document().history();
+  EXPECT_EQ(history.count(), 2);
+  EXPECT_EQ(history.undoText(), "Normalkraft");
+  EXPECT_EQ(history.redoText(), "Alle Parameter");
+  window->findChild<QAction*>("undo")->trigger();
+  EXPECT_EQ(window->session().scene().load.normalForce, smallScene().load.normalForce);
+  EXPECT_EQ(window->panel().scene(), window->session().scene());
+  QTest::keyClick(&*window, Qt::Key_F9);  // the key is no one's twice
+  EXPECT_FALSE(window->findChild<QDockWidget*>("parameterDock")->isHidden());
+}
+
+TEST(LanguageSwitch, KeepsComplaintsComparisonsAndFigures) {
+  WindowIn window("en");
+  ASSERT_TRUE(window.waitForCurve());
+  window->findChild<QCheckBox*>("comparisonWanted")->setChecked(true);
+  window->openFigures();
+  FigureGallery* figures = &window->gallery().gallery();
+  window->setLanguage("de");
+  EXPECT_TRUE(window->isShowingFigures());
+  EXPECT_EQ(&window->gallery().gallery(), figures);
+  window->closeFigures();
+  EXPECT_TRUE(window->findChild<QCheckBox*>("comparisonWanted")->isChecked());
+
+  Scene empty = smallScene();
+  empty.elastomer.rheology = Rheology::Prony;
+  empty.elastomer.equilibriumModulus = 0;
+  empty.elastomer.arms.clear();
+  window->editScene(empty);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window->messages().isVisible(); }, kWindowPatience));
+  const QString key = window->messages().text().section(':', 0, 0);
+  window->setLanguage("en");
+  EXPECT_TRUE(window->messages().isVisible());
+  EXPECT_TRUE(window->messages().text().startsWith(key));
+  EXPECT_TRUE(window->findChild<ValueEntry*>("entry:" + key)->hasError());
+}
+
+TEST(WindowLanguageMenu, TheChoiceCountsAtOnceAndIsRemembered) {
   WindowIn window("en");
   auto* german = window->findChild<QAction*>("language:de");
   ASSERT_TRUE(german);
   german->trigger();
   EXPECT_EQ(windowLanguage(), "de");
-  EXPECT_TRUE(window->messages().isVisible());
-  EXPECT_EQ(window->messages().text(), "The language changes when Asperity is started again.");
+  ASSERT_TRUE(QTest::qWaitFor([] { return presentLanguage() == "de"; }, kWindowPatience));
+  EXPECT_TRUE(window->findChild<QAction*>("language:de")->isChecked());
+  EXPECT_EQ(window->findChild<QTabWidget*>("tabs")->tabText(0), "Reibungskurve");
   window->findChild<QAction*>("language:en")->trigger();
   EXPECT_EQ(windowLanguage(), "en");
+  ASSERT_TRUE(QTest::qWaitFor([] { return presentLanguage() == "en"; }, kWindowPatience));
   window->findChild<QAction*>("language:")->trigger();
   EXPECT_FALSE(QSettings().contains("language"));
 }

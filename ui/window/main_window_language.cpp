@@ -1,0 +1,132 @@
+// The main window's language, changed while it is open: everything with words in it is made anew
+// around the session, the document and the contact view, which have none and go on. What was set up
+// by hand is put back afterwards.
+#include <QAction>
+#include <QActionGroup>
+#include <QDialog>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QToolBar>
+#include <memory>
+
+#include "ui/language/language.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/window/accuracy_panel.h"
+#include "ui/window/contact_canvas.h"
+#include "ui/window/figure_gallery.h"
+#include "ui/window/gallery_page.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/scene_document.h"
+#include "ui/window/session.h"
+#include "ui/window/status_line.h"
+#include "ui/window/tour_bar.h"
+
+namespace asperity {
+
+/// What is neither in the session nor in the document.
+struct MainWindow::Arrangement {
+  QByteArray docks, split;
+  QList<bool> tabs;  // in order: wanted
+  int tab = 0;
+  Scene typed;  // in the panel, where it may miss something yet
+  std::optional<CurveSetting> comparison;
+  bool isDescribed = false, isOffered = false, isTouring = false;
+  int tourStep = 0;
+  std::unique_ptr<FigureGallery> figures;
+  FigureName figure = FigureName::Contact;
+  bool isShowingFigures = false;
+};
+
+void MainWindow::setLanguage(std::string_view code) {
+  const std::string_view known = languageFor(code);
+  if (known.empty() || known == presentLanguage()) return;
+  setPresenting(false);
+  Arrangement arrangement = arrangementNow();
+  takeApart();
+  useLanguage(known);
+  document_->nameSteps();
+  putTogether();
+  arrange(std::move(arrangement));
+}
+
+MainWindow::Arrangement MainWindow::arrangementNow() {
+  Arrangement now;
+  now.isShowingFigures = isShowingFigures();
+  closeFigures();
+  now.docks = saveState();
+  now.split = splitter_->saveState();
+  for (const QAction* action : std::as_const(tabActions_)) now.tabs += action->isChecked();
+  now.tab = tabs_->currentIndex();
+  now.typed = panel_->scene();
+  now.comparison = accuracy_->comparison();
+  now.isDescribed = !description_->isHidden();
+  now.isOffered = !hint_->isHidden();
+  now.isTouring = isTouring_;
+  now.tourStep = tourBar_->step();
+  if (gallery_) {
+    now.figure = gallery_->chosen();
+    now.figures = gallery_->takeFigures();
+  }
+  return now;
+}
+
+/// The canvas stays in the window, so that it keeps its OpenGL context.
+void MainWindow::takeApart() {
+  for (QObject* source : std::initializer_list<QObject*>{session_, document_, canvas_})
+    source->disconnect(this);
+  canvas_->setParent(this);
+  for (QDialog* dialog : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) delete dialog;
+  delete menuBar();
+  removeToolBar(tools_);
+  delete tools_;
+  delete parts_;
+  qDeleteAll(canvas_->actions());
+  qDeleteAll(canvas_->findChildren<QActionGroup*>(Qt::FindDirectChildrenOnly));
+  removeDockWidget(dock_);
+  delete dock_;
+  delete takeCentralWidget();
+  statusBar()->removeWidget(status_);
+  delete status_;
+  gallery_ = nullptr;
+  for (QList<QAction*>* actions : {&tabActions_, &colourActions_}) actions->clear();
+}
+
+void MainWindow::arrange(Arrangement arrangement) {
+  centralWidget()->show();  // at once: a layout shows what it is given later
+  restoreState(arrangement.docks);
+  splitter_->restoreState(arrangement.split);
+  setDark(dark_);
+  colourActions_.at(static_cast<int>(colours_))->setChecked(true);
+  const auto measured = measured_;
+  showAboutScene();
+  curveTime_.invalidate();  // it was measured before
+  if (measured) showMeasured(*measured);
+  if (!(arrangement.typed == session_->scene())) panel_->setScene(arrangement.typed);
+  accuracy_->setComparison(arrangement.comparison);
+  for (int i = 0; i < tabActions_.size(); ++i) tabActions_[i]->setChecked(arrangement.tabs[i]);
+  if (tabs_->isTabVisible(arrangement.tab)) tabs_->setCurrentIndex(arrangement.tab);
+
+  isTouring_ = arrangement.isTouring;
+  if (isTouring_) showTourBar(arrangement.tourStep);
+  if (arrangement.isOffered) offerTour();
+  described_.reset();
+  showDescription();
+  if (!arrangement.isDescribed) description_->hide();
+  if (complaint_) showComplaint();
+
+  showHistory();
+  showPlaying(session_->isPlaying());
+  showScreenMode();
+  if (session_->frame()) showFrame();
+  if (arrangement.figures) {
+    makeGallery(std::move(arrangement.figures));
+    gallery_->choose(arrangement.figure, false);
+  }
+  if (arrangement.isShowingFigures) openFigures();
+}
+
+}  // namespace asperity
