@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 
 #include "app/number_range.h"
-#include "app/option_words.h"
 #include "core/scene/input_error.h"
 
 namespace asperity {
@@ -73,11 +73,11 @@ void addViewOptions(CLI::App& verb, ViewChoice& choice) {
                       ->type_name("FROM:TO");
   verb.add_option(kExaggeration, choice.exaggeration,
                   "Heights are drawn so many times as large as lengths, instead of --heights")
-      ->check(within(1e-6, 1e12))
+      ->check(CLI::Range(1e-6, 1e12))
       ->excludes(heights);
   verb.add_option(kColours, choice.coloursTo,
                   "Value at the bright end of the colours, in N/m, s or W/m; else as needed")
-      ->check(within(1e-300, 1e300));
+      ->check(CLI::Range(1e-300, 1e300));
   verb.add_option(kProbe, choice.probe, "Crosshair with its readings at this position, in m");
   verb.add_option(kMagnify, choice.magnified, "Magnified inset of what is at this position, in m");
 }

@@ -148,6 +148,8 @@ class Rendering {
       if (!command_.overlay.empty()) refuse("--overlay", "the contact");
       if (const char* option = command_.view.firstOption()) refuse(option, "the contact");
       if (command_.time.slid) refuse("--slid", "the contact");
+      if (command_.time.at && scene_.sliding.kind == SlidingKind::Steady)
+        refuse("--at", "the contact");
     }
     if (!showsCurve())
       if (const char* option = command_.curves.firstOption()) refuse(option, "the curve");
