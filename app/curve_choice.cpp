@@ -9,6 +9,7 @@
 
 #include "app/command_line.h"
 #include "app/number_range.h"
+#include "app/output.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
 #include "core/friction/curve_words.h"
@@ -151,6 +152,15 @@ void checkCurves(const CurveChoice& choice, const Scene& scene) {
     throw InputError("", "accuracy.target_relative_error",
                      "--compare needs the same resolution at every velocity, not a target");
   for (const std::string& assignments : choice.with) sceneWith(scene, assignments);
+}
+
+void checkUseful(const CurveChoice& choice, const std::vector<std::string>& files) {
+  for (const std::string& file : files)
+    if (extensionOf(file) != ".csv" && extensionOf(file) != ".json") return;
+  for (const auto& [option, given] : {std::pair{kAxes, choice.axes != "physical"},
+                                      {kXRange, !choice.xRange.empty()},
+                                      {kYRange, !choice.yRange.empty()}})
+    if (given) throw InputError("", option, "belongs to pictures, and no output is one");
 }
 
 CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<CurvePoint> own,

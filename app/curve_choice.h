@@ -35,6 +35,9 @@ void addCurveOptions(CLI::App& verb, CurveChoice& choice);
 /// Reads all of it before anything is computed. Throws InputError naming the option.
 void checkCurves(const CurveChoice& choice, const Scene& scene);
 
+/// Axes are a picture's: throws InputError where one is said and no file is a picture.
+void checkUseful(const CurveChoice& choice, const std::vector<std::string>& files);
+
 /// The curves: the scene's own as given, and what is asked for beside. Shows progress. Throws
 /// InputError.
 CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<CurvePoint> own,

@@ -104,6 +104,7 @@ int runCurve(const CurveCommand& command) {
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);
+  checkUseful(command.curves, command.outputs);
   const PictureStyle style = styleOf(command.picture, {1200, 800, "print"});
   checkCurves(command.curves, scene);
   const Curve curve = compute(scene, command.common);

@@ -172,8 +172,13 @@ QString renderCommand(const SceneOrigin& origin, const Scene& scene, const Pictu
 }
 
 QString curveCommand(const SceneOrigin& origin, const Scene& scene, const CurveWish& curves) {
-  return command(QStringList{"asperity", "curve"} + sceneWords(origin, scene) +
-                 QStringList{"-o", "curve.csv"} + curveWords(curves, scene));
+  QStringList words = QStringList{"asperity", "curve"} + sceneWords(origin, scene);
+  words += {"-o", "curve.csv"};
+  const QStringList more = curveWords(curves, scene);
+  const auto isAxis = [&](const char* option) { return more.contains(QLatin1String(option)); };
+  // Axes are a picture's.
+  if (isAxis("--axes") || isAxis("--x-range") || isAxis("--y-range")) words += {"-o", "curve.png"};
+  return command(words + more);
 }
 
 QString shellQuoted(const QString& word) {

@@ -284,6 +284,12 @@ TEST_F(CallTest, DrawsWhatTheCurveIsComparedWith) {
   const QStringList curve = wordsOf(clipboardText());
   for (const char* option : {"--compare", "--axes", "--with"})
     EXPECT_TRUE(curve.contains(option)) << option;
+  QProcess program;
+  program.setWorkingDirectory(folder_.path());
+  program.start(ASPERITY_PROGRAM, curve.mid(1));
+  EXPECT_TRUE(program.waitForFinished(60000));
+  EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+  EXPECT_TRUE(QFile::exists(folder_.filePath("curve.csv")));
 }
 
 TEST_F(CopyTest, ThePictureGoesToTheClipboard) {
