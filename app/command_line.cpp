@@ -165,13 +165,13 @@ class CommandLine {
     limit(
         verb->add_option("--slow-motion", time.slowMotion, "Seconds of film to a simulated second"),
         1e-12, 1e15);
-    verb->add_option("--at", time.at,
-                     "One picture of the moment after so many seconds of sliding; else the start "
-                     "of steady sliding and the end of a motion")
-        ->type_name("SECONDS");
-    verb->add_option("--slid", time.slid,
-                     "One picture of steady sliding after so many m; else as --at says")
-        ->type_name("METRES");
+    limit(verb->add_option("--at", time.at,
+                           "One picture of the moment after this time of sliding; else the start "
+                           "of steady sliding and the end of a motion"),
+          0, 1e12, "s");
+    limit(verb->add_option("--slid", time.slid,
+                           "One picture of steady sliding after this way; else as --at says"),
+          0, 1e12, "m");
     verb->add_flag("--resume", render_.resume,
                    "Keep the frames that an interrupted run left, and make the rest");
   }

@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "app/number_range.h"
+#include "app/option_words.h"
 #include "core/scene/input_error.h"
 
 namespace asperity {
 namespace {
+
+constexpr double kFarthest = 1e9;  // m, a million periods of the longest line
 
 constexpr double kMostPeriods = 50;       // as wide as a view may be
 constexpr double kLeastPeriods = 1e-9;    // and as narrow
@@ -71,15 +74,18 @@ void addViewOptions(CLI::App& verb, ViewChoice& choice) {
                                   "Heights that are shown, in m above the undeformed surface; else "
                                   "all that occur")
                       ->type_name("FROM:TO");
-  verb.add_option(kExaggeration, choice.exaggeration,
-                  "Heights are drawn so many times as large as lengths, instead of --heights")
-      ->check(CLI::Range(1e-6, 1e12))
-      ->excludes(heights);
-  verb.add_option(kColours, choice.coloursTo,
-                  "Value at the bright end of the colours, in N/m, s or W/m; else as needed")
-      ->check(CLI::Range(1e-300, 1e300));
-  verb.add_option(kProbe, choice.probe, "Crosshair with its readings at this position, in m");
-  verb.add_option(kMagnify, choice.magnified, "Magnified inset of what is at this position, in m");
+  CLI::Option* exaggeration =
+      verb.add_option(kExaggeration, choice.exaggeration,
+                      "Heights are drawn so many times as large as lengths, instead of --heights")
+          ->excludes(heights);
+  limit(exaggeration, 1e-6, 1e12);
+  limit(verb.add_option(kColours, choice.coloursTo,
+                        "Value at the bright end of the colours, in N/m, s or W/m; else as needed"),
+        1e-300, 1e300);
+  limit(verb.add_option(kProbe, choice.probe, "Crosshair with its readings at this position"),
+        -kFarthest, kFarthest, "m");
+  limit(verb.add_option(kMagnify, choice.magnified, "Magnified inset of what is at this position"),
+        -kFarthest, kFarthest, "m");
 }
 
 void checkView(const ViewChoice& choice, ContactOverlay overlay, double length) {

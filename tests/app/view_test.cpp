@@ -136,7 +136,7 @@ TEST_F(ViewTest, WhatCannotBeMeantIsRefused) {
   refused("--colours-to 1 --overlay none", "no colours");
   refused("--probe 1e9", "--probe");
   refused("--magnify nan", "--magnify");
-  refused("--at -1", "--at: -1 is not a time");
+  refused("--at -1", "--at: -1 is outside 0 to 1e12 s");
   refused("--at nan", "--at");
   refused("--slid 1e300", "--slid");
   refused("--at 1" + std::string(kMotion), "after the motion's end");
