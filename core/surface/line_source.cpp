@@ -121,6 +121,7 @@ bool LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& 
   line.length = length_;
   line.spacing = length_ / static_cast<double>(nodes_);
   line.slopeAfter.clear();
+  line.slopeBefore.clear();  // no corners; the line may have been another with some
   if (!transform_->evaluate(modes, line.height, stop)) return false;
   if (slopes == Slopes::Wanted && !transform_->evaluateSlope(modes, line.slopeAfter, stop))
     return false;

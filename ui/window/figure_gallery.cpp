@@ -19,8 +19,8 @@ FigureGallery::FigureGallery(FigureMaker maker, QObject* parent)
 
 void FigureGallery::compute(FigureName name, std::int64_t realizations) {
   FigureStatus& status = of(name);
-  if (status.work != FigureWork::None) return;
-  status.work = FigureWork::Waiting;
+  if (status.work != FigureStage::None) return;
+  status.work = FigureStage::Waiting;
   waiting_.push_back({name, realizations});
   emit changed(name);
   startNext();
@@ -29,7 +29,7 @@ void FigureGallery::compute(FigureName name, std::int64_t realizations) {
 void FigureGallery::cancel() {
   const std::deque<FigureJob> forgotten = std::exchange(waiting_, {});
   for (const FigureJob& job : forgotten) {
-    of(job.name).work = FigureWork::None;
+    of(job.name).work = FigureStage::None;
     emit changed(job.name);
   }
   worker_.stop();
@@ -41,7 +41,7 @@ void FigureGallery::startNext() {
   waiting_.pop_front();
   computing_ = job.name;
   FigureStatus& status = of(job.name);
-  status.work = FigureWork::Computing;
+  status.work = FigureStage::Computing;
   status.part = 0;
   status.error.clear();
   worker_.start(job);
@@ -49,7 +49,7 @@ void FigureGallery::startNext() {
 }
 
 void FigureGallery::end(FigureName name) {
-  of(name).work = FigureWork::None;
+  of(name).work = FigureStage::None;
   computing_.reset();
   emit changed(name);
   startNext();

@@ -18,10 +18,10 @@ namespace asperity {
 /// "Figure 3", "Master curve", "Spacing".
 QString figureLabel(FigureName name);
 
-enum class FigureWork { None, Waiting, Computing };
+enum class FigureStage { None, Waiting, Computing };
 
 struct FigureStatus {
-  FigureWork work = FigureWork::None;
+  FigureStage work = FigureStage::None;
   double part = 0;                         // of the computation, 0 to 1
   std::shared_ptr<const MadeFigure> made;  // the newest; null: none yet
   QString error;                           // why the newest computation failed; empty: it did not

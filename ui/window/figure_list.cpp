@@ -88,8 +88,8 @@ FigureName nameAt(int row) {
 }  // namespace
 
 QString stateText(FigureName name, const FigureStatus& status) {
-  if (status.work == FigureWork::Waiting) return FigureList::tr("waiting");
-  if (status.work == FigureWork::Computing)
+  if (status.work == FigureStage::Waiting) return FigureList::tr("waiting");
+  if (status.work == FigureStage::Computing)
     return FigureList::tr("%1 %").arg(static_cast<int>(100 * status.part));
   if (!status.error.isEmpty()) return FigureList::tr("failed");
   if (!status.made) return FigureList::tr("not computed");
@@ -131,7 +131,7 @@ void FigureList::showStatus(FigureName name, const FigureStatus& status) {
   QListWidgetItem& item = *this->item(static_cast<int>(name));
   const QString state = stateText(name, status);
   item.setData(kState, state);
-  item.setData(kPart, status.work == FigureWork::Computing ? QVariant(status.part) : QVariant());
+  item.setData(kPart, status.work == FigureStage::Computing ? QVariant(status.part) : QVariant());
   item.setData(Qt::AccessibleTextRole,
                QStringLiteral("%1, %2, %3")
                    .arg(figureLabel(name), translatedText(entryOf(name).headline), state));

@@ -216,7 +216,7 @@ void GalleryPage::take(FigureName name) {
 void GalleryPage::showChosen() {
   const FigureStatus& status = gallery_->status(chosen());
   if (!status.made)
-    picture_->showText(status.work == FigureWork::None
+    picture_->showText(status.work == FigureStage::None
                            ? tr("%1 is not computed yet.").arg(figureLabel(chosen()))
                            : tr("%1 appears here once it is computed.").arg(figureLabel(chosen())));
   if (status.made != shown_) showMade(status.made);
@@ -234,7 +234,7 @@ void GalleryPage::showMade(std::shared_ptr<const MadeFigure> made) {
 void GalleryPage::showWork() {
   const FigureStatus& status = gallery_->status(chosen());
   compute_->setText(status.made ? tr("&Compute again") : tr("&Compute"));
-  compute_->setEnabled(status.work == FigureWork::None);
+  compute_->setEnabled(status.work == FigureStage::None);
   for (QPushButton* button : {openScene_, savePicture_, saveData_})
     button->setEnabled(status.made != nullptr);
   const std::optional<FigureName> computing = gallery_->computing();

@@ -4,6 +4,9 @@
 
 #include <atomic>
 #include <cmath>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
@@ -42,6 +45,42 @@ TEST(Ensemble, AnyNumberOfThreadsGivesTheSameBytes) {
       EXPECT_EQ(text, first);
     }
   }
+}
+
+std::string curveText(const Scene& scene) {
+  CurveOptions options;
+  options.threads = 1;
+  return curveCsv(frictionCurve(scene, options).points);
+}
+
+/// Of every kind of line, scheme and rheology, of two sizes.
+std::vector<Scene> scenesOfAllKinds() {
+  std::vector<Scene> scenes;
+  for (const SurfaceKind kind :
+       {SurfaceKind::SelfAffine, SurfaceKind::Wedge, SurfaceKind::Sine, SurfaceKind::Parabola})
+    for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
+      for (const Rheology rheology :
+           {Rheology::Elastic, Rheology::Kelvin, Rheology::StandardSolid}) {
+        if (scheme == Scheme::Nodal && rheology == Rheology::StandardSolid) continue;
+        Scene scene = sceneOfSize(kind == SurfaceKind::SelfAffine ? 60 : 150, 3, 3);
+        scene.surface.kind = kind;
+        scene.accuracy.scheme = scheme;
+        scene.accuracy.oversampling = scheme == Scheme::Nodal ? 1 : 2;
+        scene.elastomer.rheology = rheology;
+        scenes.push_back(scene);
+      }
+  return scenes;
+}
+
+/// Threads keep the memory of their last line; results know nothing of it.
+TEST(Ensemble, WhatAThreadComputedBeforeChangesNothing) {
+  const std::vector<Scene> scenes = scenesOfAllKinds();
+  std::vector<std::string> alone(scenes.size());
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    std::jthread([&, i] { alone[i] = curveText(scenes[i]); });  // a thread without a past
+  for (std::size_t step : {std::size_t{1}, std::size_t{7}, scenes.size() - 1})
+    for (std::size_t n = 0, i = 0; n < scenes.size(); ++n, i = (i + step) % scenes.size())
+      EXPECT_EQ(curveText(scenes[i]), alone[i]) << i << " in steps of " << step;
 }
 
 TEST(Ensemble, MeanAndStandardErrorAreThoseOfTheRealizations) {

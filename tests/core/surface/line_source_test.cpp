@@ -167,5 +167,29 @@ TEST(LineSource, ScenesThatCannotRunAreRefused) {
   EXPECT_THROW(LineSource(scene, 64), InputError);
 }
 
+/// Memory is used again: whatever line lay in it, the next one is as if it were the first.
+TEST(LineSource, ALineMadeOverAnotherHasNothingOfIt) {
+  std::vector<LineSource> sources;
+  for (const SurfaceKind kind : {SurfaceKind::SelfAffine, SurfaceKind::Wedge, SurfaceKind::Sine,
+                                 SurfaceKind::Parabola, SurfaceKind::SelfAffine})
+    for (const std::int64_t elements : {40, 100}) {
+      Scene scene;
+      scene.surface.kind = kind;
+      scene.surface.elements = elements;
+      sources.emplace_back(scene, 2);
+    }
+  for (const LineSource& before : sources)
+    for (const LineSource& after : sources) {
+      Line line = before.make(0);
+      ASSERT_TRUE(after.makeInto(line, 3, Slopes::Wanted, {}));
+      const Line fresh = after.make(3);
+      EXPECT_EQ(line.height, fresh.height);
+      EXPECT_EQ(line.slopeAfter, fresh.slopeAfter);
+      EXPECT_EQ(line.slopeBefore, fresh.slopeBefore);
+      EXPECT_EQ(line.rmsSlope, fresh.rmsSlope);
+      EXPECT_EQ(line.spacing, fresh.spacing);
+    }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -107,10 +107,10 @@ class PageTest : public testing::Test {
   void click(const char* name) { QTest::mouseClick(&control<QPushButton>(name), Qt::LeftButton); }
   const FigureStatus& status(FigureName name) { return page_->gallery().status(name); }
   bool isComputing(FigureName name) {
-    return status(name).work == FigureWork::Computing && status(name).part > 0;
+    return status(name).work == FigureStage::Computing && status(name).part > 0;
   }
   bool waitUntilMade(FigureName name) {
-    return waitFor([&] { return status(name).work == FigureWork::None && status(name).made; });
+    return waitFor([&] { return status(name).work == FigureStage::None && status(name).made; });
   }
   ClaimsTable& claims() { return *page_->findChild<ClaimsTable*>(); }
 
@@ -123,7 +123,7 @@ TEST_F(PageTest, AFigureIsComputedShownAndKept) {
   std::vector<double> parts;
   QObject::connect(&page.gallery(), &FigureGallery::changed, [&](FigureName name) {
     EXPECT_EQ(name, FigureName::Exponents);
-    if (status(name).work == FigureWork::Computing) parts.push_back(status(name).part);
+    if (status(name).work == FigureStage::Computing) parts.push_back(status(name).part);
   });
   page.choose(FigureName::Exponents, true);
   EXPECT_TRUE(control<QProgressBar>("figureProgress").isVisible());
@@ -145,7 +145,7 @@ TEST_F(PageTest, AFigureIsComputedShownAndKept) {
   EXPECT_EQ(claims().rowCount(), 0);
   EXPECT_FALSE(control<QPushButton>("savePicture").isEnabled());
   page.choose(FigureName::Exponents, true);  // there already
-  EXPECT_EQ(status(FigureName::Exponents).work, FigureWork::None);
+  EXPECT_EQ(status(FigureName::Exponents).work, FigureStage::None);
   EXPECT_EQ(status(FigureName::Exponents).made, made);
 }
 
@@ -179,14 +179,14 @@ TEST_F(PageTest, CancelEndsWhatIsComputedAndWhatWaits) {
   });
   page.choose(FigureName::Hurst, true);
   page.choose(FigureName::Forces, true);
-  EXPECT_EQ(status(FigureName::Forces).work, FigureWork::Waiting);
+  EXPECT_EQ(status(FigureName::Forces).work, FigureStage::Waiting);
   ASSERT_TRUE(waitFor([&] { return isComputing(FigureName::Hurst); }));
   EXPECT_EQ(control<QProgressBar>("figureProgress").value(), 250);
   EXPECT_EQ(stateText(FigureName::Hurst, status(FigureName::Hurst)), "25 %");
   click("cancel");
   ASSERT_TRUE(waitFor([&] { return !page.gallery().computing(); }));
   for (const FigureName name : {FigureName::Hurst, FigureName::Forces}) {
-    EXPECT_EQ(status(name).work, FigureWork::None);
+    EXPECT_EQ(status(name).work, FigureStage::None);
     EXPECT_FALSE(status(name).made);
     EXPECT_TRUE(status(name).error.isEmpty());
   }
