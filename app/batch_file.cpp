@@ -1,6 +1,7 @@
 #include "app/batch_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cctype>
 #include <cmath>
@@ -39,9 +40,12 @@ void checkKeys(const Json& object, const std::string& where,
                const std::vector<std::string_view>& known) {
   if (!object.is_object()) refuse(where, "needs an object");
   for (const auto& [key, value] : object.items())
-    if (std::ranges::find(known, key) == known.end())
-      refuse(where, fmt::format("'{}' is unknown; the nearest known key is {}", shortened(key),
-                                nearestOf(key, known)));
+    if (std::ranges::find(known, key) == known.end()) {
+      const std::string_view nearest = nearestOf(key, known);
+      refuse(where, fmt::format("'{}' is unknown; ", shortened(key)) +
+                        (nearest.empty() ? fmt::format("known are {}", fmt::join(known, ", "))
+                                         : fmt::format("the nearest known key is {}", nearest)));
+    }
 }
 
 std::string textOf(const Json& object, const char* key, const std::string& otherwise) {

@@ -64,8 +64,11 @@ InputError unexpected(const CLI::App& app) {
     for (const CLI::Option* option : verb.get_options())
       if (!option->get_positional()) names.push_back(nameOf(*option));
     const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string_view nearest = nearestOf(word, known);
     return {"", shortened(word.substr(0, word.find('='))),
-            fmt::format("is no option of '{}'; the nearest is {}", call, nearestOf(word, known))};
+            fmt::format("is no option of '{}'; ", call) +
+                (nearest.empty() ? fmt::format("'{} --help' names all", call)
+                                 : fmt::format("the nearest is {}", nearest))};
   }
   return {"", "",
           fmt::format("{} is a word too many for '{}'",

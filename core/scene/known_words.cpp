@@ -39,7 +39,8 @@ std::string_view nearestOf(std::string_view word, std::span<const std::string_vi
   const std::string_view start = word.substr(0, 100);
   const auto nearest = std::ranges::min_element(
       known, {}, [start](std::string_view one) { return editDistance(start, one); });
-  return nearest == known.end() ? std::string_view{} : *nearest;
+  if (nearest == known.end() || 2 * editDistance(start, *nearest) > start.size()) return {};
+  return *nearest;
 }
 
 std::string notOneOf(std::string_view given, std::span<const std::string_view> known) {

@@ -32,8 +32,11 @@ struct Assignment {
 
 const Parameter& rowOf(const std::string& key) {
   if (const Parameter* row = findParameter(key)) return *row;
+  const std::string_view nearest = nearestKey(key);
   throw InputError("", shortened(key),
-                   fmt::format("unknown key; the nearest known one is {}", nearestKey(key)));
+                   nearest.empty()
+                       ? "unknown key; 'asperity help check' lists all"
+                       : fmt::format("unknown key; the nearest known one is {}", nearest));
 }
 
 ParameterValue valueFrom(const std::string& key, const Json& json) {

@@ -13,6 +13,8 @@ constexpr std::array<std::string_view, 3> kThemes{"light", "dark", "print"};
 TEST(KnownWords, NamesTheNearestAndListsAll) {
   EXPECT_EQ(nearestOf("drak", kThemes), "dark");
   EXPECT_EQ(nearestOf("", {}), "");
+  EXPECT_EQ(nearestOf("", kThemes), "");
+  EXPECT_EQ(nearestOf("foo", kThemes), "");
   EXPECT_EQ(notOneOf("pink", kThemes), "pink is not one of light, dark, print");
 }
 
