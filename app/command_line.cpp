@@ -170,7 +170,7 @@ class CommandLine {
                            "of steady sliding and the end of a motion"),
           0, 1e12, "s");
     limit(verb->add_option("--slid", time.slid,
-                           "One picture of steady sliding after this way; else as --at says"),
+                           "One picture of steady sliding after this way, instead of --at"),
           0, 1e12, "m");
     verb->add_flag("--resume", render_.resume,
                    "Keep the frames that an interrupted run left, and make the rest");

@@ -7,6 +7,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
+#include "ui/picture/ticks.h"
 
 namespace asperity {
 namespace {
@@ -20,7 +21,7 @@ std::string timeText(double seconds) {
 }
 
 std::string percent(double part) {
-  return inLanguage(fmt::format("{:.2g} %", 100 * part));
+  return shortNumber(100 * part, 2) + " %";
 }
 
 std::string budgetText(const ErrorBudget& error) {

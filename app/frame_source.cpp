@@ -34,6 +34,8 @@ void checkTogether(const TimeChoice& choice) {
   if (choice.frames > 0 && choice.duration > 0)
     throw InputError("", "--duration",
                      "and --frames both say how long the film is; one of them is enough");
+  if (choice.at && choice.slid)
+    throw InputError("", "--slid", "and --at both say the moment; one of them is enough");
   const bool length = choice.frames > 0 || choice.duration > 0;
   if (choice.slowMotion > 0 && choice.cycles > 0 && length)
     throw InputError("", "--slow-motion", "follows from the cycles and the length of the film");

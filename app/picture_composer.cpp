@@ -1,10 +1,13 @@
 #include "app/picture_composer.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "app/named_choice.h"
 #include "core/friction/curve_diagram.h"
 #include "core/run/transient_diagram.h"
+#include "core/scene/input_error.h"
 #include "ui/language/words.h"
 #include "ui/picture/contact_overlay.h"
 #include "ui/picture/diagram_picture.h"
@@ -38,6 +41,20 @@ ContactOverlay overlayFrom(const std::string& name) {
   return chosenFrom(all, name, "--overlay");
 }
 
+void checkPanels(const DiagramSheet& sheet, const PictureStyle& style, int above) {
+  if (sheet.diagrams.size() < 2) return;
+  const int room = style.height - above;
+  const int needed = heightForAll(sheet, {style.width, room, style.scale, style.theme});
+  if (needed == room) return;
+  const std::string given = fmt::format("{}x{}", style.width, style.height);
+  if (needed == 0)
+    throw InputError("", "--size", given + " is too narrow for the curve and the difference");
+  const int least = 10 * ((needed * style.height / room + 19) / 10);
+  throw InputError("", "--size",
+                   fmt::format("{} leaves no room for the difference under the curve; {}x{} does",
+                               given, style.width, least));
+}
+
 PictureComposer::PictureComposer(const PictureStyle& style, PictureContent content)
     : style_(style), content_(std::move(content)) {
   if (style_.transparent) style_.theme.background.a = 0;
@@ -47,7 +64,7 @@ DrawList PictureComposer::compose(const Frame& frame) {
   const PictureLayout layout = content_.layout;
   if (layout == PictureLayout::Contact) return contact(frame, style_.height);
   if (layout == PictureLayout::Curve) return diagram(curveWithPresent(frame), style_.height);
-  const int above = static_cast<int>(std::lround(kContactPart * style_.height));
+  const int above = contactHeight();
   if (layout == PictureLayout::Both) {
     if (!below_ || frame.transient) {
       DiagramSheet sheet = curveWithPresent(frame);
@@ -60,6 +77,20 @@ DrawList PictureComposer::compose(const Frame& frame) {
   return stacked(contact(frame, above),
                  diagram(transientSheet(*frame.scene, samples, frame.spacing, frame.length),
                          style_.height - above, kStripText));
+}
+
+int PictureComposer::contactHeight() const {
+  const bool hasDifference = content_.layout == PictureLayout::Both && content_.curves.difference;
+  return static_cast<int>(
+      std::lround((hasDifference ? kContactPartOfThree : kContactPart) * style_.height));
+}
+
+void PictureComposer::checkRoom() const {
+  const PictureLayout layout = content_.layout;
+  if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;
+  DiagramSheet sheet = curveSheet(content_.curves);
+  if (layout == PictureLayout::Both) sheet.title.clear();
+  checkPanels(sheet, style_, layout == PictureLayout::Both ? contactHeight() : 0);
 }
 
 DrawList PictureComposer::contact(const Frame& frame, int height) {

@@ -22,6 +22,10 @@ PictureLayout layoutFrom(const std::string& name, const char* key = "--layout");
 /// Throws InputError naming --overlay.
 ContactOverlay overlayFrom(const std::string& name);
 
+/// Throws InputError naming --size where not all of several diagrams on a sheet would find room
+/// under so many pixels of something else; those pixels grow with the picture.
+void checkPanels(const DiagramSheet& sheet, const PictureStyle& style, int above);
+
 struct PictureContent {
   PictureLayout layout = PictureLayout::Contact;
   CurveSet curves{};  // the scene's own and others, for the layouts that show them
@@ -33,9 +37,13 @@ class PictureComposer {
  public:
   PictureComposer(const PictureStyle& style, PictureContent content);
 
+  /// Throws InputError naming --size where a panel of the curve would find no room.
+  void checkRoom() const;
+
   DrawList compose(const Frame& frame);
 
  private:
+  int contactHeight() const;  // pixels, above a diagram
   DrawList contact(const Frame& frame, int height);
   DrawList diagram(const DiagramSheet& sheet, int height, float leastText = 0) const;
   DiagramSheet curveWithPresent(const Frame& frame) const;

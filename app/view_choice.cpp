@@ -25,7 +25,7 @@ void checkPlace(const char* option, const std::optional<double>& place, double l
   if (place && !(std::abs(*place) <= kFarthestPeriods * length))
     throw InputError(
         "", option,
-        fmt::format("{} is not within {:g} periods of the line", *place, kFarthestPeriods));
+        fmt::format("{} m is not within {:g} m of 0", *place, kFarthestPeriods * length));
 }
 
 /// The heights around the middle of the fitted ones at which heights are so many times as large as
@@ -95,9 +95,8 @@ void checkView(const ViewChoice& choice, ContactOverlay overlay, double length) 
     if (width > kMostPeriods * length || width < kLeastPeriods * length)
       throw InputError(
           "", kAlong,
-          fmt::format("{:g} m are not {:g} to {:g} periods of the line, which are {:g} "
-                      "m each",
-                      width, kLeastPeriods, kMostPeriods, length));
+          fmt::format("{:g} m are not {:g} to {:g} m, which are {:g} periods of the line", width,
+                      kLeastPeriods * length, kMostPeriods * length, kMostPeriods));
     checkPlace(kAlong, range.from, length);
   }
   if (!choice.heights.empty()) rangeFrom(kHeights, choice.heights, "m");

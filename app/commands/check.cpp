@@ -9,9 +9,9 @@
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
-#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
+#include "ui/picture/ticks.h"
 
 namespace asperity {
 namespace {
@@ -24,7 +24,7 @@ LawInput lawInputOf(const Scene& scene, const LineSource& source) {
 }
 
 std::string summaryOf(const Scene& scene, const LineSource& source, const LawInput& in) {
-  const auto number = [](double value) { return inLanguage(fmt::format("{:.6g}", value)); };
+  const auto number = [](double value) { return shortNumber(value, 6); };
   const double spacing = source.length() / static_cast<double>(source.elements());
   std::string text = scene.title.empty() ? Words::tr("a valid scene") : translated(scene.title);
   const auto add = [&text](const std::string& line) { text += "\n  " + line; };

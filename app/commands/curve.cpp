@@ -8,6 +8,7 @@
 #include "app/command_line.h"
 #include "app/headless_pictures.h"
 #include "app/output.h"
+#include "app/picture_composer.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
 #include "core/friction/curve_diagram.h"
@@ -44,6 +45,7 @@ void writePictures(const CurveCommand& command, const CurveSet& set, const Pictu
   DiagramOptions options{style.width, style.height, style.scale, style.theme};
   if (style.transparent) options.theme.background.a = 0;
   const DiagramSheet sheet = curveSheet(set);
+  checkPanels(sheet, style, 0);
   const DrawList list = composeDiagrams(sheet, options);
   nlohmann::ordered_json origin = provenance("curve", set.present.scene);
   origin["picture"] = style.json();

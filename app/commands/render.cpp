@@ -69,6 +69,7 @@ class Rendering {
       if (showsCurve()) computeCurves();
     });
     composer_.emplace(style_, content());
+    composer_->checkRoom();
   }
 
   void run() {

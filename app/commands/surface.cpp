@@ -9,17 +9,17 @@
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "core/surface/surface_file.h"
-#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
 #include "ui/picture/picture_origin.h"
 #include "ui/picture/surface_picture.h"
+#include "ui/picture/ticks.h"
 
 namespace asperity {
 namespace {
 
 std::string summaryOf(const Line& line, const std::vector<std::string>& outputs) {
-  const auto number = [](double value) { return inLanguage(fmt::format("{:.6g}", value)); };
+  const auto number = [](double value) { return shortNumber(value, 6); };
   std::string text = filled(Words::tr("length %1 m, %2 points, rms height %3 m, rms slope %4"),
                             {number(line.length), std::to_string(line.nodes()),
                              number(line.rmsHeight), number(line.rmsSlope)}) +

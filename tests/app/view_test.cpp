@@ -96,7 +96,6 @@ TEST_F(ViewTest, SteadySlidingIsShownAtItsMoment) {
   EXPECT_NE(paths("--slid 0.01"), paths(""));
   EXPECT_EQ(paths("--slid 0.02"), paths(""));
   EXPECT_THAT(texts("--slid 0.005"), HasSubstr("slid 5.00 mm"));
-  EXPECT_THAT(texts("--slid 0.005 --at 3"), HasSubstr("t = 3.00 s, slid 5.00 mm"));
 }
 
 /// The moments of a motion are those of its film.
@@ -121,14 +120,29 @@ TEST_F(ViewTest, ThePictureSaysHowItWasLookedAt) {
     EXPECT_THAT(text, HasSubstr(part));
 }
 
+/// The panel of the difference is drawn or missed aloud.
+TEST_F(ViewTest, AComparisonIsDrawnWholeOrRefused) {
+  const std::string compared = " --compare linear:2:3 --set surface.elements=64";
+  const std::string call = "render s.json -o c.svg --layout both --size ";
+  const Said said = program.run(call + "891x160" + compared);
+  EXPECT_EQ(said.status, 2);
+  ASSERT_THAT(said.err, HasSubstr("no room for the difference"));
+  const std::size_t named = said.err.find("; 891x") + 2;
+  run(call + said.err.substr(named, said.err.find(' ', named) - named) + compared);
+  EXPECT_THAT(read("c.svg"), HasSubstr("difference"));
+  run("render s.json -o c.svg --layout both --size 891x545" + compared);
+  EXPECT_THAT(read("c.svg"), HasSubstr("difference"));
+}
+
 TEST_F(ViewTest, WhatCannotBeMeantIsRefused) {
   const auto refused = [this](const std::string& arguments, const std::string& says) {
     expectRefused("render s.json -o c.png " + arguments, 2, says);
   };
   for (const char* text : {"1e-3", "2e-3:1e-3", "1:1", "a:b", "0:inf", "0:1e-3x"})
     refused(std::string("--view ") + text, "--view: ");
-  refused("--view 0:2", "50 periods");
-  refused("--view 1e9:1000000000.01", "within 1e+06 periods");
+  refused("--view 0:2", "2 m are not 2e-11 to 1 m, which are 50 periods");
+  refused("--view 1e9:1000000000.01", " m is not within 20000 m of 0");
+  refused("--slid 0.005 --at 3", "--slid: and --at both say the moment");
   refused("--heights 1e-6", "--heights: 1e-6 is not FROM:TO in m");
   refused("--exaggeration 0", "--exaggeration");
   refused("--exaggeration 10 --heights 0:1", "--exaggeration");

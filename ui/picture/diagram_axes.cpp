@@ -239,11 +239,14 @@ void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes
   addTickMarks(layer, axes.plot, colour, width, std::round(6 * sizes.unit));
   addFrame(layer, box, colour, width);
   list.layers.push_back(std::move(layer));
-  addTickLabels(list, axes.plot, theme.text, sizes.tick);
-  addTitle(
-      list, axes.plot.along.title,
-      {box.x + box.width / 2, std::round(box.bottom() + 1.5F * sizes.tick + 1.5F * sizes.axis)},
-      sizes.axis, box.width, theme.text, 0);
+  PlotAxes said = axes.plot;
+  if (!axes.saysAlong) said.along.ticks.clear();
+  addTickLabels(list, said, theme.text, sizes.tick);
+  if (axes.saysAlong)
+    addTitle(
+        list, axes.plot.along.title,
+        {box.x + box.width / 2, std::round(box.bottom() + 1.5F * sizes.tick + 1.5F * sizes.axis)},
+        sizes.axis, box.width, theme.text, 0);
   const float left = box.x - leftOfAxes(axes.plot.up, sizes);
   addTitle(list, axes.plot.up.title, {std::round(left + 1.1F * sizes.axis), box.y + box.height / 2},
            sizes.axis, box.height, theme.text, 1.57079633F);

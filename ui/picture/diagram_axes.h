@@ -30,12 +30,13 @@ PictureAxis diagramAxisUp(const DiagramAxis& axis, const AxisRange& range, float
 struct DiagramAxes {
   PlotAxes plot;
   AxisScale along = AxisScale::Linear, up = AxisScale::Linear;
+  bool saysAlong = true;  // false: labels and title stand under another frame below
 
   /// In pixels, at most 1e6 from the origin; NaN where a value has no place.
   Place place(double x, double y) const;
 };
 
-/// Pixels left of the frame for title and labels, and below it.
+/// Pixels left of the frame for title and labels, and below it where it says what is along.
 float leftOfAxes(const PictureAxis& up, const DiagramSizes& sizes);
 float belowAxes(const DiagramSizes& sizes);
 

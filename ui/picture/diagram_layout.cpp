@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/picture/diagram_axes.h"
 #include "ui/picture/text_metrics.h"
 
 namespace asperity {
@@ -94,6 +95,10 @@ SheetGrid gridFor(const DiagramSheet& sheet) {
   return {columns, (count + columns - 1) / columns};
 }
 
+bool hasCommonAxis(const DiagramSheet& sheet) {
+  return sheet.sharesAxis && gridFor(sheet).columns == 1;
+}
+
 DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) {
   const float scale = options.scale > 0 ? options.scale : 1;
   const SheetGrid grid = gridFor(sheet);
@@ -123,7 +128,9 @@ std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& optio
   const auto columns = static_cast<float>(grid.columns), rows = static_cast<float>(grid.rows);
   const float width =
       (static_cast<float>(options.width) - 2 * side - (columns - 1) * gap) / columns;
-  const float room = bottom - top - (rows - 1) * gap;
+  // A common axis along has its labels under the lowest frame alone.
+  const float under = hasCommonAxis(sheet) ? belowAxes(sizes) : 0;
+  const float room = bottom - top - (rows - 1) * gap - under;
   std::vector<Box> cells;
   if (grid.columns == 1) {
     double all = 0;
@@ -134,6 +141,7 @@ std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& optio
       cells.push_back({std::round(side), std::round(y), std::floor(width), std::floor(height)});
       y += height + gap;
     }
+    if (!cells.empty()) cells.back().height += under;
     return cells;
   }
   const float height = room / rows;

@@ -20,6 +20,9 @@ struct SheetGrid {
 };
 SheetGrid gridFor(const DiagramSheet& sheet);
 
+/// Whether only the lowest diagram says what its axis along is.
+bool hasCommonAxis(const DiagramSheet& sheet);
+
 /// Fonts grow with the picture, more slowly than it, and never beyond what leaves room for curves.
 DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options);
 

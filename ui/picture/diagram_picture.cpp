@@ -17,14 +17,16 @@ constexpr float kHidden = 0.015F;  // share of a legend's box that may hide some
 class Panel {
  public:
   /// `above`: pixels for the title and the names of regions, the same for all of a sheet.
-  Panel(const Diagram& diagram, const Box& cell, float above, const DiagramSizes& sizes,
-        const Theme& theme)
+  /// `saysAlong`: with labels and title of the axis along.
+  Panel(const Diagram& diagram, const Box& cell, float above, bool saysAlong,
+        const DiagramSizes& sizes, const Theme& theme)
       : diagram_(diagram), cell_(cell), sizes_(sizes), theme_(theme) {
     axes_.along = diagram.x.scale;
     axes_.up = diagram.y.scale;
+    axes_.saysAlong = saysAlong;
     axes_.plot.box.y = std::round(cell.y + above);
-    axes_.plot.box.height =
-        std::max(1.0F, std::floor(cell.bottom() - belowAxes(sizes) - axes_.plot.box.y));
+    const float below = saysAlong ? belowAxes(sizes) : 0;
+    axes_.plot.box.height = std::max(1.0F, std::floor(cell.bottom() - below - axes_.plot.box.y));
     along_ = rangeAlong(diagram);
     axes_.plot.up =
         diagramAxisUp(diagram.y, rangeUp(diagram, along_), axes_.plot.box.height, sizes);
@@ -40,10 +42,17 @@ class Panel {
     place(0);
   }
 
+  bool isReadable() const {
+    const Box& box = axes_.plot.box;
+    return box.width >= 4 * sizes_.tick && box.height >= 2 * sizes_.tick;
+  }
+  /// A name stands beside it, upright, and two ticks or more.
+  bool isComfortable() const { return isReadable() && axes_.plot.box.height >= 7 * sizes_.tick; }
+
   /// Nothing where the frame would be too small to read.
   void addTo(DrawList& list) const {
+    if (!isReadable()) return;
     const Box& box = axes_.plot.box;
-    if (box.width < 4 * sizes_.tick || box.height < 2 * sizes_.tick) return;
     addSpans(list, diagram_, axes_, sizes_, theme_);
     addDiagramGrid(list, axes_, sizes_, theme_);
     addDiagramFrame(list, axes_, sizes_, theme_);  // marks at its edge lie over it
@@ -151,6 +160,35 @@ float aboveFrames(const DiagramSheet& sheet, const DiagramSizes& sizes) {
   return title + names + std::round(0.8F * sizes.tick);
 }
 
+DrawList emptyList(const DiagramOptions& options) {
+  DrawList list;
+  list.width = options.width;
+  list.height = options.height;
+  list.background = options.theme.background;
+  return list;
+}
+
+/// The panels in their places; heading and note are put on `list`.
+std::vector<Panel> panelsOf(const DiagramSheet& sheet, const DiagramOptions& options,
+                            DrawList& list) {
+  const DiagramSizes sizes = sizesFor(sheet, options);
+  const float top = addHeading(list, sheet, sizes, options.theme);
+  const float bottom = addNote(list, sheet, sizes, options.theme);
+  const std::vector<Box> cells = cellsFor(sheet, options, top, bottom, sizes);
+  const float above = aboveFrames(sheet, sizes);
+  std::vector<Panel> panels;
+  const bool isCommon = hasCommonAxis(sheet);
+  for (std::size_t i = 0; i < sheet.diagrams.size(); ++i)
+    panels.emplace_back(sheet.diagrams[i], cells[i], above,
+                        !isCommon || i + 1 == sheet.diagrams.size(), sizes, options.theme);
+  if (sheet.sharesAxis) {
+    float left = 0;
+    for (const Panel& panel : panels) left = std::max(left, panel.left());
+    for (Panel& panel : panels) panel.alignTo(left);
+  }
+  return panels;
+}
+
 }  // namespace
 
 DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
@@ -163,29 +201,25 @@ DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
   return options;
 }
 
+int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
+  constexpr int kHighest = 20000;
+  const DiagramSheet sheet = translated(english);
+  DiagramOptions options = asked;
+  for (; options.height <= kHighest; options.height += 10) {
+    DrawList list = emptyList(options);
+    if (std::ranges::all_of(panelsOf(sheet, options, list), &Panel::isComfortable))
+      return options.height;
+  }
+  return 0;
+}
+
 DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {
   const DiagramSheet sheet = translated(english);
   DiagramOptions options = asked;
   options.width = std::max(options.width, 1);
   options.height = std::max(options.height, 1);
-  DrawList list;
-  list.width = options.width;
-  list.height = options.height;
-  list.background = options.theme.background;
-  const DiagramSizes sizes = sizesFor(sheet, options);
-  const float top = addHeading(list, sheet, sizes, options.theme);
-  const float bottom = addNote(list, sheet, sizes, options.theme);
-  const std::vector<Box> cells = cellsFor(sheet, options, top, bottom, sizes);
-  const float above = aboveFrames(sheet, sizes);
-  std::vector<Panel> panels;
-  for (std::size_t i = 0; i < sheet.diagrams.size(); ++i)
-    panels.emplace_back(sheet.diagrams[i], cells[i], above, sizes, options.theme);
-  if (sheet.sharesAxis) {
-    float left = 0;
-    for (const Panel& panel : panels) left = std::max(left, panel.left());
-    for (Panel& panel : panels) panel.alignTo(left);
-  }
-  for (const Panel& panel : panels) panel.addTo(list);
+  DrawList list = emptyList(options);
+  for (const Panel& panel : panelsOf(sheet, options, list)) panel.addTo(list);
   return list;
 }
 

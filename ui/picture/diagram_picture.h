@@ -21,6 +21,10 @@ struct DiagramOptions {
 /// several.
 DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme = printTheme());
 
+/// The lowest picture from options.height on, in steps of 10 pixels, in which every diagram of the
+/// sheet has room for its frame and its name; 0 where none has, as it is not wide enough.
+int heightForAll(const DiagramSheet& sheet, const DiagramOptions& options);
+
 /// Every text on the picture and none over another, from 320 x 200 pixels on; what finds no place
 /// is shortened, then left out. Never throws for what a sheet holds.
 DrawList composeDiagrams(const DiagramSheet& sheet, const DiagramOptions& options);

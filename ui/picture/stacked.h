@@ -5,8 +5,9 @@
 
 namespace asperity {
 
-/// Of the height, for a contact above a diagram.
+/// Of the height, for a contact above a diagram, and above one with a second panel under it.
 inline constexpr double kContactPart = 0.54;
+inline constexpr double kContactPartOfThree = 0.4;
 
 /// All of `part`, with its background, this far right and down on `list`.
 void addPicture(DrawList& list, DrawList part, float right, float down);

@@ -91,17 +91,23 @@ QStringList viewWords(const PictureWish& wish) {
   return words;
 }
 
-/// The moment: of a motion its time, which says all; of steady sliding how far the line has come
-/// and, where the velocity was another one meanwhile, how long that took.
+/// With 9 digits, not before `time`: a call takes whole steps that do not go beyond its moment.
+double moment(double time, double end) {
+  constexpr int kDigits = 9;
+  constexpr double kStep = 5e-9;  // at least half a unit of the last digit
+  double rounded = roundedToDigits(time, kDigits);
+  if (rounded < time * (1 - 1e-12)) rounded = roundedToDigits(time * (1 + kStep), kDigits);
+  return std::min(rounded, end);
+}
+
+/// The moment: of a motion its time, which says all; of steady sliding how far the line has come.
 QStringList momentWords(const PictureWish& wish) {
   const Frame& frame = *wish.frame;
-  if (frame.transient) return {"--at", numberText(frame.time)};
+  if (frame.transient)
+    return {"--at", numberText(moment(frame.time, frame.scene->sliding.duration))};
   QStringList words;
   const double width = resolvedView(frame, wish.options.view).width;
   if (frame.distance != 0) words += {"--slid", numberText(seen(frame.distance, width))};
-  const double needed = frame.velocity != 0 ? frame.distance / frame.velocity : 0;
-  if (std::abs(needed - frame.time) > 1e-3 * frame.time)
-    words += {"--at", numberText(roundedToDigits(frame.time, 6))};
   return words;
 }
 
@@ -143,6 +149,16 @@ QStringList curveWords(const CurveWish& wish, const Scene& scene) {
   return words;
 }
 
+/// The contact as high as in the window; with a comparison, for which the window makes it low, as
+/// high as all that is seen.
+int pictureHeight(const PictureWish& wish) {
+  const int contact = wish.size.height();
+  if (wish.layout == "contact") return contact;
+  if (!wish.curves.compared) return static_cast<int>(std::lround(contact / kContactPart));
+  return std::max(static_cast<int>(std::lround(contact / kContactPartOfThree)),
+                  contact + wish.below);
+}
+
 QString command(const QStringList& words) {
   QStringList quoted;
   for (const QString& word : words) quoted += shellQuoted(word);
@@ -157,10 +173,7 @@ QString renderCommand(const SceneOrigin& origin, const Scene& scene, const Pictu
   words += {"-o", "picture.png"};
   if (wish.layout != "contact") words += {"--layout", wish.layout};
   if (!wish.size.isEmpty()) {
-    const double part = wish.layout == "contact" ? 1 : kContactPart;
-    words += {
-        "--size",
-        QStringLiteral("%1x%2").arg(wish.size.width()).arg(std::lround(wish.size.height() / part))};
+    words += {"--size", QStringLiteral("%1x%2").arg(wish.size.width()).arg(pictureHeight(wish))};
   }
   if (wish.scale != 1) words += {"--scale", numberText(wish.scale)};
   if (wish.dark) words += {"--theme", "dark"};

@@ -24,6 +24,7 @@ struct CurveWish {
 struct PictureWish {
   QString layout = QStringLiteral("contact");
   QSize size;        // of the contact, device pixels
+  int below = 0;     // height of what is in front under it, device pixels
   double scale = 1;  // device pixels to one of the window system's, times the size of texts
   bool dark = false;
   QString overlay = QStringLiteral("pressure");

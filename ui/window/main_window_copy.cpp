@@ -113,6 +113,7 @@ QString MainWindow::pictureCommand() const {
   wish.size = devicePixels(*canvas_);
   if (front == plot_) {
     wish.layout = QStringLiteral("both");
+    wish.below = devicePixels(*plot_).height();
     wish.hasCurves = true;
     wish.curves = shownCurves();
   } else if (front == strips_ && document_->scene().sliding.kind != SlidingKind::Steady) {

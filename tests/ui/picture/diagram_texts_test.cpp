@@ -150,6 +150,11 @@ TEST(DiagramTexts, StayReadableInLowTabs) {
     }
 }
 
+int timesSaid(const DrawList& list) {
+  return static_cast<int>(std::ranges::count_if(
+      list.texts, [](const DrawText& text) { return text.utf8.find("time t") == 0; }));
+}
+
 /// Of strips over time: the symbol and the unit are left of a name, and more than one tick.
 TEST(DiagramTexts, OfLowStripsSayWhatAndHowMuch) {
   DiagramSheet sheet;
@@ -174,6 +179,9 @@ TEST(DiagramTexts, OfLowStripsSayWhatAndHowMuch) {
     texts += text.utf8 + "|";
     marks += text.utf8 == "200" || text.utf8 == "\u2212200";
   }
+  EXPECT_EQ(timesSaid(list), 3);
+  sheet.sharesAxis = true;
+  EXPECT_EQ(timesSaid(composeDiagrams(sheet, options)), 1);
   for (const char* title : {"|v (mm/s)|", "|\u03BC (mm/s)|", "|d (mm/s)|"})
     EXPECT_NE(texts.find(title), texts.npos) << texts;
   EXPECT_EQ(marks, 6) << texts;
