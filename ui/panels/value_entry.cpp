@@ -39,6 +39,22 @@ void ValueEntry::showError(const QString& reason) {
   style()->polish(this);
 }
 
+/// What may be undone here is what was typed and does not count yet.
+bool ValueEntry::hasOwn(const QKeyEvent& event) const {
+  if (event.matches(QKeySequence::Undo)) return text() != accepted_ && isUndoAvailable();
+  if (event.matches(QKeySequence::Redo)) return isRedoAvailable();
+  return true;
+}
+
+/// A line edit claims the keys of undo and redo though it has nothing to undo.
+bool ValueEntry::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && !hasOwn(*static_cast<QKeyEvent*>(event))) {
+    event->ignore();
+    return false;
+  }
+  return QLineEdit::event(event);
+}
+
 void ValueEntry::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && (hasError() || isModified())) {
     replaceText(accepted_, acceptedUnit_);
