@@ -7,6 +7,7 @@ namespace asperity {
 
 ValueEntry::ValueEntry(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::editingFinished, this, [this] { commit(); });
+  connect(this, &QLineEdit::textEdited, this, [this] { mend(); });
 }
 
 void ValueEntry::showText(const QString& text, const QString& unit) {
@@ -65,6 +66,14 @@ void ValueEntry::keyPressEvent(QKeyEvent* event) {
   QLineEdit::keyPressEvent(event);
   const bool entered = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (entered && !hasError()) clearFocus();
+}
+
+/// The present value needs no excuse, by whatever way its text came back.
+void ValueEntry::mend() {
+  if (!hasError() || text() != accepted_ || unit_ != acceptedUnit_) return;
+  setModified(false);
+  showError({});
+  emit takenBack();
 }
 
 void ValueEntry::commit() {

@@ -34,7 +34,7 @@ class ValueEntry : public QLineEdit {
  signals:
   void textCommitted(const QString& text);
   void unitShown(const QString& unit);
-  /// Escape: what was typed is gone.
+  /// What was typed is gone: by Escape, or the accepted text stands again.
   void takenBack();
 
  protected:
@@ -42,6 +42,7 @@ class ValueEntry : public QLineEdit {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void mend();
   void commit();
   bool hasOwn(const QKeyEvent& event) const;
 
