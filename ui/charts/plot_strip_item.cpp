@@ -6,6 +6,7 @@
 
 #include "ui/charts/plot_items.h"
 #include "ui/charts/plot_marks.h"
+#include "ui/charts/tick_label.h"
 #include "ui/picture/log_ticks.h"
 #include "ui/picture/ticks.h"
 
@@ -45,14 +46,13 @@ void StripItem::paintAxis(QPainter& painter) const {
   const QRectF& box = geometry_.strip;
   const int most = std::max(2, static_cast<int>(box.height() / kTickRoom));
   const AxisTicks axis = linearTicks(plot_.strip->from, plot_.strip->to, most, "%");
-  const std::string gap = axis.unit.starts_with("10") ? "\u00B7" : " ";
   for (const Tick& tick : axis.ticks) {
     const double y = std::floor(yOf(tick.value)) + 0.5;
     painter.setPen(QPen(tick.value == 0 ? colours_.axis : colours_.grid, 1));
     painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
     painter.setPen(colours_.text);
     painter.drawText(QRectF(0, y - 10, box.left() - 7, 20), Qt::AlignRight | Qt::AlignVCenter,
-                     QString::fromStdString(tick.label + gap + axis.unit));
+                     labelWithUnit(tick, axis));
   }
   painter.setPen(QPen(colours_.axis, 1));
   painter.setBrush(Qt::NoBrush);

@@ -9,6 +9,7 @@
 #include "core/run/strip_range.h"
 #include "ui/charts/decade_range.h"
 #include "ui/charts/relaxation_guide.h"
+#include "ui/charts/tick_label.h"
 #include "ui/picture/ticks.h"
 
 namespace asperity {
@@ -25,13 +26,6 @@ AxisEnds rangeOf(const std::vector<QPointF>& line, double least) {
   if (line.empty()) return {0, 1};
   const auto [low, high] = std::ranges::minmax_element(line, {}, &QPointF::y);
   return axisEnds(low->y(), high->y(), std::max(least, 0.02));
-}
-
-/// "5 ms"; a power of ten is multiplied.
-QString labelOf(const Tick& tick, const AxisTicks& axis) {
-  const QString gap = axis.unit.starts_with("10") ? QStringLiteral("·") : QStringLiteral(" ");
-  const QString unit = QString::fromStdString(axis.unit);
-  return (QString::fromStdString(tick.label) + gap + unit).trimmed();
 }
 
 QPainterPath pathOf(const std::vector<QPointF>& line, auto&& place) {
@@ -137,7 +131,7 @@ void TransientStrips::paintStrip(QPainter& painter, const QRectF& room, const QS
       painter.setPen(colours_.grid);
       painter.drawLine(QPointF(room.left(), y), QPointF(room.right(), y));
       painter.setPen(colours_.text);
-      const QString label = labelOf(tick, axis);
+      const QString label = labelWithUnit(tick, axis);
       painter.drawText(QRectF(0, y - 10, room.left() - 6, 20), Qt::AlignRight | Qt::AlignVCenter,
                        label);
     }
@@ -169,7 +163,7 @@ void TransientStrips::paintTimes(QPainter& painter, const QRectF& room) const {
   for (const Tick& tick : axis.ticks) {
     const double x = room.left() + room.width() * tick.value / sliding_.duration;
     painter.drawText(QRectF(x - 45, room.bottom() + 4, 90, fontMetrics().height()),
-                     Qt::AlignHCenter | Qt::AlignTop, labelOf(tick, axis));
+                     Qt::AlignHCenter | Qt::AlignTop, labelWithUnit(tick, axis));
   }
 }
 

@@ -7,6 +7,7 @@ namespace asperity {
 
 ValueEntry::ValueEntry(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::editingFinished, this, [this] { commit(); });
+  connect(this, &QLineEdit::textEdited, this, [this] { mend(); });
 }
 
 void ValueEntry::showText(const QString& text, const QString& unit) {
@@ -39,6 +40,22 @@ void ValueEntry::showError(const QString& reason) {
   style()->polish(this);
 }
 
+/// What may be undone here is what was typed and does not count yet.
+bool ValueEntry::hasOwn(const QKeyEvent& event) const {
+  if (event.matches(QKeySequence::Undo)) return text() != accepted_ && isUndoAvailable();
+  if (event.matches(QKeySequence::Redo)) return isRedoAvailable();
+  return true;
+}
+
+/// A line edit claims the keys of undo and redo though it has nothing to undo.
+bool ValueEntry::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && !hasOwn(*static_cast<QKeyEvent*>(event))) {
+    event->ignore();
+    return false;
+  }
+  return QLineEdit::event(event);
+}
+
 void ValueEntry::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && (hasError() || isModified())) {
     replaceText(accepted_, acceptedUnit_);
@@ -49,6 +66,14 @@ void ValueEntry::keyPressEvent(QKeyEvent* event) {
   QLineEdit::keyPressEvent(event);
   const bool entered = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (entered && !hasError()) clearFocus();
+}
+
+/// The present value needs no excuse, by whatever way its text came back.
+void ValueEntry::mend() {
+  if (!hasError() || text() != accepted_ || unit_ != acceptedUnit_) return;
+  setModified(false);
+  showError({});
+  emit takenBack();
 }
 
 void ValueEntry::commit() {

@@ -1,6 +1,7 @@
 // A line for exact entry. The text counts when Enter is pressed or the focus leaves; Escape takes
 // back what was typed. A refused text stays, framed in red; with an accepted one Enter also gives
-// the keys back to the window. GUI thread.
+// the keys back to the window. Undo and redo are the window's where nothing is being typed. GUI
+// thread.
 #pragma once
 
 #include <QLineEdit>
@@ -33,14 +34,17 @@ class ValueEntry : public QLineEdit {
  signals:
   void textCommitted(const QString& text);
   void unitShown(const QString& unit);
-  /// Escape: what was typed is gone.
+  /// What was typed is gone: by Escape, or the accepted text stands again.
   void takenBack();
 
  protected:
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void mend();
   void commit();
+  bool hasOwn(const QKeyEvent& event) const;
 
   QString accepted_, acceptedUnit_;
   QString unit_;

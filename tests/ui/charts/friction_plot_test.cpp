@@ -6,6 +6,7 @@
 
 #include "ui/charts/decade_range.h"
 #include "ui/charts/friction_plot.h"
+#include "ui/charts/tick_label.h"
 
 namespace asperity {
 namespace {
@@ -50,6 +51,17 @@ std::vector<double> velocitiesOf(const PlotSeries& series) {
   std::vector<double> velocities;
   for (const PlotPoint& shown : series.points) velocities.push_back(shown.x);
   return velocities;
+}
+
+TEST(TickLabel, IsMultipliedByAPowerOfTenUnlessItIsZero) {
+  const auto second = [](double to, const char* unit) {
+    const AxisTicks axis = linearTicks(0, to, 4, unit);
+    return labelWithUnit(axis.ticks[0], axis) + ", " + labelWithUnit(axis.ticks[1], axis);
+  };
+  EXPECT_EQ(second(0.004, ""), QStringLiteral("0, 2×10⁻³"));
+  EXPECT_EQ(second(0.004, "%"), QStringLiteral("0 %, 2×10⁻³ %"));
+  EXPECT_EQ(second(0.004, "m"), "0 mm, 2 mm");
+  EXPECT_EQ(second(4, ""), "0, 2");
 }
 
 TEST(DecadeRange, SurroundsTheData) {

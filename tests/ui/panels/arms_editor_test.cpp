@@ -118,6 +118,25 @@ TEST_F(ArmsEditorTest, ArmsAreAddedAndRemovedByKeys) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !panel_.findChild<QWidget*>("armRemove:2"); }));
 }
 
+/// The focus goes into a field after an arm was added or removed.
+TEST_F(ArmsEditorTest, AFieldClaimsTheKeyOfUndoOnlyForWhatIsBeingTyped) {
+  control<QToolButton>("armsAdd").click();
+  ValueEntry& field = entry("armModulus", 2);
+  const auto claims = [&] {
+    QKeyEvent key(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+    key.ignore();
+    QApplication::sendEvent(&field, &key);
+    return key.isAccepted();
+  };
+  EXPECT_FALSE(claims());
+  const QString before = field.text();
+  QTest::keyClicks(&field, "7");
+  EXPECT_TRUE(claims());
+  QTest::keyClick(&field, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(field.text(), before);
+  EXPECT_FALSE(claims());
+}
+
 TEST_F(ArmsEditorTest, AllMayGoAndTheFirstComesBack) {
   for (std::size_t left = 2; left > 0; --left) {
     control<QToolButton>("armRemove:0").click();

@@ -171,6 +171,21 @@ TEST_F(ParameterPanelTest, RefusesBadTextAndKeepsTheOldValue) {
   EXPECT_EQ(panel_.scene().surface.hurst, 0.9);
 }
 
+TEST_F(ParameterPanelTest, ARefusalGoesWhenThePresentTextIsBack) {
+  ValueEntry& field = entry("surface.elements");
+  field.setFocus();
+  field.end(false);
+  for (const Qt::Key back : {Qt::Key_Z, Qt::Key_Backspace}) {
+    QTest::keyClicks(&field, "w");
+    QTest::keyClick(&field, Qt::Key_Return);
+    ASSERT_TRUE(field.hasError());
+    QTest::keyClick(&field, back, back == Qt::Key_Z ? Qt::ControlModifier : Qt::NoModifier);
+    EXPECT_EQ(field.text(), QString::number(panel_.scene().surface.elements));
+    EXPECT_FALSE(field.hasError());
+    EXPECT_FALSE(isShown("error:surface.elements"));
+  }
+}
+
 TEST_F(ParameterPanelTest, ASliderMendsARefusedText) {
   type("surface.hurst", "abc");
   QTest::keyClick(&slider("surface.hurst"), Qt::Key_Left);
