@@ -3,6 +3,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <algorithm>
 #include <cmath>
@@ -41,6 +43,35 @@ QLabel* addLine(QVBoxLayout& column, const char* name) {
   return label;
 }
 
+/// Beside the picture: as wide as its texts need, in the large font of a presentation too. What
+/// does not fit the height is reached by a scroll bar.
+class ControlColumn : public QScrollArea {
+ public:
+  explicit ControlColumn(QWidget* content) {
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::NoFocus);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    setWidget(content);
+    content->installEventFilter(this);
+    content->setAutoFillBackground(false);
+    viewport()->setAutoFillBackground(false);
+  }
+  QSize sizeHint() const override {
+    const int needed = widget()->layout()->minimumSize().width();
+    const int bar = verticalScrollBar()->sizeHint().width();
+    return {std::max(kControlsWidth, needed + bar), QScrollArea::sizeHint().height()};
+  }
+  QSize minimumSizeHint() const override { return {sizeHint().width(), 0}; }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
+
 QHBoxLayout* betweenItsEnds(QSlider& slider) {
   auto* line = new QHBoxLayout;
   line->addWidget(new QLabel(AccuracyPanel::tr("quick")));
@@ -78,7 +109,6 @@ int placeOf(double target) {
 AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), slider_(new QSlider) {
   setObjectName("accuracyPanel");
   auto* controls = new QWidget;
-  controls->setFixedWidth(kControlsWidth);
   auto* column = new QVBoxLayout(controls);
   column->setContentsMargins(14, 8, 10, 8);
   slider_->setObjectName("accuracySlider");
@@ -111,7 +141,9 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), slider_(new QSl
   showInvitation();
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(0, 0, 0, 0);
-  line->addWidget(controls);
+  auto* scrolled = new ControlColumn(controls);
+  scrolled->setAccessibleName(slider_->accessibleName());
+  line->addWidget(scrolled);
   line->addWidget(picture_, 1);
 }
 
@@ -141,6 +173,17 @@ std::optional<CurveSetting> AccuracyPanel::comparison() const {
 
 void AccuracyPanel::setComparison(const std::optional<CurveSetting>& setting) {
   comparisonBox_->setSetting(setting);
+}
+
+std::optional<ComparedMethods> AccuracyPanel::comparedMethods() const {
+  if (!pictured_ || isComparing_ || !picture_->figure()) return std::nullopt;
+  return ComparedMethods{*pictured_, picture_->figure()};
+}
+
+void AccuracyPanel::showComparedMethods(const ComparedMethods& compared) {
+  pictured_ = compared.scene;
+  picture_->showFigure(compared.figure);
+  dropOldPicture();
 }
 
 void AccuracyPanel::setTheme(const Theme& theme) {

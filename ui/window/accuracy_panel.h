@@ -31,6 +31,12 @@ double targetAt(int place);
 /// The place nearest to a target (> 0).
 int placeOf(double target);
 
+/// Error against time of every method on the lines of a scene.
+struct ComparedMethods {
+  Scene scene;
+  std::shared_ptr<const MadeFigure> figure;
+};
+
 class AccuracyPanel : public QWidget {
   Q_OBJECT
 
@@ -45,6 +51,11 @@ class AccuracyPanel : public QWidget {
   /// With what the curve is to be compared; none: with nothing.
   std::optional<CurveSetting> comparison() const;
   void setComparison(const std::optional<CurveSetting>& setting);
+
+  /// What was measured, where it is shown; and such a result of before, if it is of the scene
+  /// shown.
+  std::optional<ComparedMethods> comparedMethods() const;
+  void showComparedMethods(const ComparedMethods& compared);
 
  signals:
   /// The scene shown with another target.

@@ -37,6 +37,9 @@ void MainWindow::buildEditCommands() {
   QList<QKeySequence> again = QKeySequence::keyBindings(QKeySequence::Redo);
   if (const QKeySequence y(Qt::CTRL | Qt::Key_Y); !again.contains(y)) again += y;
   redo_->setShortcuts(again);
+  // What the next step is called does not belong to the meaning of its key.
+  undo_->setProperty("shortText", tr("Undo"));
+  redo_->setProperty("shortText", tr("Redo"));
   revert_ = addCommand("revert", tr("Back to the scene as opened"), {}, Symbol::None, [this] {
     editScene(document_->origin().scene, QT_TR_NOOP("Back to the scene as opened"));
   });

@@ -34,6 +34,8 @@ struct MainWindow::Arrangement {
   int tab = 0;
   Scene typed;  // in the panel, where it may miss something yet
   std::optional<CurveSetting> comparison;
+  std::optional<ComparedMethods> methods;
+  QString message;  // that is no complaint of the scene; in the language of its time
   bool isDescribed = false, isOffered = false, isTouring = false;
   int tourStep = 0;
   std::unique_ptr<FigureGallery> figures;
@@ -63,6 +65,8 @@ MainWindow::Arrangement MainWindow::arrangementNow() {
   now.tab = tabs_->currentIndex();
   now.typed = panel_->scene();
   now.comparison = accuracy_->comparison();
+  now.methods = accuracy_->comparedMethods();
+  if (!messages_->isHidden() && !messages_->isComplaint()) now.message = messages_->text();
   now.isDescribed = !description_->isHidden();
   now.isOffered = !hint_->isHidden();
   now.isTouring = isTouring_;
@@ -107,6 +111,7 @@ void MainWindow::arrange(Arrangement arrangement) {
   if (measured) showMeasured(*measured);
   if (!(arrangement.typed == session_->scene())) panel_->setScene(arrangement.typed);
   accuracy_->setComparison(arrangement.comparison);
+  if (arrangement.methods) accuracy_->showComparedMethods(*arrangement.methods);
   for (int i = 0; i < tabActions_.size(); ++i) tabActions_[i]->setChecked(arrangement.tabs[i]);
   if (tabs_->isTabVisible(arrangement.tab)) tabs_->setCurrentIndex(arrangement.tab);
 
@@ -117,6 +122,7 @@ void MainWindow::arrange(Arrangement arrangement) {
   showDescription();
   if (!arrangement.isDescribed) description_->hide();
   if (complaint_) showComplaint();
+  if (!arrangement.message.isEmpty()) messages_->showMessage(arrangement.message);
 
   showHistory();
   showPlaying(session_->isPlaying());

@@ -24,6 +24,7 @@ class MessageBar : public QFrame {
   /// With a button that takes up the offer.
   void showOffer(const QString& text, const QString& button);
   QString text() const;
+  bool isComplaint() const { return isComplaint_; }
 
  signals:
   void accepted();

@@ -28,6 +28,8 @@ class RegionPictures : public QWidget {
   void showText(const QString& text);
   void setTheme(const Theme& theme);
 
+  /// None where there is text.
+  std::shared_ptr<const MadeFigure> figure() const { return made_; }
   FigurePicture& picture() { return *picture_; }
 
  private:

@@ -1,12 +1,31 @@
 #include "ui/window/tour_bar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 
 #include "ui/window/tour.h"
 
 namespace asperity {
+
+namespace {
+
+int stepCount() {
+  return static_cast<int>(tourSteps().size());
+}
+
+QString textOf(int index) {
+  const TourStep& step = tourSteps()[static_cast<std::size_t>(index)];
+  return TourBar::tr("%1 of %2&ensp;<b>%3.</b> %4 <i>Try: %5</i>")
+      .arg(index + 1)
+      .arg(stepCount())
+      .arg(tourText(step.title).toHtmlEscaped(), tourText(step.sentence).toHtmlEscaped(),
+           tourText(step.attempt).toHtmlEscaped());
+}
+
+}  // namespace
 
 TourBar::TourBar(QWidget* parent) : QFrame(parent), text_(new QLabel) {
   setObjectName("tourBar");
@@ -37,17 +56,33 @@ QPushButton* TourBar::addButton(const char* name, const QString& text) {
 
 void TourBar::showStep(int step) {
   step_ = step;
-  const auto count = static_cast<int>(tourSteps().size());
-  const TourStep& present = tourSteps()[static_cast<std::size_t>(step)];
-  text_->setText(tr("%1 of %2&ensp;<b>%3.</b> %4 <i>Try: %5</i>")
-                     .arg(step + 1)
-                     .arg(count)
-                     .arg(tourText(present.title).toHtmlEscaped(),
-                          tourText(present.sentence).toHtmlEscaped(),
-                          tourText(present.attempt).toHtmlEscaped()));
+  text_->setText(textOf(step));
   back_->setEnabled(step > 0);
-  next_->setEnabled(step + 1 < count);
+  next_->setEnabled(step + 1 < stepCount());
   show();
+}
+
+void TourBar::keepHeight() {
+  QLabel measured(this);
+  measured.setFont(text_->font());
+  measured.setWordWrap(true);
+  measured.setTextFormat(Qt::RichText);
+  int height = 0;
+  for (int step = 0; step < stepCount(); ++step) {
+    measured.setText(textOf(step));
+    height = std::max(height, measured.heightForWidth(text_->width()));
+  }
+  text_->setMinimumHeight(height);
+}
+
+void TourBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  keepHeight();
+}
+
+void TourBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::FontChange) keepHeight();
 }
 
 }  // namespace asperity

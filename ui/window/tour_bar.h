@@ -19,11 +19,17 @@ class TourBar : public QFrame {
   void showStep(int step);
   int step() const { return step_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
  signals:
   void stepWanted(int step);
   void ended();
 
  private:
+  /// Room for the longest step, so that the buttons stay where they are.
+  void keepHeight();
   QPushButton* addButton(const char* name, const QString& text);
 
   int step_ = 0;

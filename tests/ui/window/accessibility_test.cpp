@@ -118,6 +118,16 @@ TEST_F(AccessibilityTest, TheSheetSaysEveryKey) {
   EXPECT_EQ(more->entries.last().keys, "Ctrl+Alt+J");
 }
 
+TEST_F(AccessibilityTest, TheSheetSaysWhatAKeyMeansAtAnyTime) {
+  press("load.normal_force");
+  ASSERT_NE(action("undo").text(), "Undo");
+  QStringList meanings;
+  for (const ShortcutGroup& group : shortcutGroups(window_))
+    for (const ShortcutGroup::Entry& entry : group.entries)
+      if (entry.keys.contains("Ctrl+Z") || entry.keys.contains("Ctrl+Y")) meanings += entry.text;
+  EXPECT_EQ(meanings, (QStringList{"Undo", "Redo"}));
+}
+
 TEST_F(AccessibilityTest, TheSheetOpensByItsKeysAndClosesByEscape) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   for (const Qt::Key key : {Qt::Key_F1, Qt::Key_Question}) {

@@ -99,6 +99,43 @@ TEST_F(DocumentTest, AnEditIsUndoneAndRedoneByItsKeys) {
   EXPECT_EQ(frame()->scene->load.normalForce, 0.5);
 }
 
+/// The focus stands in the field of an arm then, which has nothing of its own to undo.
+TEST_F(DocumentTest, AnArmThatWasAddedOrRemovedIsUndoneByTheKey) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  Scene scene = smallScene();
+  scene.elastomer.rheology = Rheology::Prony;
+  scene.elastomer.arms = {{1e7, 1e-3}, {2e6, 0.1}};
+  window_.showScene(scene);
+  const auto arms = [&] { return session().scene().elastomer.arms.size(); };
+  const auto undo = [] {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier);
+  };
+  for (const auto& [button, count] : {std::pair{"armRemove:0", 1U}, {"armsAdd", 3U}}) {
+    control<QAbstractButton>(button).click();
+    ASSERT_TRUE(waitFor([&] {
+      return arms() == count && qobject_cast<ValueEntry*>(QApplication::focusWidget());
+    })) << button;
+    undo();
+    EXPECT_EQ(session().scene(), scene) << button;
+  }
+}
+
+TEST_F(DocumentTest, WhatIsBeingTypedIsUndoneInItsField) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  press("load.normal_force");
+  const Scene before = session().scene();
+  auto& entry = control<ValueEntry>("entry:surface.hurst");
+  const QString text = entry.text();
+  entry.setFocus();
+  QTest::keyClicks(&entry, "7");
+  ASSERT_NE(entry.text(), text);
+  QTest::keyClick(&entry, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(entry.text(), text);
+  EXPECT_EQ(session().scene(), before);
+  QTest::keyClick(&entry, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(session().scene(), smallScene());
+}
+
 TEST_F(DocumentTest, ADragOfASliderIsOneStep) {
   auto& slider = control<ValueSlider>("slider:load.normal_force");
   const int y = slider.height() / 2;

@@ -15,6 +15,7 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QToolBar>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <memory>
 #include <set>
@@ -23,6 +24,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
+#include "ui/window/accuracy_panel.h"
 #include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/scene_document.h"
@@ -186,7 +188,7 @@ std::string cutOff(const QWidget& widget) {
 }
 
 /// What is cut off of everything in sight, one a line, once the layout has settled.
-std::string cutOffIn(const MainWindow& window) {
+std::string cutOffIn(const QWidget& window) {
   static const std::set<QString> tooLong{"qt_toolbar_ext_button", "qt_menubar_ext_button"};
   std::string lines;
   const auto isWhole = [&] {
@@ -214,6 +216,20 @@ TEST_P(EachLanguage, NothingIsCutOff) {
       EXPECT_EQ(cutOffIn(*window), "") << tabs.tabText(tab).toStdString();
     }
   }
+}
+
+/// At the size of a lecturer's projector, where the texts are larger.
+TEST_P(EachLanguage, NothingOfTheAccuracyPanelIsCutOffInAPresentation) {
+  WindowIn window(GetParam());
+  ASSERT_TRUE(window.waitForCurve());
+  window->findChild<QAction*>("go:accuracyPanel")->trigger();
+  window->setPresenting(true);
+  window->resize(1280, 720);
+  auto& panel = *window->findChild<AccuracyPanel*>("accuracyPanel");
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return !panel.findChild<QLabel*>("accuracyMeasured")->text().isEmpty(); },
+      kWindowPatience));
+  EXPECT_EQ(cutOffIn(panel), "");
 }
 
 TEST_P(EachLanguage, NothingOfTheFiguresPageIsCutOff) {
@@ -340,6 +356,40 @@ TEST(LanguageSwitch, KeepsComplaintsComparisonsAndFigures) {
   EXPECT_TRUE(window->messages().isVisible());
   EXPECT_TRUE(window->messages().text().startsWith(key));
   EXPECT_TRUE(window->findChild<ValueEntry*>("entry:" + key)->hasError());
+}
+
+TEST(LanguageSwitch, KeepsAMessageThatIsNotAboutTheScene) {
+  WindowIn window("en");
+  ASSERT_TRUE(window.waitForCurve());
+  window->messages().showMessage("cannot be read");
+  window->setLanguage("de");
+  EXPECT_TRUE(window->messages().isVisible());
+  EXPECT_EQ(window->messages().text(), "cannot be read");
+  window->messages().endComplaint();
+  EXPECT_TRUE(window->messages().isVisible());
+  window->messages().hide();
+  window->setLanguage("en");
+  EXPECT_FALSE(window->messages().isVisible());
+}
+
+TEST(LanguageSwitch, KeepsTheMeasuredComparisonOfMethods) {
+  WindowIn window("en");
+  auto* panel = window->findChild<AccuracyPanel*>("accuracyPanel");
+  auto made = std::make_shared<MadeFigure>();
+  made->figure.sheet.diagrams.resize(2);
+  made->figure.sheet.diagrams[0].title = "region I: here";
+  made->figure.sheet.diagrams[1].title = "region II: there";
+  panel->showComparedMethods({window->session().scene(), made});
+  ASSERT_TRUE(panel->comparedMethods());
+  window->setLanguage("de");
+  panel = window->findChild<AccuracyPanel*>("accuracyPanel");
+  ASSERT_TRUE(panel->comparedMethods());
+  EXPECT_EQ(panel->comparedMethods()->figure, made);
+  EXPECT_TRUE(panel->findChild<QToolButton*>("region:1"));
+  Scene other = window->session().scene();
+  other.load.normalForce *= 2;
+  window->editScene(other);
+  EXPECT_FALSE(panel->comparedMethods());
 }
 
 TEST(WindowLanguageMenu, TheChoiceCountsAtOnceAndIsRemembered) {

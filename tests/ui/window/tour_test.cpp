@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <QToolButton>
 #include <cmath>
+#include <set>
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
@@ -60,6 +61,30 @@ TEST_F(TourTest, GoesForwardAndBackByKeys) {
   EXPECT_TRUE(said().contains("3 of 6"));
   QTest::keyClick(&window_, Qt::Key_Left, Qt::AltModifier);
   EXPECT_TRUE(said().contains("2 of 6"));
+}
+
+/// Who clicks on "Next" again and again finds it in the same place.
+TEST_F(TourTest, TheButtonsStayWhereTheyAre) {
+  window_.resize(900, 700);
+  action("tour").trigger();
+  const auto place = [&] { return button("tourNext").mapTo(&window_, QPoint()); };
+  std::set<int> needed;
+  const auto settle = [&] {
+    QCoreApplication::sendPostedEvents();
+    QCoreApplication::processEvents();
+    const auto& text = control<QLabel>("tourText");
+    needed.insert(text.heightForWidth(text.width()));
+  };
+  ASSERT_TRUE(waitForFrame());
+  settle();
+  needed.clear();
+  const QPoint first = place();
+  for (std::size_t i = 0; i + 1 < tourSteps().size(); ++i) {
+    action("tourStepNext").trigger();
+    settle();
+    EXPECT_EQ(place(), first) << i;
+    EXPECT_LE(*needed.rbegin(), control<QLabel>("tourText").height());
+  }
 }
 
 TEST_F(TourTest, WhatIsTriedIsNotAskedAbout) {
