@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/friction/curve_file.h"
 #include "core/friction/curve_words.h"
 #include "core/scene/parameters.h"
+#include "core/scene/read_number.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -44,8 +44,7 @@ std::string row(const std::string& name, const std::string& value, const std::st
 
 bool isNumber(const std::string& text) {
   double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size();
+  return readNumber(text, number);
 }
 
 /// Of the sweep, by the name that the window has for it.

@@ -4,17 +4,19 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "app/command_line.h"
+#include "app/named_choice.h"
 #include "app/number_range.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
 #include "core/friction/curve_words.h"
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
 #include "core/scene/parameters.h"
+#include "core/scene/read_number.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/words.h"
 
@@ -24,6 +26,8 @@ namespace {
 constexpr const char *kAxes = "--axes", *kCompare = "--compare", *kWith = "--with";
 constexpr const char *kXRange = "--x-range", *kYRange = "--y-range";
 constexpr std::int64_t kMostOversampling = 64;
+constexpr NamedChoices<CurveAxes, 2> kAxesNames{
+    {{"physical", CurveAxes::Physical}, {"dimensionless", CurveAxes::Dimensionless}}};
 
 std::vector<std::string> split(const std::string& text, char at) {
   std::vector<std::string> parts(1);
@@ -41,14 +45,12 @@ std::vector<std::string> split(const std::string& text, char at) {
       "", kCompare,
       fmt::format("{} is not SCHEME[:OVERSAMPLING[:LINES]] with nodal, linear or cubic, "
                   "1 to {} (nodal: 1) and 1 line or more",
-                  text.substr(0, 60), kMostOversampling));
+                  shortened(text), kMostOversampling));
 }
 
 std::int64_t wholeFrom(const std::string& part, const std::string& all, std::int64_t most) {
   std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
-  if (error != std::errc{} || end != part.data() + part.size() || number < 1 || number > most)
-    refuseComparison(all);
+  if (!readNumber(part, number) || number < 1 || number > most) refuseComparison(all);
   return number;
 }
 
@@ -71,16 +73,14 @@ CurveSetting settingFrom(const std::string& text, const Scene& scene) {
 }
 
 CurveAxes axesFrom(const std::string& name) {
-  if (name == "physical") return CurveAxes::Physical;
-  if (name == "dimensionless") return CurveAxes::Dimensionless;
-  throw InputError("", kAxes, name.substr(0, 60) + " is not one of physical, dimensionless");
+  return chosenFrom(kAxesNames, name, kAxes);
 }
 
 /// On logarithmic axes.
 NumberRange positiveRange(const char* option, const std::string& text) {
   const NumberRange range = rangeFrom(option, text, "");
   if (!(range.from > 0))
-    throw InputError("", option, text.substr(0, 60) + " is not above 0 on a logarithmic axis");
+    throw InputError("", option, shortened(text) + " is not above 0 on a logarithmic axis");
   return range;
 }
 

@@ -46,8 +46,6 @@ void checkMoment(const Scene& scene, const TimeChoice& choice, double length, bo
   if (!choice.at && !choice.slid) return;
   if (!single) throw InputError("", option, "shows one moment; frames and films have many");
   const bool isSteady = scene.sliding.kind == SlidingKind::Steady;
-  if (choice.at && !(*choice.at >= 0 && std::isfinite(*choice.at)))
-    throw InputError("", "--at", fmt::format("{} is not a time of 0 s or more", *choice.at));
   if (choice.slid && !isSteady)
     throw InputError("", "--slid", "belongs to steady sliding; a motion has --at");
   if (!isSteady && *choice.at > scene.sliding.duration)

@@ -2,18 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
+#include "core/scene/read_number.h"
 
 namespace asperity {
 namespace {
 
-bool readNumber(std::string_view text, double& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size() && std::isfinite(number);
+bool readFinite(std::string_view text, double& number) {
+  return readNumber(text, number) && std::isfinite(number);
 }
 
 }  // namespace
@@ -22,10 +22,10 @@ NumberRange rangeFrom(const std::string& option, const std::string& text, const 
   const std::string_view all = text;
   const std::size_t colon = all.find(':');
   NumberRange range;
-  if (colon == std::string_view::npos || !readNumber(all.substr(0, colon), range.from) ||
-      !readNumber(all.substr(colon + 1), range.to) || !(range.from < range.to))
+  if (colon == std::string_view::npos || !readFinite(all.substr(0, colon), range.from) ||
+      !readFinite(all.substr(colon + 1), range.to) || !(range.from < range.to))
     throw InputError("", option,
-                     fmt::format("{} is not FROM:TO{} with FROM below TO", text.substr(0, 60),
+                     fmt::format("{} is not FROM:TO{} with FROM below TO", shortened(text),
                                  unit.empty() ? "" : " in " + unit));
   return range;
 }

@@ -3,22 +3,16 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "core/scene/known_words.h"
 #include "core/scene/range_text.h"
+#include "core/scene/read_number.h"
 
 namespace asperity {
 namespace {
-
-template <class Number>
-bool isRead(const std::string& text, Number& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size();
-}
 
 template <class Number>
 void limitNumber(CLI::Option* option, Number least, Number most, const char* what,
@@ -26,7 +20,7 @@ void limitNumber(CLI::Option* option, Number least, Number most, const char* wha
   const CLI::Validator check(
       [=](const std::string& text) -> std::string {
         Number number{};
-        if (!isRead(text, number) || !std::isfinite(static_cast<double>(number)))
+        if (!readNumber(text, number) || !std::isfinite(static_cast<double>(number)))
           return fmt::format("'{}' is not a {}; allowed is {}", shortened(text), what, allowed);
         return number >= least && number <= most
                    ? std::string()

@@ -4,12 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "app/named_choice.h"
 #include "app/output.h"
 #include "core/scene/input_error.h"
+#include "core/scene/read_number.h"
 #include "ui/language/language.h"
 #include "ui/picture/picture_origin.h"
 
@@ -18,11 +18,6 @@ namespace {
 
 constexpr int kSmallest = 160, kLargest = 16384;  // pixels
 constexpr double kPixelsPerInch = 96;
-
-bool readNumber(std::string_view text, auto& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size();
-}
 
 void readSize(const std::string& text, PictureStyle& style) {
   const std::size_t cross = text.find('x');

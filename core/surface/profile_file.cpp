@@ -1,8 +1,8 @@
 #include "core/surface/profile_file.h"
+#include "core/scene/read_number.h"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "core/scene/atomic_file.h"
@@ -35,10 +35,10 @@ std::vector<std::string_view> fieldsOf(std::string_view line) {
   }
 }
 
-bool readNumber(std::string_view text, double& number) {
+/// As instruments write it, too: +1.5.
+bool readField(std::string_view text, double& number) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc{} && end == text.data() + text.size();
+  return readNumber(text, number);
 }
 
 class Reader {
@@ -69,7 +69,7 @@ class Reader {
     std::vector<double> numbers;
     for (const std::string_view field : fields) {
       double number = 0;
-      if (!readNumber(field, number)) return takeHeader(field);
+      if (!readField(field, number)) return takeHeader(field);
       if (!std::isfinite(number))
         fail(fmt::format("row {}: {} is not a finite number", row_, field.substr(0, 40)));
       if (std::abs(number) > kFarthest)

@@ -10,10 +10,6 @@
 
 namespace asperity {
 
-QString claimNumber(double value) {
-  return readingLabel(value);
-}
-
 QString verdictText(const Claim& claim) {
   if (claim.holds == Verdict::OnlyForScheme)
     return QString::fromStdString(
@@ -27,8 +23,8 @@ QString estimateText(const Estimate& estimate) {
   if (!std::isfinite(estimate.value) || !std::isfinite(error) || error <= 0 || size >= 1e5 ||
       size < 1e-3)
     return std::isfinite(error) && error > 0
-               ? claimNumber(estimate.value) + QStringLiteral(" ± ") + readingLabel(error)
-               : claimNumber(estimate.value);
+               ? readingLabel(estimate.value) + QStringLiteral(" ± ") + readingLabel(error)
+               : readingLabel(estimate.value);
   // Two digits of an uncertainty that begins with 1, one of any other.
   const int place = static_cast<int>(std::floor(std::log10(error)));
   const int digits = error / std::pow(10, place) < 1.95 ? 1 - place : -place;

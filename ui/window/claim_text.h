@@ -11,9 +11,6 @@ namespace asperity {
 /// "yes", "no", "only for scheme ...".
 QString verdictText(const Claim& claim);
 
-/// Three digits, with a minus sign instead of a hyphen.
-QString claimNumber(double value);
-
 /// "1.26 ± 0.04": as many digits as the uncertainty leaves; three where there is none.
 QString estimateText(const Estimate& estimate);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/charts/decade_range.h"
 #include "ui/language/translated.h"
 #include "ui/window/claim_text.h"
 
@@ -119,7 +120,7 @@ void ClaimsTable::fill() {
     const Claim& claim = claims_[static_cast<std::size_t>(row)];
     const QStringList cells{markedVerdict(claim), translatedText(claim.claim),
                             estimateText(claim.measured),
-                            std::isfinite(claim.expected) ? claimNumber(claim.expected) : "",
+                            std::isfinite(claim.expected) ? readingLabel(claim.expected) : "",
                             translatedText(claim.where)};
     for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
