@@ -22,7 +22,7 @@ constexpr double kLabelRoom = 44;  // width that a label along needs
 
 QRectF StripItem::boundingRect() const {
   if (geometry_.strip.isEmpty()) return {};
-  return geometry_.strip.adjusted(-geometry_.strip.left(), -6, 20, 60);
+  return geometry_.strip.adjusted(-geometry_.strip.left(), -40, 20, 90);
 }
 
 void StripItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -44,14 +44,15 @@ double StripItem::yOf(double value) const {
 
 void StripItem::paintAxis(QPainter& painter) const {
   const QRectF& box = geometry_.strip;
-  const int most = std::max(2, static_cast<int>(box.height() / kTickRoom));
+  const double room = std::max(kTickRoom, QFontMetricsF(painter.font()).height() + 2);
+  const int most = std::max(2, static_cast<int>(box.height() / room));
   const AxisTicks axis = linearTicks(plot_.strip->from, plot_.strip->to, most, "%");
   for (const Tick& tick : axis.ticks) {
     const double y = std::floor(yOf(tick.value)) + 0.5;
     painter.setPen(QPen(tick.value == 0 ? colours_.axis : colours_.grid, 1));
     painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
     painter.setPen(colours_.text);
-    painter.drawText(QRectF(0, y - 10, box.left() - 7, 20), Qt::AlignRight | Qt::AlignVCenter,
+    painter.drawText(QRectF(0, y - 20, box.left() - 7, 40), Qt::AlignRight | Qt::AlignVCenter,
                      labelWithUnit(tick, axis));
   }
   painter.setPen(QPen(colours_.axis, 1));
@@ -61,17 +62,18 @@ void StripItem::paintAxis(QPainter& painter) const {
 
 void StripItem::paintAlong(QPainter& painter) const {
   const QRectF& box = geometry_.strip;
+  const double line = QFontMetricsF(painter.font()).height();
   const int most = std::max(2, static_cast<int>(box.width() / kLabelRoom));
   for (const LogTick& tick : logTicks(geometry_.x.from, geometry_.x.to, most)) {
     const double x = geometry_.xOf(std::pow(10, tick.decade));
     painter.setPen(QPen(colours_.grid, 1));
     painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
     painter.setPen(colours_.text);
-    painter.drawText(QRectF(x - 40, box.bottom() + 5, 80, 18), Qt::AlignCenter,
+    painter.drawText(QRectF(x - 60, box.bottom() + 5, 120, line), Qt::AlignCenter,
                      QString::fromStdString(tick.label));
   }
   painter.setPen(colours_.text);
-  painter.drawText(QRectF(box.left(), box.bottom() + 25, box.width(), 20), Qt::AlignCenter,
+  painter.drawText(QRectF(box.left(), box.bottom() + 10 + line, box.width(), line), Qt::AlignCenter,
                    plot_.x.title);
 }
 
@@ -103,19 +105,17 @@ void StripItem::paintPoints(QPainter& painter) const {
   painter.restore();
 }
 
-/// In the corner, on the background, so that it can be read over points.
+/// Over the strip, where no point comes.
 void StripItem::paintName(QPainter& painter) const {
   const QFontMetricsF metrics(painter.font());
   const PlotStrip& strip = *plot_.strip;
   QString text = strip.note.isEmpty() ? strip.name : strip.name + "  ·  " + strip.note;
-  text = metrics.elidedText(text, Qt::ElideRight, geometry_.strip.width() - 16);
-  const QRectF place(geometry_.strip.left() + 6, geometry_.strip.top() + 3,
-                     metrics.horizontalAdvance(text) + 8, metrics.height());
-  QColor halo = colours_.background;
-  halo.setAlphaF(0.85F);
-  painter.fillRect(place, halo);
+  const QRectF& box = geometry_.strip;
+  text = metrics.elidedText(text, Qt::ElideRight, box.width());
   painter.setPen(colours_.text);
-  painter.drawText(place, Qt::AlignCenter, text);
+  painter.drawText(
+      QRectF(box.left(), box.top() - metrics.height() - 2, box.width(), metrics.height()),
+      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, text);
 }
 
 }  // namespace asperity

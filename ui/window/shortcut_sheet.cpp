@@ -53,7 +53,7 @@ QWidget* groupWidget(const ShortcutGroup& group) {
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 2);
   grid->setHorizontalSpacing(18);
-  grid->setVerticalSpacing(4);
+  grid->setVerticalSpacing(2);
   auto* title = new QLabel(group.title);
   QFont bold = title->font();
   bold.setBold(true);
@@ -88,25 +88,62 @@ QList<ShortcutGroup> shortcutGroups(const QMainWindow& window) {
   return groups;
 }
 
-/// In columns of about the same height.
+QList<ShortcutGroup> gestureGroups() {
+  return {{ShortcutSheet::tr("Contact: mouse and touch"),
+           {{ShortcutSheet::tr("Zoom at the pointer"), ShortcutSheet::tr("Wheel or pinch")},
+            {ShortcutSheet::tr("Vertical exaggeration"), ShortcutSheet::tr("Ctrl+Wheel")},
+            {ShortcutSheet::tr("Move along the line"), ShortcutSheet::tr("Shift+Wheel")},
+            {ShortcutSheet::tr("Move the view"), ShortcutSheet::tr("Drag or arrow keys")},
+            {ShortcutSheet::tr("Move the crosshair"), ShortcutSheet::tr("Ctrl+Left or Right")},
+            {ShortcutSheet::tr("Show all"), ShortcutSheet::tr("Double click")}}},
+          {ShortcutSheet::tr("Curve: mouse and touch"),
+           {{ShortcutSheet::tr("Zoom, over an axis along it"), ShortcutSheet::tr("Wheel")},
+            {ShortcutSheet::tr("Move curve or marker"), ShortcutSheet::tr("Drag")},
+            {ShortcutSheet::tr("Slower or faster"), ShortcutSheet::tr("Left or Right")},
+            {ShortcutSheet::tr("Velocity of a point"), ShortcutSheet::tr("Click")},
+            {ShortcutSheet::tr("Fit axes"), ShortcutSheet::tr("Double click")}}}};
+}
+
+namespace {
+
+/// Lines that a group takes, with its title and the gap below it.
+qsizetype linesOf(const ShortcutGroup& group) {
+  return group.entries.size() + 2;
+}
+
+/// The groups one below the other in columns of at most so many lines; how many columns those are.
+qsizetype columnsWithin(qsizetype most, const QList<ShortcutGroup>& groups,
+                        QList<qsizetype>& columnOf) {
+  columnOf.clear();
+  qsizetype column = 0, lines = 0;
+  for (const ShortcutGroup& group : groups) {
+    if (lines > 0 && lines + linesOf(group) > most) {
+      ++column;
+      lines = 0;
+    }
+    lines += linesOf(group);
+    columnOf += column;
+  }
+  return column + 1;
+}
+
+}  // namespace
+
+/// In columns, the longest of which is as short as can be.
 ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDialog(parent) {
   setObjectName("shortcutSheet");
   setWindowTitle(tr("Keyboard shortcuts"));
-  const QList<ShortcutGroup> groups = shortcutGroups(window);
-  qsizetype total = 0;
-  for (const ShortcutGroup& group : groups) total += group.entries.size() + 2;
-
+  const QList<ShortcutGroup> groups = shortcutGroups(window) + gestureGroups();
   content_ = new QWidget;
   auto* row = new QHBoxLayout(content_);
   row->setSpacing(40);
   QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout, new QVBoxLayout};
   constexpr qsizetype kColumns = std::size(columns);
-  qsizetype before = 0;
-  for (const ShortcutGroup& group : groups) {
-    const qsizetype middle = before + group.entries.size() / 2;
-    columns[std::min(kColumns - 1, kColumns * middle / total)]->addWidget(groupWidget(group));
-    before += group.entries.size() + 2;
-  }
+  QList<qsizetype> columnOf;
+  qsizetype most = 1;
+  while (columnsWithin(most, groups, columnOf) > kColumns) ++most;
+  for (qsizetype i = 0; i < groups.size(); ++i)
+    columns[columnOf[i]]->addWidget(groupWidget(groups[i]));
   for (QVBoxLayout* column : columns) {
     column->addStretch(1);
     row->addLayout(column);
