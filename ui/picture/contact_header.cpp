@@ -162,8 +162,10 @@ TitleLine titleLine(const Frame& frame, const ContactPictureOptions& options) {
   TitleLine line{titleOf(frame), {}, progressOf(frame), std::round(16 * s.unit), 0, 0};
   const float progress = textWidth(line.progress, s.small);
   line.progressAt = std::floor(width - line.side - progress);
-  if (!(progress < 0.4F * width)) line.progress.clear();
-  line.room = width - 2 * line.side - (line.progress.empty() ? 0 : progress + 2 * line.side);
+  const float alone = width - 2 * line.side, beside = alone - progress - 2 * line.side;
+  const float wanted = textWidth(line.whole, s.title, true);
+  if (!(progress < 0.4F * width) || (wanted > beside && wanted <= alone)) line.progress.clear();
+  line.room = line.progress.empty() ? alone : beside;
   line.shown = elided(line.whole, s.title, true, line.room);
   return line;
 }

@@ -15,6 +15,9 @@ namespace asperity {
 
 namespace {
 
+constexpr int kAround = 40;             // pixels around the groups, a scroll bar's included
+constexpr double kLeastLetters = 0.75;  // of the usual size
+
 QString plain(QString text) {
   return text.remove('&').remove(u'…');
 }
@@ -136,7 +139,7 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   const QList<ShortcutGroup> groups = shortcutGroups(window) + gestureGroups();
   content_ = new QWidget;
   auto* row = new QHBoxLayout(content_);
-  row->setSpacing(40);
+  row->setSpacing(28);
   QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout, new QVBoxLayout};
   constexpr qsizetype kColumns = std::size(columns);
   QList<qsizetype> columnOf;
@@ -157,12 +160,26 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   layout->addWidget(scroll);
 }
 
-/// As large as needed, once fonts and style are those of the screen.
+QSize ShortcutSheet::neededSize() const {
+  QCoreApplication::sendPostedEvents(content_, QEvent::LayoutRequest);
+  return content_->minimumSizeHint().expandedTo(content_->sizeHint()) + QSize(kAround, kAround);
+}
+
+/// As large as needed, once fonts and style are those of the screen; in smaller letters where the
+/// window has no room for it.
 void ShortcutSheet::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
-  QCoreApplication::sendPostedEvents(content_, QEvent::LayoutRequest);
-  const QSize wanted = content_->minimumSizeHint().expandedTo(content_->sizeHint());
-  resize((wanted + QSize(60, 60)).boundedTo(parentWidget() ? parentWidget()->size() : wanted));
+  const QSize most = parentWidget() ? parentWidget()->size() : neededSize();
+  QFont font = content_->font();
+  const double least = kLeastLetters * font.pointSizeF();
+  const auto isTooLarge = [&](const QSize& size) {
+    return size.width() > most.width() || size.height() > most.height();
+  };
+  while (isTooLarge(neededSize()) && font.pointSizeF() > least) {
+    font.setPointSizeF(0.97 * font.pointSizeF());
+    content_->setFont(font);
+  }
+  resize(neededSize().boundedTo(most));
 }
 
 }  // namespace asperity

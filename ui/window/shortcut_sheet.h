@@ -37,6 +37,8 @@ class ShortcutSheet : public QDialog {
   void showEvent(QShowEvent* event) override;
 
  private:
+  QSize neededSize() const;
+
   QWidget* content_;
 };
 
