@@ -76,12 +76,12 @@ PlotColours plotColoursOf(const Theme& theme) {
   colours.background = colourOf(theme.background);
   colours.text = colourOf(theme.text);
   colours.faintText = colourOf(theme.faintText);
-  colours.grid = mixed(colours.background, colours.text, dark ? 0.17 : 0.13);
-  colours.fineGrid = mixed(colours.background, colours.grid, 0.45);
+  colours.grid = mixed(colours.background, colours.text, dark ? 0.19 : 0.14);
+  colours.fineGrid = mixed(colours.background, colours.grid, 0.55);
   colours.axis = mixed(colours.background, colours.text, 0.5);
   colours.points = accent(theme);
   colours.line = dark ? QColor(0xb0, 0xb6, 0xbf) : QColor(0x6b, 0x72, 0x7c);
-  colours.span = mixed(colours.background, colours.text, dark ? 0.07 : 0.05);
+  colours.span = mixed(colours.background, colours.text, dark ? 0.06 : 0.04);
   colours.difference = colours.text;
   for (std::size_t i = 0; i < colours.pinned.size(); ++i)
     colours.pinned[i] = colourOf(seriesColour(colourOfPin(static_cast<int>(i)), theme));
