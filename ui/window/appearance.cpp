@@ -1,6 +1,7 @@
 #include "ui/window/appearance.h"
 
 #include <QGuiApplication>
+#include <algorithm>
 
 #include "core/friction/curve_set.h"
 #include "ui/picture/diagram_colours.h"
@@ -87,6 +88,13 @@ PlotColours plotColoursOf(const Theme& theme) {
     colours.pinned[i] = colourOf(seriesColour(colourOfPin(static_cast<int>(i)), theme));
   colours.marker = dark ? QColor(0xff, 0x9f, 0x43) : QColor(0xd9, 0x5f, 0x02);
   return colours;
+}
+
+double presentedScale(const QSizeF& screen) {
+  constexpr double kLeast = 1.5;
+  constexpr QSizeF kEnoughFor(1600, 900);
+  return kLeast * std::max(1.0, std::min(screen.width() / kEnoughFor.width(),
+                                         screen.height() / kEnoughFor.height()));
 }
 
 QString windowStyleSheet(const Theme& theme) {
