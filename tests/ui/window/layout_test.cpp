@@ -14,6 +14,7 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/appearance.h"
+#include "ui/window/gallery_page.h"
 
 namespace asperity {
 namespace {
@@ -85,6 +86,18 @@ TEST(PresentedScale, KeepsTheShareOfALargeScreenAndIsNeverSmall) {
     EXPECT_DOUBLE_EQ(presentedScale(small), 1.5) << small.width();
   for (const double height : {1080.0, 1440.0, 2160.0})
     EXPECT_DOUBLE_EQ(presentedScale({16 * height / 9, height}) / height, 1.5 / 900) << height;
+}
+
+TEST_F(LayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {
+  auto& description = control<QWidget>("descriptionBar");
+  drop(ASPERITY_RESOURCES_DIR "/scenes/region_1.json");
+  ASSERT_TRUE(waitFor([&] { return description.isVisible(); }));
+  action("figures").trigger();
+  EXPECT_FALSE(description.isVisible());
+  const FigureName first = window_.gallery().chosen();
+  EXPECT_TRUE(waitFor([&] { return window_.gallery().gallery().status(first).made != nullptr; }));
+  action("figures").trigger();
+  EXPECT_TRUE(description.isVisible());
 }
 
 TEST_F(LayoutTest, ThePlanIsWholeInAPresentation) {
