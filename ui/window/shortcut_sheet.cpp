@@ -161,7 +161,8 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
 }
 
 QSize ShortcutSheet::neededSize() const {
-  QCoreApplication::sendPostedEvents(content_, QEvent::LayoutRequest);
+  // Of all: a group lays itself out before the sheet knows of it.
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   return content_->minimumSizeHint().expandedTo(content_->sizeHint()) + QSize(kAround, kAround);
 }
 
