@@ -823,14 +823,6 @@
         <translation>Abb. %1</translation>
     </message>
     <message>
-        <source>Master curve</source>
-        <translation>Masterkurve</translation>
-    </message>
-    <message>
-        <source>Influence of the spacing</source>
-        <translation>Einfluss des Elementabstands</translation>
-    </message>
-    <message>
         <source>For 0.2 &lt; H &lt; 0.8 and not too small forces the plateau is almost constant, about sqrt(2) times the rms slope</source>
         <translation>Für 0,2 &lt; H &lt; 0,8 und nicht zu kleine Kräfte ist das Plateau fast konstant, etwa sqrt(2) mal die RMS-Steigung</translation>
     </message>
@@ -2081,6 +2073,38 @@
 </context>
 <context>
     <name>scenes</name>
+    <message>
+        <source>Fig. 1</source>
+        <translation>Abb. 1</translation>
+    </message>
+    <message>
+        <source>Fig. 2</source>
+        <translation>Abb. 2</translation>
+    </message>
+    <message>
+        <source>Fig. 3</source>
+        <translation>Abb. 3</translation>
+    </message>
+    <message>
+        <source>Fig. 4</source>
+        <translation>Abb. 4</translation>
+    </message>
+    <message>
+        <source>Fig. 5</source>
+        <translation>Abb. 5</translation>
+    </message>
+    <message>
+        <source>Fig. 6</source>
+        <translation>Abb. 6</translation>
+    </message>
+    <message>
+        <source>Master curve</source>
+        <translation>Masterkurve</translation>
+    </message>
+    <message>
+        <source>Influence of the spacing</source>
+        <translation>Einfluss des Elementabstands</translation>
+    </message>
     <message>
         <source>A constant shear stress in contact</source>
         <translation>Konstante Schubspannung im Kontakt</translation>

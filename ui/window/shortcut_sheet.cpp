@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kAround = 40;             // pixels around the groups, a scroll bar's included
 constexpr double kLeastLetters = 0.75;  // of the usual size
+constexpr double kSmaller = 0.97;       // in one step
 
 QString plain(QString text) {
   return text.remove('&').remove(u'…');
@@ -171,15 +172,15 @@ QSize ShortcutSheet::neededSize() const {
 void ShortcutSheet::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   const QSize most = parentWidget() ? parentWidget()->size() : neededSize();
-  QFont font = content_->font();
-  const double least = kLeastLetters * font.pointSizeF();
   const auto isTooLarge = [&](const QSize& size) {
     return size.width() > most.width() || size.height() > most.height();
   };
-  while (isTooLarge(neededSize()) && font.pointSizeF() > least) {
-    font.setPointSizeF(0.97 * font.pointSizeF());
-    content_->setFont(font);
-  }
+  for (double part = 1; isTooLarge(neededSize()) && part > kLeastLetters; part *= kSmaller)
+    for (QLabel* label : content_->findChildren<QLabel*>()) {
+      QFont font = label->font();  // under a style sheet it is not that of the sheet
+      font.setPointSizeF(kSmaller * font.pointSizeF());
+      label->setFont(font);
+    }
   resize(neededSize().boundedTo(most));
 }
 

@@ -137,6 +137,8 @@ Texts sceneTexts() {
   Texts texts;
   for (const Scene& scene : shippedScenes())
     texts.insert({scene.title, scene.chapter, scene.description});
+  for (const FigureEntry& entry : figureEntries())  // which open as scenes
+    texts.insert(figureScene(entry.name, {}).title);
   return texts;
 }
 

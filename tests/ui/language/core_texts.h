@@ -8,7 +8,7 @@
 namespace asperity {
 
 std::set<std::string> tableTexts();      // labels, sentences, choices
-std::set<std::string> sceneTexts();      // titles, chapters, descriptions of resources/scenes
+std::set<std::string> sceneTexts();      // titles, chapters, descriptions of shipped scenes
 std::set<std::string> planTexts();       // stages, and the reasons of every shipped scene and more
 std::set<std::string> refusalTexts();    // of values that the table does not allow
 std::set<std::string> complaintTexts();  // of scenes and profiles that cannot be read or cannot run
