@@ -8,6 +8,9 @@
 #include "app/number_range.h"
 #include "app/option_words.h"
 #include "core/scene/input_error.h"
+#include "core/scene/printed_number.h"
+#include "core/scene/range_text.h"
+#include "ui/picture/contact_overlay.h"
 
 namespace asperity {
 namespace {
@@ -23,9 +26,9 @@ constexpr const char *kAlong = "--view", *kHeights = "--heights", *kColours = "-
 
 void checkPlace(const char* option, const std::optional<double>& place, double length) {
   if (place && !(std::abs(*place) <= kFarthestPeriods * length))
-    throw InputError(
-        "", option,
-        fmt::format("{} m is not within {:g} m of 0", *place, kFarthestPeriods * length));
+    throw InputError("", option,
+                     fmt::format("{} m is not within {} m of 0", printedNumber(*place, 6),
+                                 printedNumber(kFarthestPeriods * length, 6)));
 }
 
 /// The heights around the middle of the fitted ones at which heights are so many times as large as
@@ -56,6 +59,23 @@ const char* ViewChoice::firstOption() const {
   if (coloursTo) return kColours;
   if (probe) return kProbe;
   return magnified ? kMagnify : nullptr;
+}
+
+double ViewChoice::width() const {
+  if (along.empty()) return 0;
+  const NumberRange range = rangeFrom(kAlong, along, "m");
+  return range.to - range.from;
+}
+
+double ViewChoice::finest() const {
+  constexpr double kNothing = 1e-300;  // as fine as lines are drawn
+  return probe ? kNothing : width();
+}
+
+FrameFields ViewChoice::fields(ContactOverlay overlay) const {
+  FrameFields fields = fieldsFor(overlay);
+  fields.lineSlope = probe.has_value();
+  return fields;
 }
 
 void ViewChoice::addTo(nlohmann::ordered_json& picture) const {
@@ -91,12 +111,12 @@ void addViewOptions(CLI::App& verb, ViewChoice& choice) {
 void checkView(const ViewChoice& choice, ContactOverlay overlay, double length) {
   if (!choice.along.empty()) {
     const NumberRange range = rangeFrom(kAlong, choice.along, "m");
-    const double width = range.to - range.from;
+    const double width = choice.width();
     if (width > kMostPeriods * length || width < kLeastPeriods * length)
       throw InputError(
           "", kAlong,
-          fmt::format("{:g} m are not {:g} to {:g} m, which are {:g} periods of the line", width,
-                      kLeastPeriods * length, kMostPeriods * length, kMostPeriods));
+          fmt::format("{} m are not {}, which are {} periods of the line", printedNumber(width, 6),
+                      rangeText(kLeastPeriods * length, kMostPeriods * length, "m"), kMostPeriods));
     checkPlace(kAlong, range.from, length);
   }
   if (!choice.heights.empty()) rangeFrom(kHeights, choice.heights, "m");
@@ -111,7 +131,7 @@ void applyView(const ViewChoice& choice, const Frame& frame, ContactPictureOptio
   if (!choice.along.empty()) {
     const NumberRange range = rangeFrom(kAlong, choice.along, "m");
     view.left = range.from;
-    view.width = range.to - range.from;
+    view.width = choice.width();
   }
   if (choice.coloursTo) endOf(view, options.overlay) = *choice.coloursTo;
   options.probe = choice.probe;

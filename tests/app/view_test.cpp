@@ -189,6 +189,31 @@ TEST_F(ViewTest, ComparedCurvesAreInPictureAndTables) {
   EXPECT_THAT(program.run("open --json c.csv").out, HasSubstr("\"realizations\": 6"));
 }
 
+TEST_F(ViewTest, ASemicolonInAValueIsWrittenWithABackslash) {
+  run("curve s.json -o c.json --with 'title=one\\;two;load.normal_force=0.1' --with 'title=a\\b'");
+  const Json answer = Json::parse(read("c.json"));
+  ASSERT_EQ(answer["with"].size(), 2U);
+  EXPECT_THAT(std::string(answer["with"][0]["name"]), HasSubstr("100 mN"));
+  expectRefused("curve s.json --with 'title=one;two'", 2,
+                "--with: 'two' between two ; is not KEY=VALUE; a ; that belongs to a value is "
+                "written \\;");
+  expectRefused("curve s.json --with 'load.normal_force=1;'", 2, "--with: ''");
+}
+
+/// Of the line itself, as the window's is; a difference of heights would be another.
+TEST_F(ViewTest, TheCrosshairReadsTheSlopeOfTheLine) {
+  const auto slopeOf = [this](const std::string& arguments) {
+    const std::string all = texts(arguments);
+    const std::size_t at = all.find("slope z\u2032|") + std::string("slope z\u2032|").size();
+    return all.substr(at, all.find('|', at) - at);
+  };
+  // Just beside the tip of a wedge, over which a difference would be 0.
+  const std::string wedge =
+      " --set surface.kind=wedge --set surface.slope=0.002 --set load.normal_force=1e-4"
+      " --set sliding.kind=start --set sliding.duration=1e-6 --set sliding.velocity=1e-9 ";
+  EXPECT_EQ(slopeOf(wedge + "--probe 0.01"), "\u22120.00200");
+}
+
 /// The scene's own table keeps the columns that people script against.
 TEST_F(ViewTest, ThePlainTableStaysAsItIs) {
   EXPECT_THAT(program.run("curve s.json").out, StartsWith("velocity,mu,mu_standard_error,mu_law"));
@@ -212,6 +237,7 @@ TEST_F(ViewTest, ComparisonsThatCannotBeMeantAreRefused) {
                 "--compare needs the same resolution");
   expectRefused("curve s.json --with load.normal_farce=1", 2, "--with: load.normal_farce");
   expectRefused("curve s.json --with load.normal_force", 2, "--with");
+  expectRefused("curve s.json --with sliding.kind=step", 2, "--with: sliding.kind: ");
   expectRefused("curve s.json -o a.png --x-range 0:1", 2, "not above 0");
   expectRefused("curve s.json -o a.png --axes round", 2, "--axes: round is not one of");
   for (const char* option : {"--axes dimensionless", "--x-range 1:2", "--y-range 1:2"})
