@@ -8,6 +8,7 @@
 #include "app/number_range.h"
 #include "app/option_words.h"
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
 #include "core/scene/printed_number.h"
 #include "core/scene/range_text.h"
 #include "ui/picture/contact_overlay.h"
@@ -27,7 +28,7 @@ constexpr const char *kAlong = "--view", *kHeights = "--heights", *kColours = "-
 void checkPlace(const char* option, const std::optional<double>& place, double length) {
   if (place && !(std::abs(*place) <= kFarthestPeriods * length))
     throw InputError("", option,
-                     fmt::format("{} m is not within {} m of 0", printedNumber(*place, 6),
+                     fmt::format("{} m is not within {} m of 0", plainNumber(*place),
                                  printedNumber(kFarthestPeriods * length, 6)));
 }
 
@@ -90,15 +91,14 @@ void ViewChoice::addTo(nlohmann::ordered_json& picture) const {
 void addViewOptions(CLI::App& verb, ViewChoice& choice) {
   verb.add_option(kAlong, choice.along, "Part of the line that is shown, in m; else one period")
       ->type_name("FROM:TO");
-  auto* heights = verb.add_option(kHeights, choice.heights,
-                                  "Heights that are shown, in m above the undeformed surface; else "
-                                  "all that occur")
-                      ->type_name("FROM:TO");
-  CLI::Option* exaggeration =
+  verb.add_option(kHeights, choice.heights,
+                  "Heights that are shown, in m above the undeformed surface; else "
+                  "all that occur")
+      ->type_name("FROM:TO");
+  limit(
       verb.add_option(kExaggeration, choice.exaggeration,
-                      "Heights are drawn so many times as large as lengths, instead of --heights")
-          ->excludes(heights);
-  limit(exaggeration, 1e-6, 1e12);
+                      "Heights are drawn so many times as large as lengths, instead of --heights"),
+      1e-6, 1e12);
   limit(verb.add_option(kColours, choice.coloursTo,
                         "Value at the bright end of the colours, in N/m, s or W/m; else as needed"),
         1e-300, 1e300);
@@ -115,11 +115,14 @@ void checkView(const ViewChoice& choice, ContactOverlay overlay, double length) 
     if (width > kMostPeriods * length || width < kLeastPeriods * length)
       throw InputError(
           "", kAlong,
-          fmt::format("{} m are not {}, which are {} periods of the line", printedNumber(width, 6),
+          fmt::format("{} is not {} wide, of which the most are {} periods of the line",
+                      shortened(choice.along),
                       rangeText(kLeastPeriods * length, kMostPeriods * length, "m"), kMostPeriods));
     checkPlace(kAlong, range.from, length);
   }
   if (!choice.heights.empty()) rangeFrom(kHeights, choice.heights, "m");
+  if (!choice.heights.empty() && choice.exaggeration)
+    throw InputError("", kExaggeration, "and --heights both say the heights; one is enough");
   if (choice.coloursTo && overlay == ContactOverlay::None)
     throw InputError("", kColours, "there are no colours with --overlay none");
   checkPlace(kProbe, choice.probe, length);
