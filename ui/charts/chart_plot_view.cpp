@@ -108,7 +108,7 @@ void ChartPlotView::setColours(const PlotColours& colours) {
   view_->setBackgroundBrush(colours.background);
   paintAxis(*x_);
   paintAxis(*y_);
-  for (QLineSeries* line : lines_) line->setPen(QPen(colours_.line, 2));
+  paintLines();
   legend_->show(plot_, colours_);
   updateItems();
 }
@@ -143,6 +143,7 @@ void ChartPlotView::changeEvent(QEvent* event) {
   if (event->type() != QEvent::FontChange) return;
   paintAxis(*x_);
   paintAxis(*y_);
+  paintLines();
   showAll();
 }
 
@@ -169,8 +170,9 @@ void ChartPlotView::showAll() {
   x_->setLabelsVisible(!plot_.strip);
   x_->setTitleVisible(!plot_.strip);
   const PlotWindow shown = window();
-  showAxis(*x_, shown.x, (width() - 90.0) / kLabelWidth);
-  showAxis(*y_, shown.y, (height() - 90.0 - strip) / kLabelHeight);
+  const double scale = markScale(font());
+  showAxis(*x_, shown.x, (width() - 90.0 * scale) / (kLabelWidth * scale));
+  showAxis(*y_, shown.y, (height() - 90.0 * scale - strip) / (kLabelHeight * scale));
   showTitles();
   showSeries();
   updateItems();
@@ -184,7 +186,9 @@ void ChartPlotView::placeArea(double strip) {
   const double above = plot_.spans.empty() ? 9 : namesHeight() + 2;
   // The strip and the labels of the common axis stand below the chart.
   const double below = 2 * line + 20 + (plot_.strip ? strip + kStripGap : 0);
-  const QRectF area(left, above, view_->width() - left - 18, view_->height() - above - below);
+  // Half of the label at the end of the axis.
+  const double right = std::max(18.0, metrics.horizontalAdvance(QStringLiteral("10⁻⁵")) / 2 + 4);
+  const QRectF area(left, above, view_->width() - left - right, view_->height() - above - below);
   const QRectF wanted =
       area.width() > 20 && area.height() > 20 ? area : QRectF(left, above, 20, 20);
   if (chart_->plotArea() == wanted) return;
@@ -252,8 +256,16 @@ QLineSeries* ChartPlotView::addLine() {
   chart_->addSeries(line);
   line->attachAxis(x_);
   line->attachAxis(y_);
-  line->setPen(QPen(colours_.line, 2));
+  line->setPen(linePen());
   return line;
+}
+
+QPen ChartPlotView::linePen() const {
+  return QPen(colours_.line, 2 * markScale(font()));
+}
+
+void ChartPlotView::paintLines() const {
+  for (QLineSeries* line : lines_) line->setPen(linePen());
 }
 
 void ChartPlotView::paintAxis(QCategoryAxis& axis) const {
@@ -270,7 +282,8 @@ double ChartPlotView::namesHeight() const {
 }
 
 PlotGeometry ChartPlotView::geometry() const {
-  PlotGeometry map{chart_->plotArea(), window().x, window().y, {}, namesHeight()};
+  PlotGeometry map{chart_->plotArea(), window().x,       window().y, {},
+                   namesHeight(),      markScale(font())};
   if (plot_.strip)
     map.strip = QRectF(map.area.left(), map.area.bottom() + kStripGap, map.area.width(),
                        std::round(kSlim * height()));

@@ -57,6 +57,8 @@ class ChartPlotView : public PlotView {
   QLineSeries* addLine();
   void showAll();
   void paintAxis(QCategoryAxis& axis) const;
+  QPen linePen() const;
+  void paintLines() const;
   void updateItems();
   void updateMarker();
   double namesHeight() const;

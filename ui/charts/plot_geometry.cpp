@@ -31,7 +31,7 @@ double distance(QPointF a, QPointF b) {
 
 /// The nearest drawn point of the curves, the upper one where they lie on each other.
 void findPoint(const PlotGeometry& geometry, const Plot& plot, QPointF place, PlotTarget& target) {
-  double nearest = kPointReach;
+  double nearest = kPointReach * geometry.scale;
   for (std::size_t s = 0; s < plot.series.size(); ++s) {
     if (plot.series[s].style != PlotStyle::Points) continue;
     for (std::size_t i = 0; i < plot.series[s].points.size(); ++i) {
@@ -50,7 +50,7 @@ void findPoint(const PlotGeometry& geometry, const Plot& plot, QPointF place, Pl
 /// In the strip the nearest along x counts: it is too slim to aim in.
 void findStripPoint(const PlotGeometry& geometry, const PlotStrip& strip, QPointF place,
                     PlotTarget& target) {
-  double nearest = kPointReach;
+  double nearest = kPointReach * geometry.scale;
   for (std::size_t i = 0; i < strip.points.size(); ++i) {
     if (!isPlottable(strip.points[i].x, 1)) continue;
     const double away = std::abs(geometry.xOf(strip.points[i].x) - place.x());
@@ -84,10 +84,11 @@ double PlotGeometry::valueAt(double pixel) const {
 PlotTarget targetAt(const PlotGeometry& geometry, const Plot& plot, QPointF place) {
   PlotTarget target;
   const QRectF& area = geometry.area;
-  if (area.adjusted(-kMarkerReach, -kMarkerReach, kMarkerReach, kMarkerReach).contains(place)) {
+  const double reach = kMarkerReach * geometry.scale;
+  if (area.adjusted(-reach, -reach, reach, reach).contains(place)) {
     findPoint(geometry, plot, place, target);
     target.isMarker = plot.marker && !plot.marker->isFixed && isPlottable(plot.marker->x, 1) &&
-                      std::abs(geometry.xOf(plot.marker->x) - place.x()) <= kMarkerReach;
+                      std::abs(geometry.xOf(plot.marker->x) - place.x()) <= reach;
   } else if (QRectF(area.left(), area.top() - geometry.names, area.width(), geometry.names)
                  .contains(place)) {
     findSpan(geometry, plot, place, target);

@@ -19,6 +19,7 @@ struct PlotGeometry {
   DecadeRange x, y;
   QRectF strip{};             // empty: none
   double names = kSpanNames;  // pixels, height of the names above
+  double scale = 1;           // of marks and pens, which grow with large letters
 
   double xOf(double value) const;
   double yOf(double value) const;
@@ -37,7 +38,7 @@ struct PlotTarget {
   bool operator==(const PlotTarget&) const = default;
 };
 
-/// Pixels from which a marker and a point can be gripped.
+/// Pixels from which a marker and a point can be gripped, times the scale of a geometry.
 inline constexpr double kMarkerReach = 6, kPointReach = 9;
 
 PlotTarget targetAt(const PlotGeometry& geometry, const Plot& plot, QPointF place);

@@ -18,10 +18,11 @@ constexpr double kFineGridGap = 24;  // pixels a decade needs for a fine grid
 
 /// Of the points of one curve, so that they do not touch.
 double radiusOf(const PlotSeries& series, const PlotGeometry& geometry) {
-  if (series.points.size() < 2) return kRadius;
+  const double most = kRadius * geometry.scale;
+  if (series.points.size() < 2) return most;
   const double apart = (geometry.xOf(series.points.back().x) - geometry.xOf(series.points[0].x)) /
                        static_cast<double>(series.points.size() - 1);
-  return std::clamp(0.42 * apart, 1.5, kRadius);
+  return std::clamp(0.42 * apart, 1.5, most);
 }
 
 /// Of a grid: at whole decades, and at the digits between them.
@@ -67,7 +68,8 @@ void PlotItem::update(const PlotGeometry& geometry, const Plot& plot, const Plot
 }
 
 QRectF PlotItem::boundingRect() const {
-  return geometry_.area.adjusted(-8, -geometry_.names - 2, 8, 8);
+  const double beyond = 8 * geometry_.scale;
+  return geometry_.area.adjusted(-beyond, -geometry_.names - 2, beyond, beyond);
 }
 
 void SpanItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -109,7 +111,8 @@ void GridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
 void PointsItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
   painter->save();
-  painter->setClipRect(geometry_.area.adjusted(-6, -6, 6, 0));
+  const double beyond = 6 * geometry_.scale;
+  painter->setClipRect(geometry_.area.adjusted(-beyond, -beyond, beyond, 0));
   for (const PlotSeries& series : plot_.series)
     if (series.style == PlotStyle::Points) {
       painter->setOpacity(series.faded ? kFadedOpacity : 1);
@@ -130,12 +133,14 @@ void PointsItem::paintBlank(QPainter& painter) const {
 }
 
 void PointsItem::paintErrorBars(QPainter& painter, const PlotSeries& series) const {
-  painter.setPen(QPen(colourOf(series, colours_), 1.3));
+  const double scale = geometry_.scale;
+  painter.setPen(QPen(colourOf(series, colours_), 1.3 * scale));
   for (const PlotPoint& point : plottable(series.points)) {
     if (!(std::isfinite(point.error) && point.error > 0)) continue;
     const double low = point.y - point.error;  // may have no place: then down to the axis
     paintErrorBar(painter, geometry_.xOf(point.x), geometry_.yOf(point.y + point.error),
-                  low > 0 ? geometry_.yOf(low) : geometry_.area.bottom() + kRadius);
+                  low > 0 ? geometry_.yOf(low) : geometry_.area.bottom() + kRadius * scale,
+                  kErrorCap * scale);
   }
 }
 
@@ -147,7 +152,7 @@ void PointsItem::paintPoints(QPainter& painter, const PlotSeries& series) const 
   for (const PlotPoint& point : points)
     places += QPointF(geometry_.xOf(point.x), geometry_.yOf(point.y));
   if (series.isPinned()) {
-    painter.setPen(QPen(colour, 1.2));
+    painter.setPen(QPen(colour, 1.2 * geometry_.scale));
     painter.drawPolyline(places);
   }
   painter.setPen(QPen(colours_.background, 1));

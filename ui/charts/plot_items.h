@@ -106,6 +106,7 @@ class TipItem : public QGraphicsItem {
   QString text_;
   QPointF place_;
   bool isRinged_ = false;
+  double scale_ = 1;  // of the ring, as of marks
   PlotColours colours_;
   QFont font_;
   QRectF bounds_, box_;

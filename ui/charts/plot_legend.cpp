@@ -81,6 +81,14 @@ QRectF PlotLegend::placeOf(int id) const {
   return {};
 }
 
+double PlotLegend::scale() const {
+  return markScale(font());
+}
+
+double PlotLegend::samples() const {
+  return (kSample + kSampleGap) * scale();
+}
+
 double PlotLegend::noteWidth() const {
   return QFontMetricsF(font()).horizontalAdvance(plot_.note);
 }
@@ -94,12 +102,12 @@ void PlotLegend::arrange() {
   int row = 0, missing = 0;
   const auto end = [&] { return width() - kSide - (row == 0 ? noteWidth() + kGap : 0); };
   const auto add = [&](Entry entry, double extra) {
-    const double room = std::max(40.0, width() - 2 * kSide - kSample - kSampleGap - extra);
+    const double room = std::max(40.0, width() - 2 * kSide - samples() - extra);
     entry.lines = brokenInto(entry.text, room, metrics);
     double widest = 0;
     for (const QString& part : entry.lines)
       widest = std::max(widest, metrics.horizontalAdvance(part));
-    const double wide = kSample + kSampleGap + widest + extra;
+    const double wide = samples() + widest + extra;
     if (x + wide > end() && (x > kSide || row == 0)) {
       if (row + 1 >= kMostRows || missing > 0) {
         ++missing;
@@ -113,13 +121,13 @@ void PlotLegend::arrange() {
     entry.box = QRectF(x, y, wide, height * (more + 1));
     row += more;
     y += more * height;
-    x += wide + kGap;
+    x += wide + kGap * scale();
     entries_.push_back(std::move(entry));
   };
   const std::vector<int> order = orderOf(plot_);
   const auto addSeries = [&](int i) {
     const PlotSeries& series = plot_.series[static_cast<std::size_t>(i)];
-    add({series.name, {}, i, false, {}}, series.isPinned() ? kCross : 0);
+    add({series.name, {}, i, false, {}}, series.isPinned() ? kCross * scale() : 0);
   };
   for (const int i : order)
     if (!plot_.series[static_cast<std::size_t>(i)].isPinned()) addSeries(i);
@@ -215,7 +223,7 @@ void PlotLegend::paintNote(QPainter& painter) const {
 void PlotLegend::paintEntry(QPainter& painter, const Entry& entry) const {
   const QRectF& box = entry.box;
   const double height = box.height() / static_cast<double>(entry.lines.size());
-  const QPointF centre(box.left() + kSample / 2, box.top() + height / 2);
+  const QPointF centre(box.left() + kSample * scale() / 2, box.top() + height / 2);
   const bool isPinned =
       entry.series >= 0 && plot_.series[static_cast<std::size_t>(entry.series)].isPinned();
   const bool isUnder =
@@ -228,20 +236,20 @@ void PlotLegend::paintEntry(QPainter& painter, const Entry& entry) const {
   if (entry.series >= 0)
     paintSample(painter, plot_.series[static_cast<std::size_t>(entry.series)], centre);
   if (entry.isMarker) {
-    painter.setPen(QPen(colours_.marker, 1.4));
-    painter.drawLine(centre - QPointF(0, 8), centre + QPointF(0, 8));
+    painter.setPen(QPen(colours_.marker, 1.4 * scale()));
+    painter.drawLine(centre - QPointF(0, 8 * scale()), centre + QPointF(0, 8 * scale()));
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours_.marker);
-    painter.drawEllipse(centre, 4.5, 4.5);
+    painter.drawEllipse(centre, 4.5 * scale(), 4.5 * scale());
   }
   painter.setPen(entry.series < 0 && !entry.isMarker ? colours_.faintText : colours_.text);
   for (qsizetype i = 0; i < entry.lines.size(); ++i)
-    painter.drawText(QRectF(box.left() + kSample + kSampleGap,
-                            box.top() + static_cast<double>(i) * height, box.width(), height),
+    painter.drawText(QRectF(box.left() + samples(), box.top() + static_cast<double>(i) * height,
+                            box.width(), height),
                      Qt::AlignLeft | Qt::AlignVCenter, entry.lines[i]);
   if (!isPinned) return;
   painter.setPen(isUnder ? colours_.text : colours_.faintText);
-  painter.drawText(QRectF(box.right() - kCross, box.top(), kCross, height),
+  painter.drawText(QRectF(box.left(), box.top(), box.width(), height),
                    Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("✕"));
 }
 
@@ -249,16 +257,18 @@ void PlotLegend::paintSample(QPainter& painter, const PlotSeries& series, QPoint
   const QColor colour = colourOf(series, colours_);
   painter.setOpacity(series.faded ? kFadedOpacity : 1);
   if (series.style == PlotStyle::Line || series.isPinned()) {
-    painter.setPen(QPen(colour, series.isPinned() ? 1.2 : 2));
-    painter.drawLine(centre - QPointF(kSample / 2, 0), centre + QPointF(kSample / 2, 0));
+    painter.setPen(QPen(colour, (series.isPinned() ? 1.2 : 2) * scale()));
+    painter.drawLine(centre - QPointF(kSample * scale() / 2, 0),
+                     centre + QPointF(kSample * scale() / 2, 0));
   }
   if (series.style == PlotStyle::Points) {
-    painter.setPen(QPen(colour, 1.3));
+    painter.setPen(QPen(colour, 1.3 * scale()));
     if (hasErrors(series) && !series.isPinned())
-      paintErrorBar(painter, centre.x(), centre.y() - 7, centre.y() + 7);
+      paintErrorBar(painter, centre.x(), centre.y() - 7 * scale(), centre.y() + 7 * scale(),
+                    kErrorCap * scale());
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
-    paintMark(painter, series.mark, centre, 3.6);
+    paintMark(painter, series.mark, centre, 3.6 * scale());
   }
   painter.setOpacity(1);
 }

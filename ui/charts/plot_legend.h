@@ -48,6 +48,8 @@ class PlotLegend : public QWidget {
   };
 
   void arrange();
+  double scale() const;
+  double samples() const;  // width of a sample with its gap, pixels
   double noteWidth() const;
   QString tipAt(QPointF place) const;
   std::optional<int> pinAt(QPointF place) const;

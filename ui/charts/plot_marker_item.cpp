@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/charts/plot_items.h"
+#include "ui/charts/plot_marks.h"
 
 namespace asperity {
 
@@ -32,12 +33,13 @@ void MarkerItem::update(const PlotGeometry& geometry, const std::optional<PlotMa
   const QRectF& area = geometry.area;
   const QFontMetricsF metrics(font_);
   const double width = metrics.horizontalAdvance(marker_->label);
-  const bool left = lineX_ + 8 + width > area.right();
-  const QPointF baseline(left ? lineX_ - 8 - width : lineX_ + 8, area.bottom() - 8);
+  const double away = 8 * geometry.scale;
+  const bool left = lineX_ + away + width > area.right();
+  const QPointF baseline(left ? lineX_ - away - width : lineX_ + away, area.bottom() - away);
   label_ = {baseline.x() - 3, baseline.y() - metrics.ascent(), width + 6, metrics.height()};
-  const double dot = geometry.xOf(marker_->x);
-  bounds_ |= QRectF(std::min(lineX_, dot) - kDot - 2, area.top() - kDot - 2,
-                    std::abs(lineX_ - dot) + 2 * kDot + 4, area.height() + 2 * kDot + 4) |
+  const double dot = geometry.xOf(marker_->x), around = kDot * geometry.scale + 2;
+  bounds_ |= QRectF(std::min(lineX_, dot), area.top(), std::abs(lineX_ - dot), area.height())
+                 .adjusted(-around, -around, around, around) |
              label_;
 }
 
@@ -64,7 +66,7 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   if (label_.isEmpty() || lineX_ < area.left() - 1 || lineX_ > area.right() + 1) return;
   painter->setFont(font_);
   const double sharp = std::floor(lineX_) + 0.5;  // covers whole pixels
-  painter->setPen(QPen(colours_.marker, 1.5));
+  painter->setPen(QPen(colours_.marker, 1.5 * geometry_.scale));
   painter->drawLine(QPointF(sharp, area.top()), QPointF(sharp, area.bottom()));
   QColor halo = colours_.background;
   halo.setAlphaF(0.85F);
@@ -75,7 +77,10 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->setPen(QPen(colours_.background, 2));
   painter->setBrush(colours_.marker);
   const QPointF dot(geometry_.xOf(marker_->x), geometry_.yOf(marker_->y));
-  if (area.adjusted(-1, -1, 1, 1).contains(dot)) painter->drawEllipse(dot, kDot, kDot);
+  if (area.adjusted(-1, -1, 1, 1).contains(dot)) {
+    const double radius = kDot * geometry_.scale;
+    painter->drawEllipse(dot, radius, radius);
+  }
 }
 
 void MarkerItem::paintTrace(QPainter& painter) const {
@@ -84,7 +89,7 @@ void MarkerItem::paintTrace(QPainter& painter) const {
   colour.setAlphaF(0.75F);
   painter.save();
   painter.setClipRect(geometry_.area);
-  painter.setPen(QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setPen(QPen(colour, 1.6 * geometry_.scale, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(trace_);
   painter.restore();
@@ -100,19 +105,21 @@ void TipItem::show(const QString& text, QPointF place, bool ringed, const QRectF
   colours_ = colours;
   font_ = font;
   const QFontMetricsF metrics(font_);
-  const double most = std::min(360.0, room.width() - 4 * kTipPad);
+  scale_ = markScale(font);
+  const double most = std::min(360.0 * scale_, room.width() - 4 * kTipPad);
   const QSizeF size =
       metrics.boundingRect(QRectF(0, 0, most, 1000), Qt::TextWordWrap, text).size() +
       QSizeF(2 * kTipPad, 2 * kTipPad);
-  const bool left = place.x() + kTipAway + size.width() > room.right();
-  const double x = left ? place.x() - kTipAway - size.width() : place.x() + kTipAway;
+  const double away = kTipAway * scale_, ring = kRing * scale_ + 2;
+  const bool left = place.x() + away + size.width() > room.right();
+  const double x = left ? place.x() - away - size.width() : place.x() + away;
   const double y = place.y() - size.height() / 2;
   box_ = QRectF(
       QPointF(std::clamp(x, room.left(), std::max(room.left(), room.right() - size.width())),
               std::clamp(y, room.top(), std::max(room.top(), room.bottom() - size.height()))),
       size);
-  bounds_ = box_.adjusted(-2, -2, 2, 2) |
-            QRectF(place.x() - kRing - 2, place.y() - kRing - 2, 2 * kRing + 4, 2 * kRing + 4);
+  bounds_ =
+      box_.adjusted(-2, -2, 2, 2) | QRectF(place.x() - ring, place.y() - ring, 2 * ring, 2 * ring);
   QGraphicsItem::update();
 }
 
@@ -128,9 +135,9 @@ void TipItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*
   painter->setFont(font_);
   painter->setRenderHint(QPainter::Antialiasing);
   if (isRinged_) {
-    painter->setPen(QPen(colours_.text, 1.6));
+    painter->setPen(QPen(colours_.text, 1.6 * scale_));
     painter->setBrush(Qt::NoBrush);
-    painter->drawEllipse(place_, kRing, kRing);
+    painter->drawEllipse(place_, kRing * scale_, kRing * scale_);
   }
   painter->setPen(QPen(colours_.axis, 1));
   painter->setBrush(colours_.background);

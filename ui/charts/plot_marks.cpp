@@ -1,7 +1,9 @@
 #include "ui/charts/plot_marks.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QPolygonF>
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -23,6 +25,11 @@ QPolygonF cornersOf(PlotMark mark) {
 }
 
 }  // namespace
+
+double markScale(const QFont& font) {
+  constexpr double kUsual = 17;  // pixels, a line of a desktop's letters
+  return std::max(1.0, QFontMetricsF(font).height() / kUsual);
+}
 
 QColor colourOf(const PlotSeries& series, const PlotColours& colours) {
   if (series.place >= 0)

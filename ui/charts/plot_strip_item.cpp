@@ -15,14 +15,14 @@ namespace asperity {
 namespace {
 
 constexpr double kRadius = 3.6;    // of a point
-constexpr double kTickRoom = 18;   // height that a tick's label needs
 constexpr double kLabelRoom = 44;  // width that a label along needs
 
 }  // namespace
 
 QRectF StripItem::boundingRect() const {
   if (geometry_.strip.isEmpty()) return {};
-  return geometry_.strip.adjusted(-geometry_.strip.left(), -6, 20, 60);
+  const double scale = geometry_.scale;
+  return geometry_.strip.adjusted(-geometry_.strip.left(), -6 * scale, 20 * scale, 60 * scale);
 }
 
 void StripItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -44,15 +44,16 @@ double StripItem::yOf(double value) const {
 
 void StripItem::paintAxis(QPainter& painter) const {
   const QRectF& box = geometry_.strip;
-  const int most = std::max(2, static_cast<int>(box.height() / kTickRoom));
+  const double line = QFontMetricsF(painter.font()).height();
+  const int most = std::max(2, static_cast<int>(box.height() / (line + 2)));
   const AxisTicks axis = linearTicks(plot_.strip->from, plot_.strip->to, most, "%");
   for (const Tick& tick : axis.ticks) {
     const double y = std::floor(yOf(tick.value)) + 0.5;
     painter.setPen(QPen(tick.value == 0 ? colours_.axis : colours_.grid, 1));
     painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
     painter.setPen(colours_.text);
-    painter.drawText(QRectF(0, y - 10, box.left() - 7, 20), Qt::AlignRight | Qt::AlignVCenter,
-                     labelWithUnit(tick, axis));
+    painter.drawText(QRectF(0, y - line, box.left() - 7, 2 * line),
+                     Qt::AlignRight | Qt::AlignVCenter, labelWithUnit(tick, axis));
   }
   painter.setPen(QPen(colours_.axis, 1));
   painter.setBrush(Qt::NoBrush);
@@ -61,17 +62,18 @@ void StripItem::paintAxis(QPainter& painter) const {
 
 void StripItem::paintAlong(QPainter& painter) const {
   const QRectF& box = geometry_.strip;
-  const int most = std::max(2, static_cast<int>(box.width() / kLabelRoom));
+  const double line = QFontMetricsF(painter.font()).height();
+  const int most = std::max(2, static_cast<int>(box.width() / (kLabelRoom * geometry_.scale)));
   for (const LogTick& tick : logTicks(geometry_.x.from, geometry_.x.to, most)) {
     const double x = geometry_.xOf(std::pow(10, tick.decade));
     painter.setPen(QPen(colours_.grid, 1));
     painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
     painter.setPen(colours_.text);
-    painter.drawText(QRectF(x - 40, box.bottom() + 5, 80, 18), Qt::AlignCenter,
+    painter.drawText(QRectF(x - 3 * line, box.bottom() + 5, 6 * line, line), Qt::AlignCenter,
                      QString::fromStdString(tick.label));
   }
   painter.setPen(colours_.text);
-  painter.drawText(QRectF(box.left(), box.bottom() + 25, box.width(), 20), Qt::AlignCenter,
+  painter.drawText(QRectF(box.left(), box.bottom() + line + 9, box.width(), line), Qt::AlignCenter,
                    plot_.x.title);
 }
 
@@ -80,7 +82,8 @@ void StripItem::paintPoints(QPainter& painter) const {
   const QRectF& box = geometry_.strip;
   const PlotStrip& strip = *plot_.strip;
   painter.save();
-  painter.setClipRect(box.adjusted(-6, -6, 6, 6));
+  const double scale = geometry_.scale;
+  painter.setClipRect(box.adjusted(-6 * scale, -6 * scale, 6 * scale, 6 * scale));
   for (const PlotPoint& point : strip.points) {
     if (!isPlottable(point.x, 1) || !std::isfinite(point.y)) continue;
     const double x = geometry_.xOf(point.x);
@@ -88,17 +91,18 @@ void StripItem::paintPoints(QPainter& painter) const {
     painter.setBrush(colours_.difference);
     if (above || below) {
       painter.setPen(Qt::NoPen);
-      const double edge = above ? box.top() + 1 : box.bottom() - 1, way = above ? 7 : -7;
-      painter.drawPolygon(QPolygonF({{x, edge}, {x - 5, edge + way}, {x + 5, edge + way}}));
+      const double edge = above ? box.top() + 1 : box.bottom() - 1, way = (above ? 7 : -7) * scale;
+      painter.drawPolygon(
+          QPolygonF({{x, edge}, {x - 5 * scale, edge + way}, {x + 5 * scale, edge + way}}));
       continue;
     }
     if (std::isfinite(point.error)) {
-      painter.setPen(QPen(colours_.difference, 1.3));
+      painter.setPen(QPen(colours_.difference, 1.3 * scale));
       paintErrorBar(painter, x, std::max(yOf(point.y + point.error), box.top()),
-                    std::min(yOf(point.y - point.error), box.bottom()), 3);
+                    std::min(yOf(point.y - point.error), box.bottom()), 3 * scale);
     }
     painter.setPen(QPen(colours_.background, 1));
-    paintMark(painter, PlotMark::Diamond, {x, yOf(point.y)}, kRadius);
+    paintMark(painter, PlotMark::Diamond, {x, yOf(point.y)}, kRadius * scale);
   }
   painter.restore();
 }

@@ -8,6 +8,7 @@
 
 #include "core/run/strip_range.h"
 #include "ui/charts/decade_range.h"
+#include "ui/charts/plot_marks.h"
 #include "ui/charts/relaxation_guide.h"
 #include "ui/charts/tick_label.h"
 #include "ui/picture/ticks.h"
@@ -16,10 +17,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kLeft = 78, kRight = 34;  // margins of the strips, pixels
+constexpr double kLeft = 78, kRight = 34;  // margins of the strips, pixels, at least
 constexpr double kGap = 8;                 // between strips
-constexpr double kTickRoom = 19;           // height that a tick's label needs
-constexpr double kTickWidth = 90;
+constexpr double kTickWidth = 90;          // that a label of a time needs, times the letters' scale
 
 /// Where a strip begins and ends, with some air; never empty.
 AxisEnds rangeOf(const std::vector<QPointF>& line, double least) {
@@ -85,7 +85,9 @@ void TransientStrips::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), colours_.background);
   const double text = fontMetrics().height();
-  const QRectF area(kLeft, text + 14, width() - kLeft - kRight, height() - 2 * text - 26);
+  const double left = std::max(kLeft, fontMetrics().horizontalAdvance("8.88×10⁻⁵") + 14.0);
+  const double right = std::max(kRight, fontMetrics().horizontalAdvance("88.8 ms") / 2 + 4.0);
+  const QRectF area(left, text + 14, width() - left - right, height() - 2 * text - 26);
   paintLegend(painter, {16, 0, width() - 32.0, text + 14});
   const double each = (area.height() - 2 * kGap) / 3;
   QRectF strip(area.left(), area.top(), area.width(), each);
@@ -105,13 +107,14 @@ void TransientStrips::paintEvent(QPaintEvent*) {
 
 /// What the dashes mean, and the rate now.
 void TransientStrips::paintLegend(QPainter& painter, const QRectF& room) const {
+  const double scale = markScale(font());
   if (hasGuide()) {
-    painter.setPen(QPen(colours_.marker, 1.6, Qt::DashLine));
+    painter.setPen(QPen(colours_.marker, 1.6 * scale, Qt::DashLine));
     painter.drawLine(QPointF(room.left(), room.center().y()),
-                     QPointF(room.left() + 22, room.center().y()));
+                     QPointF(room.left() + 22 * scale, room.center().y()));
   }
   painter.setPen(colours_.text);
-  const QRectF place = room.adjusted(hasGuide() ? 28 : 0, 0, 0, 0);
+  const QRectF place = room.adjusted(hasGuide() ? 28 * scale : 0, 0, 0, 0);
   painter.drawText(
       place, Qt::AlignVCenter,
       fontMetrics().elidedText(note(), Qt::ElideRight, static_cast<int>(place.width())));
@@ -125,27 +128,17 @@ void TransientStrips::paintStrip(QPainter& painter, const QRectF& room, const QS
     return QPointF(room.left() + room.width() * point.x() / sliding_.duration,
                    room.bottom() - room.height() * (point.y() - low) / (high - low));
   };
-  const int most = std::max(2, static_cast<int>(room.height() / kTickRoom));
-  if (!line.empty()) {
-    const AxisTicks axis = linearTicks(low, high, most, unit);
-    for (const Tick& tick : axis.ticks) {
-      const double y = std::floor(place({0, tick.value}).y()) + 0.5;
-      painter.setPen(colours_.grid);
-      painter.drawLine(QPointF(room.left(), y), QPointF(room.right(), y));
-      painter.setPen(colours_.text);
-      const QString label = labelWithUnit(tick, axis);
-      painter.drawText(QRectF(0, y - 10, room.left() - 6, 20), Qt::AlignRight | Qt::AlignVCenter,
-                       label);
-    }
-  }
+  if (!line.empty())
+    paintValues(painter, room, unit, {low, high}, [&](double y) { return place({0, y}).y(); });
   painter.setPen(colours_.axis);
   painter.drawRect(room);
   painter.save();
   painter.setClipRect(room);
+  const double scale = markScale(font());
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(colours_.points, 1.8));
+  painter.setPen(QPen(colours_.points, 1.8 * scale));
   painter.drawPath(pathOf(line, place));
-  painter.setPen(QPen(colours_.marker, 1.6, Qt::DashLine));
+  painter.setPen(QPen(colours_.marker, 1.6 * scale, Qt::DashLine));
   painter.drawPath(pathOf(guide, place));
   painter.restore();
   // In a corner that the newest part of the line leaves free for most of the motion.
@@ -158,13 +151,37 @@ void TransientStrips::paintStrip(QPainter& painter, const QRectF& room, const QS
   painter.drawText(label, Qt::AlignCenter, name);
 }
 
+/// Labels at the ends would meet those of the next strip: they stay away where two others are left.
+void TransientStrips::paintValues(QPainter& painter, const QRectF& room, const char* unit,
+                                  const AxisEnds& ends,
+                                  const std::function<double(double)>& yOf) const {
+  const double letters = fontMetrics().height();
+  const int most = std::max(2, static_cast<int>(room.height() / (letters + 3)));
+  const AxisTicks axis = linearTicks(ends.from, ends.to, most, unit);
+  const auto hasRoom = [&](const Tick& tick) {
+    const double y = yOf(tick.value);
+    return std::min(y - room.top(), room.bottom() - y) > 0.4 * letters;
+  };
+  const bool areEnough = std::ranges::count_if(axis.ticks, hasRoom) >= 2;
+  for (const Tick& tick : axis.ticks) {
+    const double y = std::floor(yOf(tick.value)) + 0.5;
+    painter.setPen(colours_.grid);
+    painter.drawLine(QPointF(room.left(), y), QPointF(room.right(), y));
+    if (areEnough && !hasRoom(tick)) continue;
+    painter.setPen(colours_.text);
+    painter.drawText(QRectF(0, y - letters, room.left() - 6, 2 * letters),
+                     Qt::AlignRight | Qt::AlignVCenter, labelWithUnit(tick, axis));
+  }
+}
+
 void TransientStrips::paintTimes(QPainter& painter, const QRectF& room) const {
-  const int most = std::max(2, static_cast<int>(room.width() / kTickWidth));
+  const double wide = kTickWidth * markScale(font());
+  const int most = std::max(2, static_cast<int>(room.width() / wide));
   const AxisTicks axis = linearTicks(0, sliding_.duration, most, "s");
   painter.setPen(colours_.text);
   for (const Tick& tick : axis.ticks) {
     const double x = room.left() + room.width() * tick.value / sliding_.duration;
-    painter.drawText(QRectF(x - 45, room.bottom() + 4, 90, fontMetrics().height()),
+    painter.drawText(QRectF(x - wide / 2, room.bottom() + 4, wide, fontMetrics().height()),
                      Qt::AlignHCenter | Qt::AlignTop, labelWithUnit(tick, axis));
   }
 }

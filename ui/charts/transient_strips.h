@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/run/strip_range.h"
 #include "core/run/transient_sample.h"
 #include "core/scene/scene.h"
 #include "ui/charts/plot_view.h"
@@ -41,6 +42,8 @@ class TransientStrips : public QWidget {
   void paintLegend(QPainter& painter, const QRectF& room) const;
   void paintStrip(QPainter& painter, const QRectF& room, const QString& name, const char* unit,
                   const Line& line, const Line& guide, double least) const;
+  void paintValues(QPainter& painter, const QRectF& room, const char* unit, const AxisEnds& ends,
+                   const std::function<double(double)>& yOf) const;
   void paintTimes(QPainter& painter, const QRectF& room) const;
 
   Sliding sliding_;

@@ -31,7 +31,7 @@ constexpr int kGap = 5;  // pixels between the columns
 
 // Digits.
 constexpr double kEntryWidth = 8.2;
-constexpr double kUnitWidth = 4.2;
+constexpr double kUnitWidth = 4.9;
 constexpr double kResetWidth = 2.25;
 
 ParameterValue sliderValue(const Parameter& parameter, double value) {

@@ -1,6 +1,7 @@
 #include "ui/window/appearance.h"
 
 #include <QGuiApplication>
+#include <algorithm>
 
 #include "core/friction/curve_set.h"
 #include "ui/picture/diagram_colours.h"
@@ -76,17 +77,24 @@ PlotColours plotColoursOf(const Theme& theme) {
   colours.background = colourOf(theme.background);
   colours.text = colourOf(theme.text);
   colours.faintText = colourOf(theme.faintText);
-  colours.grid = mixed(colours.background, colours.text, dark ? 0.17 : 0.13);
-  colours.fineGrid = mixed(colours.background, colours.grid, 0.45);
+  colours.grid = mixed(colours.background, colours.text, dark ? 0.19 : 0.14);
+  colours.fineGrid = mixed(colours.background, colours.grid, 0.55);
   colours.axis = mixed(colours.background, colours.text, 0.5);
   colours.points = accent(theme);
   colours.line = dark ? QColor(0xb0, 0xb6, 0xbf) : QColor(0x6b, 0x72, 0x7c);
-  colours.span = mixed(colours.background, colours.text, dark ? 0.07 : 0.05);
+  colours.span = mixed(colours.background, colours.text, dark ? 0.06 : 0.04);
   colours.difference = colours.text;
   for (std::size_t i = 0; i < colours.pinned.size(); ++i)
     colours.pinned[i] = colourOf(seriesColour(colourOfPin(static_cast<int>(i)), theme));
   colours.marker = dark ? QColor(0xff, 0x9f, 0x43) : QColor(0xd9, 0x5f, 0x02);
   return colours;
+}
+
+double presentedScale(const QSizeF& screen) {
+  constexpr double kLeast = 1.5;
+  constexpr QSizeF kEnoughFor(1600, 900);
+  return kLeast * std::max(1.0, std::min(screen.width() / kEnoughFor.width(),
+                                         screen.height() / kEnoughFor.height()));
 }
 
 QString windowStyleSheet(const Theme& theme) {

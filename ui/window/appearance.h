@@ -4,6 +4,7 @@
 
 #include <QColor>
 #include <QPalette>
+#include <QSizeF>
 #include <QString>
 
 #include "ui/charts/plot_view.h"
@@ -18,6 +19,10 @@ bool isDark(const Theme& theme);
 bool systemIsDark();
 QPalette paletteOf(const Theme& theme);
 PlotColours plotColoursOf(const Theme& theme);
+
+/// How much larger all texts are in a presentation on a screen of this size in pixels: read from
+/// the back of a room, they keep their share of a large one.
+double presentedScale(const QSizeF& screen);
 
 /// For the main window: bars, docks, menus, splitter, message bar.
 QString windowStyleSheet(const Theme& theme);

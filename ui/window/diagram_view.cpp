@@ -1,10 +1,12 @@
 #include "ui/window/diagram_view.h"
 
+#include <QEvent>
 #include <QPainter>
 #include <QTimer>
 #include <exception>
 #include <utility>
 
+#include "ui/charts/plot_marks.h"
 #include "ui/picture/diagram_picture.h"
 #include "ui/picture/text_painter.h"
 
@@ -58,8 +60,8 @@ void DiagramView::request() {
   pause_->start();
   const double scale = devicePixelRatioF();
   const QSize pixels = size() * scale;
-  const DiagramOptions options{pixels.width(), pixels.height(), static_cast<float>(scale), theme_,
-                               kLeastText};
+  const DiagramOptions options{pixels.width(), pixels.height(),
+                               static_cast<float>(scale * markScale(font())), theme_, kLeastText};
   ++asked_;
   worker().request({[this, number = asked_, maker = maker_, options] {
                       composed_ = number;
@@ -102,6 +104,12 @@ void DiagramView::hideEvent(QHideEvent* event) {
 void DiagramView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   requestSoon();
+}
+
+/// Its texts follow those of the window.
+void DiagramView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) requestSoon();
 }
 
 /// While a picture of the new size is being made the last one is stretched.

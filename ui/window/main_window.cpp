@@ -56,6 +56,17 @@ LineSize sizeOf(const Frame& frame) {
           static_cast<std::int64_t>(frame.lineHeight.size()) / pointsPerElement(*frame.scene)};
 }
 
+/// One below the other without a gap; the last one takes the room.
+QWidget* inColumn(std::initializer_list<QWidget*> widgets) {
+  auto* all = new QWidget;
+  auto* column = new QVBoxLayout(all);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  for (QWidget* widget : widgets) column->addWidget(widget);
+  column->setStretchFactor(*std::rbegin(widgets), 1);
+  return all;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* parent)
@@ -80,7 +91,9 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   timer->start(kPollInterval);
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  if (presentation_) QApplication::setFont(presentation_->font);  // of other windows, too
+}
 
 /// Everything that has words.
 void MainWindow::putTogether() {
@@ -109,25 +122,16 @@ void MainWindow::buildViews() {
   splitter_->setStretchFactor(1, 42);
   splitter_->setSizes({580, 420});
 
-  pages_ = new QStackedWidget;
-  pages_->addWidget(splitter_);
-
-  messages_ = new MessageBar;
   description_ = new MessageBar;
   description_->setObjectName("descriptionBar");
+  pages_ = new QStackedWidget;
+  pages_->addWidget(inColumn({description_, splitter_}));
+
+  messages_ = new MessageBar;
   hint_ = new MessageBar;
   hint_->setObjectName("hintBar");
   tourBar_ = new TourBar;
-  auto* centre = new QWidget;
-  auto* column = new QVBoxLayout(centre);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(messages_);
-  column->addWidget(hint_);
-  column->addWidget(tourBar_);
-  column->addWidget(description_);
-  column->addWidget(pages_, 1);
-  setCentralWidget(centre);
+  setCentralWidget(inColumn({messages_, hint_, tourBar_, pages_}));
 
   buildStatus();
 }

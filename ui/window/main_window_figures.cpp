@@ -29,8 +29,12 @@ QString menuText(const FigureEntry& entry) {
 }  // namespace
 
 void MainWindow::buildFigures() {
-  figures_ = addCommand("figures", tr("All figures"), Qt::CTRL | Qt::Key_G, Symbol::Figures,
-                        [this] { isShowingFigures() ? closeFigures() : openFigures(); });
+  figures_ =
+      addCommand("figures", tr("All figures"), Qt::CTRL | Qt::Key_G, Symbol::Figures, [this] {
+        if (isShowingFigures()) return closeFigures();
+        openFigures();
+        gallery().choose(gallery().chosen(), true);
+      });
   figures_->setIconText(QChar(0x2002) + tr("Figures"));
   figures_->setCheckable(true);
 }

@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -25,7 +26,6 @@ namespace asperity {
 namespace {
 
 constexpr int kLayoutVersion = 1;  // of docks and tool bars
-constexpr double kPresentedScale = 1.5;
 
 const QList<int>& defaultSplit() {
   static const QList<int> sizes{580, 420};
@@ -131,17 +131,18 @@ void MainWindow::showScreenMode() {
 
 void MainWindow::setPresenting(bool presenting) {
   if (presenting == isPresenting()) return showScreenMode();
+  const double scale = presenting ? presentedScale(screen()->size()) : 1;
   if (presenting) {
     closeFigures();
     presentation_ = {QApplication::font(), isFullScreen(), !dock_->isHidden(), !tools_->isHidden(),
                      !statusBar()->isHidden()};
     QFont large = presentation_->font;
-    large.setPointSizeF(large.pointSizeF() * kPresentedScale);
+    large.setPointSizeF(large.pointSizeF() * scale);
     QApplication::setFont(large);
   } else {
     QApplication::setFont(presentation_->font);
   }
-  canvas_->setTextScale(presenting ? kPresentedScale : 1);
+  canvas_->setTextScale(scale);
   menuBar()->setVisible(!presenting);
   tools_->setVisible(!presenting && presentation_->hasTools);
   statusBar()->setVisible(!presenting && presentation_->hasStatus);

@@ -1,5 +1,6 @@
 #include "ui/window/plan_list.h"
 
+#include <QEvent>
 #include <QHeaderView>
 
 #include "core/scene/input_error.h"
@@ -33,6 +34,21 @@ void PlanList::showScene(const Scene& scene) {
   } catch (const InputError& error) {
     addTopLevelItem(new QTreeWidgetItem({{}, {}, translatedText(error.what())}));
   }
+  fitColumns();
+}
+
+void PlanList::showEvent(QShowEvent* event) {
+  QTreeWidget::showEvent(event);
+  fitColumns();
+}
+
+void PlanList::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) fitColumns();
+}
+
+/// Names and answers are whole; reasons take the rest.
+void PlanList::fitColumns() {
   resizeColumnToContents(0);
   resizeColumnToContents(1);
 }

@@ -15,6 +15,13 @@ class PlanList : public QTreeWidget {
   explicit PlanList(QWidget* parent = nullptr);
 
   void showScene(const Scene& scene);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void fitColumns();
 };
 
 }  // namespace asperity

@@ -36,6 +36,30 @@ TEST(DiagramView, MakesNothingUntilItIsSeen) {
   EXPECT_EQ(view.image().size(), view.size());
 }
 
+TEST(DiagramView, HasTextsAsLargeAsTheWindows) {
+  const auto dark = [](const QImage& image) {
+    int pixels = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) pixels += qGray(image.pixel(x, y)) < 100 ? 1 : 0;
+    return pixels;
+  };
+  DiagramView view;
+  view.resize(900, 500);
+  view.show([] {
+    DiagramSheet sheet;
+    sheet.title = "a long title of the sheet";
+    return sheet;
+  });
+  view.QWidget::show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.isPainted(); }, kWait));
+  const int usual = dark(view.image());
+  QFont large = view.font();
+  large.setPointSizeF(3 * large.pointSizeF());
+  view.setFont(large);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.isPainted(); }, kWait));
+  EXPECT_GT(dark(view.image()), 4 * usual);
+}
+
 TEST(DiagramView, ShowsTheNewestOfManyWishes) {
   DiagramView view;
   view.resize(500, 260);

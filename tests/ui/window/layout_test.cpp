@@ -3,15 +3,18 @@
 
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QToolBar>
+#include <QTreeWidget>
 #include <memory>
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/appearance.h"
+#include "ui/window/gallery_page.h"
 
 namespace asperity {
 namespace {
@@ -78,14 +81,50 @@ TEST_F(LayoutTest, FullScreenAndBack) {
   EXPECT_FALSE(action("leave").isEnabled());
 }
 
+TEST(PresentedScale, KeepsTheShareOfALargeScreenAndIsNeverSmall) {
+  for (const QSizeF small : {QSizeF(1280, 720), QSizeF(1600, 900), QSizeF(3000, 600)})
+    EXPECT_DOUBLE_EQ(presentedScale(small), 1.5) << small.width();
+  for (const double height : {1080.0, 1440.0, 2160.0})
+    EXPECT_DOUBLE_EQ(presentedScale({16 * height / 9, height}) / height, 1.5 / 900) << height;
+}
+
+TEST_F(LayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {
+  auto& description = control<QWidget>("descriptionBar");
+  drop(ASPERITY_RESOURCES_DIR "/scenes/region_1.json");
+  ASSERT_TRUE(waitFor([&] { return description.isVisible(); }));
+  action("figures").trigger();
+  EXPECT_FALSE(description.isVisible());
+  const FigureName first = window_.gallery().chosen();
+  EXPECT_TRUE(waitFor([&] { return window_.gallery().gallery().status(first).made != nullptr; }));
+  action("figures").trigger();
+  EXPECT_TRUE(description.isVisible());
+}
+
+TEST_F(LayoutTest, ThePlanIsWholeInAPresentation) {
+  action("go:planList").trigger();
+  auto& plan = control<QTreeWidget>("planList");
+  for (const bool presenting : {true, false}) {
+    window_.setPresenting(presenting);
+    QCoreApplication::processEvents();
+    const QFontMetrics metrics(plan.font());
+    for (int row = 0; row < plan.topLevelItemCount(); ++row)
+      for (const int column : {0, 1})
+        EXPECT_GE(plan.columnWidth(column),
+                  metrics.horizontalAdvance(plan.topLevelItem(row)->text(column)))
+            << presenting << row;
+  }
+}
+
 TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   const double before = QApplication::font().pointSizeF();
   QTest::keyClick(&window_, Qt::Key_F5);
   EXPECT_TRUE(window_.isPresenting());
   EXPECT_TRUE(window_.isFullScreen());
-  EXPECT_NEAR(QApplication::font().pointSizeF(), 1.5 * before, 0.01);
-  EXPECT_NEAR(control<QWidget>("frictionPlot").font().pointSizeF(), 1.5 * before, 0.01);
+  EXPECT_NEAR(QApplication::font().pointSizeF(), presentedScale(window_.screen()->size()) * before,
+              0.01);
+  EXPECT_NEAR(control<QWidget>("frictionPlot").font().pointSizeF(),
+              presentedScale(window_.screen()->size()) * before, 0.01);
   for (const QWidget* hidden : std::initializer_list<QWidget*>{
            &dock(), window_.menuBar(), window_.statusBar(), &control<QToolBar>("commands")})
     EXPECT_FALSE(hidden->isVisible());
