@@ -157,7 +157,9 @@ void TransientStrips::paintValues(QPainter& painter, const QRectF& room, const c
                                   const std::function<double(double)>& yOf) const {
   const double letters = fontMetrics().height();
   const int most = std::max(2, static_cast<int>(room.height() / (letters + 3)));
-  const AxisTicks axis = linearTicks(ends.from, ends.to, most, unit);
+  AxisTicks axis = linearTicks(ends.from, ends.to, most, unit);
+  for (int more = most + 1; axis.ticks.size() < 2 && more < most + 4; ++more)
+    axis = linearTicks(ends.from, ends.to, more, unit);  // one alone gives no scale
   const auto hasRoom = [&](const Tick& tick) {
     const double y = yOf(tick.value);
     return std::min(y - room.top(), room.bottom() - y) > 0.4 * letters;
