@@ -11,6 +11,7 @@
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
+#include "ui/picture/ticks.h"
 #include "ui/picture/xml_text.h"
 
 namespace asperity {
@@ -84,10 +85,9 @@ std::string article(const BatchResult& result) {
       "<table>",
       xmlText(translated(item.scene.title)), result.files.front());
   for (const auto& [key, value] : item.varied) html += variedRow(key, value);
-  html += row(Words::tr("coefficient of friction"), inLanguage(fmt::format("{:.4g}", result.mu)));
-  html += row(Words::tr("in contact"),
-              inLanguage(fmt::format("{:.3g} %", 100 * result.contactFraction)));
-  html += row(Words::tr("indentation"), inLanguage(fmt::format("{:.4g} m", result.indentation)));
+  html += row(Words::tr("coefficient of friction"), shortNumber(result.mu, 4));
+  html += row(Words::tr("in contact"), shortNumber(100 * result.contactFraction) + " %");
+  html += row(Words::tr("indentation"), quantity(result.indentation, "m", 4));
   html += "</table><p class=\"quiet\">" + xmlText(translated(parametersInWords(item.scene))) +
           "</p><p>";
   for (const std::string& file : result.files)

@@ -13,6 +13,8 @@
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
 #include "core/friction/curve_words.h"
+#include "core/scene/assignments.h"
+#include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/known_words.h"
 #include "core/scene/parameters.h"
@@ -86,8 +88,17 @@ NumberRange positiveRange(const char* option, const std::string& text) {
 
 /// The scene with the assignments set over it.
 Scene sceneWith(const Scene& scene, const std::string& assignments) {
+  const std::vector<std::string> each = separatedAssignments(assignments);
+  for (const std::string& assignment : each)
+    if (each.size() > 1 && assignment.find('=') == std::string::npos)
+      throw InputError("", kWith,
+                       fmt::format("'{}' between two ; is not KEY=VALUE; a ; that belongs to a "
+                                   "value is written \\;",
+                                   shortened(assignment)));
   try {
-    return readScene(writeScene(scene), kWith, scene.folder, split(assignments, ';'));
+    Scene other = readScene(writeScene(scene), kWith, scene.folder, each);
+    if (other.sliding.kind != scene.sliding.kind) needSteadySliding(other, "a curve");
+    return other;
   } catch (const InputError& error) {
     throw InputError(kWith, error.key(), error.message());
   }
@@ -130,8 +141,10 @@ void addCurveOptions(CLI::App& verb, CurveChoice& choice) {
                   "Also computed in this way on the same lines; the difference stands below the "
                   "curve and in tables: nodal, linear or cubic, points per element, lines")
       ->type_name("SCHEME[:OVERSAMPLING[:LINES]]");
-  verb.add_option(kWith, choice.with,
-                  "Another curve beside, of the scene with these keys set; may repeat")
+  verb.add_option(
+          kWith, choice.with,
+          "Another curve beside, of the scene with these keys set, a ; in a value as \\;; may "
+          "repeat")
       ->type_name("KEY=VALUE[;KEY=VALUE...]")
       ->take_all()
       ->allow_extra_args(false);

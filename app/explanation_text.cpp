@@ -13,11 +13,8 @@ namespace asperity {
 namespace {
 
 std::string timeText(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.3g} \u00B5s", 1e6 * seconds);
-  if (seconds < 1) return fmt::format("{:.3g} ms", 1e3 * seconds);
-  if (seconds < 120) return fmt::format("{:.3g} s", seconds);
-  return seconds < 7200 ? fmt::format("{:.0f} min", seconds / 60)
-                        : fmt::format("{:.1f} h", seconds / 3600);
+  if (seconds < 120) return quantity(seconds, "s");
+  return seconds < 7200 ? shortNumber(seconds / 60) + " min" : shortNumber(seconds / 3600) + " h";
 }
 
 std::string percent(double part) {
@@ -79,7 +76,7 @@ std::string costLines(const std::string& time, const std::string& memory,
 }
 
 std::string mebibytes(double bytes) {
-  return inLanguage(fmt::format("{:.2g} MiB", bytes / (1 << 20)));
+  return shortNumber(bytes / (1 << 20), 2) + " MiB";
 }
 
 }  // namespace
@@ -93,12 +90,12 @@ std::string explanationText(const Explanation& explanation) {
   if (const auto& predicted = explanation.predicted)
     text += Words::tr("predicted") + "\n" +
             costLines(filled(Words::tr("%1 on %2 (%3)"),
-                             {inLanguage(timeText(predicted->seconds)),
-                              threadsText(predicted->threads), workText(*predicted)}),
+                             {timeText(predicted->seconds), threadsText(predicted->threads),
+                              workText(*predicted)}),
                       mebibytes(predicted->memory), predicted->error);
   if (const auto& measured = explanation.measured)
     text += Words::tr("measured") + "\n" +
-            costLines(inLanguage(timeText(measured->seconds)),
+            costLines(timeText(measured->seconds),
                       filled(Words::tr("%1 more than before"), {mebibytes(measured->memory)}),
                       measured->error);
   return text;

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/run/runner.h"
 #include "core/scene/input_error.h"
+#include "core/scene/printed_number.h"
 
 namespace asperity {
 namespace {
@@ -15,9 +17,7 @@ constexpr std::int64_t kUsualFrames = 60;
 constexpr double kUsualFps = 25;
 constexpr double kMostFrames = 1e6;
 constexpr std::int64_t kSamples = 200;  // over a motion, at least
-constexpr double kMomentPart =
-    1.0 / 720;                        // of a motion: what the friction of a moment is a mean of
-constexpr double kMostPeriods = 1e9;  // slid
+constexpr double kMostPeriods = 1e9;    // slid
 
 double fpsOf(const TimeChoice& choice) {
   return choice.framesPerSecond > 0 ? choice.framesPerSecond : kUsualFps;
@@ -26,7 +26,8 @@ double fpsOf(const TimeChoice& choice) {
 std::int64_t rounded(double frames, const char* option) {
   if (!(frames <= kMostFrames))
     throw InputError("", option,
-                     fmt::format("{:.3g} frames are more than {:g}", frames, kMostFrames));
+                     fmt::format("{} frames are more than {}", printedNumber(frames),
+                                 printedNumber(kMostFrames)));
   return std::max<std::int64_t>(1, std::llround(frames));
 }
 
@@ -49,14 +50,16 @@ void checkMoment(const Scene& scene, const TimeChoice& choice, double length, bo
   if (choice.slid && !isSteady)
     throw InputError("", "--slid", "belongs to steady sliding; a motion has --at");
   if (!isSteady && *choice.at > scene.sliding.duration)
-    throw InputError("", "--at",
-                     fmt::format("{:g} s is after the motion's end at {:g} s", *choice.at,
-                                 scene.sliding.duration));
+    throw InputError(
+        "", "--at",
+        fmt::format("{} is after the motion's end at {}", printedQuantity(*choice.at, "s", 6),
+                    printedQuantity(scene.sliding.duration, "s", 6)));
   if (!isSteady) return;
   const double slid = choice.slid ? *choice.slid : *choice.at * scene.sliding.velocity;
   if (!(std::abs(slid) <= kMostPeriods * length))
     throw InputError("", option,
-                     fmt::format("{:g} m slid are more than {:g} periods", slid, kMostPeriods));
+                     fmt::format("{} slid are more than {} periods", printedQuantity(slid, "m"),
+                                 printedNumber(kMostPeriods)));
 }
 
 FramePlan steadyPlan(double period, const TimeChoice& choice, bool single) {
@@ -111,13 +114,16 @@ FramePlan planFrames(const Scene& scene, double length, const TimeChoice& choice
 }
 
 FrameSource::FrameSource(const Scene& scene, const TimeChoice& choice, bool single,
-                         const FrameFields& fields)
+                         const FrameFields& fields, double seen)
     : choice_(choice), velocity_(scene.sliding.velocity), duration_(scene.sliding.duration) {
   const auto shared = std::make_shared<const Scene>(scene);
   if (scene.sliding.kind == SlidingKind::Steady)
-    steady_.emplace(shared, fields);
+    steady_.emplace(shared, fields, seen);
   else
-    motion_.emplace(shared, 0, std::numeric_limits<double>::infinity()).want(fields);
+    motion_
+        .emplace(shared, 0,
+                 single ? Simulation::kStepsPerFrame : std::numeric_limits<double>::infinity())
+        .want(fields);
   length_ = steady_ ? steady_->length() : motion_->frame().length;
   checkMoment(scene, choice, length_, single);
   plan_ = planFrames(scene, length_, choice, single);
@@ -140,21 +146,22 @@ void FrameSource::march(double time) {
   if (part > 0) motion_->advance(part, 1 / plan_.framesPerSecond);
 }
 
+/// Of a motion, as the window shows it when it has come there.
+Frame FrameSource::momentFrame() {
+  const RunnerOptions window;
+  motion_->advanceTo(choice_.at.value_or(duration_), window.partPerFrame(),
+                     window.secondsPerFrame());
+  Frame frame = motion_->frame();
+  frame.timeScale = 0;
+  return frame;
+}
+
 Frame FrameSource::frame(std::int64_t index) {
   if (steady_) return steadyFrame(index);
-  if (choice_.at) {
-    const double before = *choice_.at - kMomentPart * duration_;
-    const auto samples = static_cast<double>(kSamples);
-    for (double i = 1; i * duration_ < before * samples; ++i) march(i * duration_ / samples);
-    march(before);
-    march(*choice_.at);
-    Frame frame = motion_->frame();
-    frame.timeScale = 0;
-    return frame;
-  }
-  const std::int64_t intervals = std::max<std::int64_t>(plan_.count - 1, 1);
+  if (plan_.count == 1) return momentFrame();
+  const std::int64_t intervals = plan_.count - 1;
   const std::int64_t parts = (kSamples + intervals - 1) / intervals;  // of an interval
-  const std::int64_t target = (plan_.count == 1 ? 1 : index) * parts;
+  const std::int64_t target = index * parts;
   while (advanced_ < target) {
     // Whole steps fall short of a part: the next one makes up for it.
     ++advanced_;

@@ -37,9 +37,9 @@ FramePlan planFrames(const Scene& scene, double length, const TimeChoice& choice
 
 class FrameSource {
  public:
-  /// fields: what frames hold besides.
+  /// fields: what frames hold besides; seen: m, of the line in a picture, 0: the whole period.
   FrameSource(const Scene& scene, const TimeChoice& choice, bool single,
-              const FrameFields& fields = {});
+              const FrameFields& fields = {}, double seen = 0);
 
   const FramePlan& plan() const { return plan_; }
   double length() const { return length_; }  // m, of the period
@@ -49,6 +49,7 @@ class FrameSource {
 
  private:
   Frame steadyFrame(std::int64_t index) const;
+  Frame momentFrame();
   void march(double time);
 
   TimeChoice choice_;

@@ -26,6 +26,12 @@ constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Co
                                                    {"both", PictureLayout::Both},
                                                    {"transient", PictureLayout::Transient}}};
 
+DiagramSeries ringAround(DiagramSeries series) {
+  series.name.clear();
+  series.mark = SeriesMark::Ring;
+  return series;
+}
+
 }  // namespace
 
 PictureLayout layoutFrom(const std::string& name, const char* key) {
@@ -133,6 +139,7 @@ DiagramSheet PictureComposer::curveWithPresent(const Frame& frame) const {
     present.name = Words::tr("the motion up to here");
     if (!trace.points.empty()) present.points = {trace.points.back()};
     series.push_back(std::move(trace));
+    series.push_back(ringAround(present));  // it may stand in the middle of the trace
   } else {
     present.name = Words::tr("the line shown, at its velocity");
     present.points = {{frame.scene->sliding.velocity * velocity, frame.muSteady * friction}};

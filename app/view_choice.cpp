@@ -8,6 +8,10 @@
 #include "app/number_range.h"
 #include "app/option_words.h"
 #include "core/scene/input_error.h"
+#include "core/scene/known_words.h"
+#include "core/scene/printed_number.h"
+#include "core/scene/range_text.h"
+#include "ui/picture/contact_overlay.h"
 
 namespace asperity {
 namespace {
@@ -23,9 +27,9 @@ constexpr const char *kAlong = "--view", *kHeights = "--heights", *kColours = "-
 
 void checkPlace(const char* option, const std::optional<double>& place, double length) {
   if (place && !(std::abs(*place) <= kFarthestPeriods * length))
-    throw InputError(
-        "", option,
-        fmt::format("{} m is not within {:g} m of 0", *place, kFarthestPeriods * length));
+    throw InputError("", option,
+                     fmt::format("{} m is not within {} m of 0", plainNumber(*place),
+                                 printedNumber(kFarthestPeriods * length, 6)));
 }
 
 /// The heights around the middle of the fitted ones at which heights are so many times as large as
@@ -58,6 +62,23 @@ const char* ViewChoice::firstOption() const {
   return magnified ? kMagnify : nullptr;
 }
 
+double ViewChoice::width() const {
+  if (along.empty()) return 0;
+  const NumberRange range = rangeFrom(kAlong, along, "m");
+  return range.to - range.from;
+}
+
+double ViewChoice::finest() const {
+  constexpr double kNothing = 1e-300;  // as fine as lines are drawn
+  return probe ? kNothing : width();
+}
+
+FrameFields ViewChoice::fields(ContactOverlay overlay) const {
+  FrameFields fields = fieldsFor(overlay);
+  fields.lineSlope = probe.has_value();
+  return fields;
+}
+
 void ViewChoice::addTo(nlohmann::ordered_json& picture) const {
   if (!along.empty()) picture["view"] = along;
   if (!heights.empty()) picture["heights"] = heights;
@@ -70,15 +91,14 @@ void ViewChoice::addTo(nlohmann::ordered_json& picture) const {
 void addViewOptions(CLI::App& verb, ViewChoice& choice) {
   verb.add_option(kAlong, choice.along, "Part of the line that is shown, in m; else one period")
       ->type_name("FROM:TO");
-  auto* heights = verb.add_option(kHeights, choice.heights,
-                                  "Heights that are shown, in m above the undeformed surface; else "
-                                  "all that occur")
-                      ->type_name("FROM:TO");
-  CLI::Option* exaggeration =
+  verb.add_option(kHeights, choice.heights,
+                  "Heights that are shown, in m above the undeformed surface; else "
+                  "all that occur")
+      ->type_name("FROM:TO");
+  limit(
       verb.add_option(kExaggeration, choice.exaggeration,
-                      "Heights are drawn so many times as large as lengths, instead of --heights")
-          ->excludes(heights);
-  limit(exaggeration, 1e-6, 1e12);
+                      "Heights are drawn so many times as large as lengths, instead of --heights"),
+      1e-6, 1e12);
   limit(verb.add_option(kColours, choice.coloursTo,
                         "Value at the bright end of the colours, in N/m, s or W/m; else as needed"),
         1e-300, 1e300);
@@ -91,15 +111,18 @@ void addViewOptions(CLI::App& verb, ViewChoice& choice) {
 void checkView(const ViewChoice& choice, ContactOverlay overlay, double length) {
   if (!choice.along.empty()) {
     const NumberRange range = rangeFrom(kAlong, choice.along, "m");
-    const double width = range.to - range.from;
+    const double width = choice.width();
     if (width > kMostPeriods * length || width < kLeastPeriods * length)
       throw InputError(
           "", kAlong,
-          fmt::format("{:g} m are not {:g} to {:g} m, which are {:g} periods of the line", width,
-                      kLeastPeriods * length, kMostPeriods * length, kMostPeriods));
+          fmt::format("{} is not {} wide, of which the most are {} periods of the line",
+                      shortened(choice.along),
+                      rangeText(kLeastPeriods * length, kMostPeriods * length, "m"), kMostPeriods));
     checkPlace(kAlong, range.from, length);
   }
   if (!choice.heights.empty()) rangeFrom(kHeights, choice.heights, "m");
+  if (!choice.heights.empty() && choice.exaggeration)
+    throw InputError("", kExaggeration, "and --heights both say the heights; one is enough");
   if (choice.coloursTo && overlay == ContactOverlay::None)
     throw InputError("", kColours, "there are no colours with --overlay none");
   checkPlace(kProbe, choice.probe, length);
@@ -111,7 +134,7 @@ void applyView(const ViewChoice& choice, const Frame& frame, ContactPictureOptio
   if (!choice.along.empty()) {
     const NumberRange range = rangeFrom(kAlong, choice.along, "m");
     view.left = range.from;
-    view.width = range.to - range.from;
+    view.width = choice.width();
   }
   if (choice.coloursTo) endOf(view, options.overlay) = *choice.coloursTo;
   options.probe = choice.probe;

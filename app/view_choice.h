@@ -26,6 +26,12 @@ struct ViewChoice {
 
   /// One that is said; null where none is.
   const char* firstOption() const;
+  /// m, of the line that is shown; 0: one period.
+  double width() const;
+  /// m, in which a picture has its details: less where one place is read.
+  double finest() const;
+  /// What frames have to hold for a picture with that overlay.
+  FrameFields fields(ContactOverlay overlay) const;
   /// What of it changes a picture, for its provenance; keys are added to `picture`.
   void addTo(nlohmann::ordered_json& picture) const;
 };

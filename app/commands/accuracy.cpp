@@ -15,11 +15,11 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
-#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
 #include "ui/picture/diagram_picture.h"
 #include "ui/picture/picture_origin.h"
+#include "ui/picture/ticks.h"
 
 namespace asperity {
 namespace {
@@ -60,8 +60,9 @@ void writePictures(const std::string& folder, const WorkPrecision& comparison) {
   pictures.finish();
 }
 
-std::string inDigits(const char* form, double value) {
-  return inLanguage(fmt::format(fmt::runtime(form), value));
+/// Below each other, with their ends in line.
+std::string column(double value) {
+  return fmt::format("{:>8}", shortNumber(value, 2));
 }
 
 /// Filled up with blanks; counts letters, not bytes.
@@ -77,9 +78,8 @@ std::string methodLine(const WorkPrecisionPoint& point, bool isPresent, std::siz
   const std::string difference = Words::tr("difference"), error = Words::tr("error");
   const std::size_t width = std::max(lettersOf(difference), lettersOf(error));
   std::string text = fmt::format(
-      "  {} {} {}  {} s", padded(translated(nameOf(point.choice)), nameWidth),
-      inDigits("{:>8.1e}", point.error), padded(point.isDifference ? difference : error, width),
-      inDigits("{:>8.2g}", point.seconds));
+      "  {} {} {}  {} s", padded(translated(nameOf(point.choice)), nameWidth), column(point.error),
+      padded(point.isDifference ? difference : error, width), column(point.seconds));
   if (point.isExtrapolated) text += " " + Words::tr("(extrapolated)");
   if (point.isOnFront) text += "  " + Words::tr("best for its time");
   if (isPresent) text += "  " + Words::tr("<- this scene");
@@ -87,7 +87,7 @@ std::string methodLine(const WorkPrecisionPoint& point, bool isPresent, std::siz
 }
 
 std::string marchLine(const RegionPrecision& region) {
-  const auto percent = [](double part) { return inDigits("{:.2g}", 100 * part); };
+  const auto percent = [](double part) { return shortNumber(100 * part, 2); };
   std::string text =
       "  " + filled(Words::tr("a march in time: half the step changes friction by %1 %"),
                     {percent(region.timeStepError)});
@@ -100,8 +100,8 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
   std::string text;
   for (const RegionPrecision& region : comparison.regions) {
     text += filled(Words::tr("region %1, %2 to %3 m/s"),
-                   {region.region, inDigits("{:.2g}", region.velocities.front()),
-                    inDigits("{:.2g}", region.velocities.back())}) +
+                   {region.region, shortNumber(region.velocities.front(), 2),
+                    shortNumber(region.velocities.back(), 2)}) +
             "\n";
     std::size_t width = 0;
     for (const WorkPrecisionPoint& point : region.points)

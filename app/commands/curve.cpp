@@ -17,11 +17,12 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
+#include "core/scene/printed_number.h"
 #include "core/scene/provenance.h"
-#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
 #include "ui/picture/diagram_picture.h"
+#include "ui/picture/ticks.h"
 
 namespace asperity {
 namespace {
@@ -65,13 +66,13 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
                                  : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
   if (curve.marginalFraction > 0)
     text += ", " + filled(Words::tr("%1 % of the balances with a partly loaded element"),
-                          {inLanguage(fmt::format("{:.1f}", 100 * curve.marginalFraction))});
+                          {shortNumber(100 * curve.marginalFraction, 2)});
   text += "\n";
   if (std::isfinite(curve.achievedError))
     text += filled(curve.isTargetMet
                        ? Words::tr("relative error at most %1 at every velocity, target met")
                        : Words::tr("relative error at most %1 at every velocity, target not met"),
-                   {inLanguage(fmt::format("{:.2g}", curve.achievedError))}) +
+                   {shortNumber(curve.achievedError, 2)}) +
             "\n";
   for (const std::string& output : outputs) text += wroteLine(output);
   return text;
@@ -130,8 +131,8 @@ int runCurve(const CurveCommand& command) {
   if (!curve.isTargetMet)
     throw std::runtime_error(
         fmt::format("accuracy.target_relative_error is not reached within the lines and memory "
-                    "allowed: {:.2g}",
-                    curve.achievedError));
+                    "allowed: {}",
+                    printedNumber(curve.achievedError, 2)));
   return kDone;
 }
 

@@ -25,6 +25,7 @@
 #include "ui/language/words.h"
 #include "ui/picture/contact_overlay.h"
 #include "ui/picture/png_file.h"
+#include "ui/picture/ticks.h"
 
 namespace asperity {
 namespace {
@@ -64,7 +65,8 @@ class Rendering {
     if (showsCurve()) checkCurves(command.curves, scene_);
     saidOfScene(command_.common, [&] {
       checkLayout();
-      frames_.emplace(scene_, command_.time, kind_ == Kind::Picture, fieldsFor(overlay_));
+      frames_.emplace(scene_, command_.time, kind_ == Kind::Picture, command_.view.fields(overlay_),
+                      command_.view.finest());
       checkView(command_.view, overlay_, frames_->length());
       if (showsCurve()) computeCurves();
     });
@@ -84,7 +86,7 @@ class Rendering {
   }
 
   std::string summary() const {
-    std::string text = "mu = " + inLanguage(fmt::format("{:.6g}", frictionOf(last_))) + "\n";
+    std::string text = "mu = " + shortNumber(frictionOf(last_), 6) + "\n";
     if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
     text += filled(kind_ == Kind::Film ? Words::tr("wrote %1 frames to %2")
                                        : Words::tr("wrote %1 frames in %2"),
@@ -232,7 +234,8 @@ class Rendering {
   void addSamples(const std::vector<std::int64_t>& indices, HeadlessPictures& pictures,
                   FilmFile& film) const {
     if (indices.empty()) return;
-    FrameSource frames(scene_, command_.time, false, fieldsFor(overlay_));
+    FrameSource frames(scene_, command_.time, false, command_.view.fields(overlay_),
+                       command_.view.finest());
     PictureComposer composer(style_, content());
     for (const std::int64_t index : indices)
       film.add(pictures.draw(composer.compose(frames.frame(index))));

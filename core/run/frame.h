@@ -34,6 +34,7 @@ struct Frame {
   double time = 0;                     // s simulated
   double distance = 0;                 // m slid
   double timeScale = 0;                // simulated seconds per second on screen
+  double nextStep = 0;                 // s, of a motion: a moment nearer than that is this one
   double velocity = 0;                 // m/s, now; below 0 the line goes back
 
   double length = 0;                  // m, period

@@ -104,10 +104,10 @@ struct Runner::Body {
     if (orders.fields || orders.scene) simulation->want(fields);
     if (orders.reset) simulation->reset();
     for (int i = 0; i < orders.steps; ++i) simulation->singleStep();
-    const auto interval = std::chrono::duration<double>(1 / options.framesPerSecond);
+    const std::chrono::duration<double> interval(options.secondsPerFrame());
     const bool due = orders.play && Clock::now() >= next;
     if (due) {
-      simulation->advance(interval.count() / options.secondsPerPeriod, interval.count());
+      simulation->advance(options.partPerFrame(), interval.count());
       next = std::max(next + std::chrono::duration_cast<Clock::duration>(interval), Clock::now());
     }
     if (due || orders.any()) publish(simulation->frame());

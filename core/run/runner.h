@@ -39,6 +39,10 @@ struct RunnerOptions {
   double secondsPerPeriod = 12;  // on screen, for the line to pass by once
   /// Called where a curve update is there, on the curve's thread; returns at once. May be empty.
   std::function<void()> curveNews{};
+
+  double secondsPerFrame() const { return 1 / framesPerSecond; }
+  /// Of the period, or of a motion's duration.
+  double partPerFrame() const { return secondsPerFrame() / secondsPerPeriod; }
 };
 
 class Runner {

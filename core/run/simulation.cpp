@@ -213,6 +213,11 @@ void Simulation::advanceMotion(double part) {
   steps_ = transient_->steps();
 }
 
+void Simulation::advanceTo(double time, double part, double wallSeconds) {
+  while (transient_ && transient_->canReach(time))
+    advance(std::min(part, (time - time_) / transient_->motion().duration()), wallSeconds);
+}
+
 void Simulation::singleStep() {
   clearReading();
   const double velocity = ready_->velocity();
@@ -264,6 +269,7 @@ void Simulation::addSteady(Frame& frame) const {
 }
 
 void Simulation::addMotion(Frame& frame) const {
+  frame.nextStep = transient_->nextStep();
   frame.velocity = transient_->motion().velocityAt(time_);
   frame.indentation = transient_->march().indentation();
   frame.transient = std::make_shared<const std::vector<TransientSample>>(samples_);

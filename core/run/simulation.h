@@ -44,6 +44,10 @@ class Simulation {
   /// what the frame lasts on screen.
   void advance(double part, double wallSeconds);
 
+  /// A motion up to that time (s), as far as whole steps go, by way of the frames that advance()
+  /// would make; the last one is shorter.
+  void advanceTo(double time, double part, double wallSeconds);
+
   /// One time step.
   void singleStep();
 

@@ -13,8 +13,9 @@
 namespace asperity {
 namespace {
 
-/// Points at which a picture is drawn, at least: a frame's shift is rounded to one of them.
-constexpr std::int64_t kPicturePoints = 8192;
+/// Points across a picture, at least, and of a line, at most: a frame's shift is rounded to one of
+/// them.
+constexpr double kPicturePoints = 8192, kMostPoints = 1 << 20;
 
 SteadyState solve(const SceneSliding& sliding, const TravelLine& line, double velocity) {
   SteadyState state = sliding.at(line, velocity);
@@ -26,9 +27,21 @@ void rotate(std::vector<double>& values, std::int64_t shift) {
   if (!values.empty()) std::rotate(values.begin(), values.end() - shift, values.end());
 }
 
+/// To an element. The paper's elements are shown as they are; a resolved line is drawn finely
+/// enough to glide.
+std::int64_t pointsToDraw(const Scene& scene, const LineSource& own, double seen) {
+  if (scene.accuracy.scheme == Scheme::Nodal) return 1;
+  const double pictures = seen > 0 ? std::max(own.length() / seen, 1.0) : 1;
+  const double wanted = std::min(kPicturePoints * pictures, kMostPoints);
+  return std::max<std::int64_t>(
+      pointsPerElement(scene),
+      std::llround(std::ceil(wanted / static_cast<double>(own.elements()))));
+}
+
 }  // namespace
 
-SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields& fields)
+SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields& fields,
+                           double seen)
     : scene_(std::move(scene)) {
   const Accuracy& accuracy = scene_->accuracy;
   needSteadySliding(*scene_, "a picture of one shape");
@@ -37,11 +50,7 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields
   const LineSource own(*scene_, pointsPerElement(*scene_));
   result_ = solve(sliding, prepareTravel(own.make(0), accuracy.scheme), velocity).result;
 
-  // The paper's elements are shown as they are; a resolved line is drawn finely enough to glide.
-  const std::int64_t finer =
-      accuracy.scheme == Scheme::Nodal
-          ? 1
-          : std::max(accuracy.oversampling, (kPicturePoints + own.elements() - 1) / own.elements());
+  const std::int64_t finer = pointsToDraw(*scene_, own, seen);
   const LineSource source(*scene_, finer);
   const Line line = source.make(0);
   const TravelLine travel = prepareTravel(line, accuracy.scheme);

@@ -14,7 +14,10 @@ namespace asperity {
 
 class SteadyFrames {
  public:
-  explicit SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields& fields = {});
+  /// seen: m, of the line in the narrowest picture, whose points then lie the closer; 0: the whole
+  /// period.
+  explicit SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields& fields = {},
+                        double seen = 0);
 
   /// Frame `index` of `count` that divide one period; framesPerSecond states the time scale.
   Frame frame(std::int64_t index, std::int64_t count, double framesPerSecond) const;

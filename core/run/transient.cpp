@@ -129,17 +129,32 @@ void Transient::stepOnce(double dt, Means& means) {
   ++steps_;
 }
 
-/// Whole steps, but up to where the velocity jumps and to the end of the motion.
+/// Whole, but up to where the velocity jumps and to the end of the motion.
+double Transient::nextStep() const {
+  if (isOver()) return 0;
+  const double dt = stepAt(time_), left = markAfter(time_) - time_;
+  return endsAtMark(dt) ? left : dt;
+}
+
+bool Transient::endsAtMark(double dt) const {
+  const double left = markAfter(time_) - time_;
+  return left > 0 && dt >= left * (1 - kRounding);
+}
+
+bool Transient::canReach(double time) const {
+  const double dt = nextStep();
+  return !isOver() && time_ + dt <= time + kRounding * dt;
+}
+
 TransientSample Transient::marchTo(double time) {
   Means means;
   const std::uint64_t before = steps_;
   while (time_ < time || steps_ == before) {
-    const double mark = markAfter(time_);
-    const double dt = stepAt(time_), left = mark - time_;
-    if (left > 0 && dt >= left * (1 - kRounding)) {
-      stepOnce(left, means);
+    const double mark = markAfter(time_), dt = stepAt(time_);
+    if (endsAtMark(dt)) {
+      stepOnce(mark - time_, means);
       time_ = mark;  // to the last bit
-    } else if (steps_ > before && time_ + dt > time + kRounding * dt) {
+    } else if (steps_ > before && !canReach(time)) {
       break;
     } else {
       stepOnce(dt, means);

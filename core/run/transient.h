@@ -31,6 +31,12 @@ class Transient {
   /// Steps that marchTo would take.
   double stepsTo(double time) const;
 
+  /// s, of the next step: no moment before its end can be told from this one. 0 once it is over.
+  double nextStep() const;
+
+  /// Whether the next step ends by that time (s).
+  bool canReach(double time) const;
+
   /// Steps from here to the motion's end, counted one by one without marching, or from the first
   /// one's length where they are more than `most`.
   double countSteps(double most = 2e6) const;
@@ -55,6 +61,7 @@ class Transient {
   class Means;
   double stepAt(double time) const;
   double markAfter(double time) const;
+  bool endsAtMark(double dt) const;
   void stepOnce(double dt, Means& means);
 
   Load load_;

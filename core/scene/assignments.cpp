@@ -9,6 +9,8 @@ namespace asperity {
 
 namespace {
 
+constexpr char kBetween = ';', kEscape = '\\';  // of several assignments in one word
+
 std::string textOf(const ParameterValue& value) {
   return std::visit([](const auto& held) { return fmt::format("{}", held); }, value);
 }
@@ -40,6 +42,33 @@ std::vector<std::string> assignmentsFrom(const Scene& base, const Scene& scene) 
     if (isSaid(row, scene) && differs(row, base, scene))
       assignments.push_back(fmt::format("{}={}", row.key, textOf(valueOf(row, scene))));
   return assignments;
+}
+
+std::string joinedAssignments(const std::vector<std::string>& assignments) {
+  std::string text;
+  for (const std::string& assignment : assignments) {
+    if (!text.empty()) text += kBetween;
+    for (const char c : assignment) {
+      if (c == kBetween || c == kEscape) text += kEscape;
+      text += c;
+    }
+  }
+  return text;
+}
+
+std::vector<std::string> separatedAssignments(std::string_view text) {
+  std::vector<std::string> parts(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool escapes = text[i] == kEscape && i + 1 < text.size() &&
+                         (text[i + 1] == kBetween || text[i + 1] == kEscape);
+    if (escapes)
+      parts.back() += text[++i];
+    else if (text[i] == kBetween)
+      parts.emplace_back();
+    else
+      parts.back() += text[i];
+  }
+  return parts;
 }
 
 }  // namespace asperity

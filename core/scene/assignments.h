@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -12,5 +13,9 @@ namespace asperity {
 /// "KEY=VALUE" of every key that differs, in the table's order: readScene(text of base, ...,
 /// assignments) is `scene` up to the folder and to keys that have no meaning in it.
 std::vector<std::string> assignmentsFrom(const Scene& base, const Scene& scene);
+
+/// "KEY=VALUE;KEY=VALUE" and back. A ';' inside a value is written "\;", and a '\' "\\".
+std::string joinedAssignments(const std::vector<std::string>& assignments);
+std::vector<std::string> separatedAssignments(std::string_view text);
 
 }  // namespace asperity

@@ -84,9 +84,24 @@ TEST_F(UsageTest, WhatDoesNotGoTogetherIsSaidOfTheOption) {
   expectRefused("render step.json -o out --frames 3 --slow-motion 2", 2,
                 "asperity: --slow-motion: follows from the motion");
   expectRefused("render s.json -o out --duration 1e6 --fps 1000", 2,
-                "asperity: --duration: 1e+09 frames are more than 1e+06");
-  expectRefused("render s.json -o out --cycles 1e6", 2, "asperity: --cycles: 6e+07 frames");
+                "asperity: --duration: 10⁹ frames are more than 10⁶");
+  expectRefused("render s.json -o out --cycles 1e6", 2, "asperity: --cycles: 6×10⁷ frames");
   expectRefused("render s.json -o a.gif --layout curve", 2, "asperity: --layout: curve does not");
+}
+
+/// As 1.3×10⁻⁵, not as 1.3e-05.
+TEST_F(UsageTest, WhatIsPrintedForPeopleHasNoNumbersOfMachines) {
+  const std::string small = " --set surface.elements=64 --set load.normal_force=1e-7";
+  for (const char* verb :
+       {"check s.json", "curve s.json -o a.csv --set accuracy.target_relative_error=1e-4",
+        "curve s.json -o a.csv --set accuracy.scheme=nodal", "render s.json -o a.png",
+        "render step.json -o a.png", "accuracy s.json -o out", "explain s.json --analyze",
+        "explain step.json", "surface s.json -o a.csv", "batch b.json -o pages"}) {
+    const bool isBatch = std::string(verb).starts_with("batch");
+    const Said said = program.run(verb + (isBatch ? std::string() : small));
+    EXPECT_THAT(said.out + said.err, testing::Not(testing::ContainsRegex("[0-9]e[-+0-9]"))) << verb;
+    EXPECT_FALSE(said.out.empty()) << verb << said.err;
+  }
 }
 
 TEST_F(UsageTest, OnePictureHasNoTime) {

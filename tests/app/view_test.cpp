@@ -140,12 +140,12 @@ TEST_F(ViewTest, WhatCannotBeMeantIsRefused) {
   };
   for (const char* text : {"1e-3", "2e-3:1e-3", "1:1", "a:b", "0:inf", "0:1e-3x"})
     refused(std::string("--view ") + text, "--view: ");
-  refused("--view 0:2", "2 m are not 2e-11 to 1 m, which are 50 periods");
+  refused("--view 0:2", "--view: 0:2 is not 2e-11 to 1 m wide, of which the most are 50 periods");
   refused("--view 1e9:1000000000.01", " m is not within 20000 m of 0");
   refused("--slid 0.005 --at 3", "--slid: and --at both say the moment");
   refused("--heights 1e-6", "--heights: 1e-6 is not FROM:TO in m");
   refused("--exaggeration 0", "--exaggeration");
-  refused("--exaggeration 10 --heights 0:1", "--exaggeration");
+  refused("--exaggeration 10 --heights 0:1", "--exaggeration: and --heights both say");
   refused("--colours-to -1", "--colours-to");
   refused("--colours-to 1 --overlay none", "no colours");
   refused("--probe 1e9", "--probe");
@@ -189,6 +189,31 @@ TEST_F(ViewTest, ComparedCurvesAreInPictureAndTables) {
   EXPECT_THAT(program.run("open --json c.csv").out, HasSubstr("\"realizations\": 6"));
 }
 
+TEST_F(ViewTest, ASemicolonInAValueIsWrittenWithABackslash) {
+  run("curve s.json -o c.json --with 'title=one\\;two;load.normal_force=0.1' --with 'title=a\\b'");
+  const Json answer = Json::parse(read("c.json"));
+  ASSERT_EQ(answer["with"].size(), 2U);
+  EXPECT_THAT(std::string(answer["with"][0]["name"]), HasSubstr("100 mN"));
+  expectRefused("curve s.json --with 'title=one;two'", 2,
+                "--with: 'two' between two ; is not KEY=VALUE; a ; that belongs to a value is "
+                "written \\;");
+  expectRefused("curve s.json --with 'load.normal_force=1;'", 2, "--with: ''");
+}
+
+/// Of the line itself, as the window's is; a difference of heights would be another.
+TEST_F(ViewTest, TheCrosshairReadsTheSlopeOfTheLine) {
+  const auto slopeOf = [this](const std::string& arguments) {
+    const std::string all = texts(arguments);
+    const std::size_t at = all.find("slope z\u2032|") + std::string("slope z\u2032|").size();
+    return all.substr(at, all.find('|', at) - at);
+  };
+  // Just beside the tip of a wedge, over which a difference would be 0.
+  const std::string wedge =
+      " --set surface.kind=wedge --set surface.slope=0.002 --set load.normal_force=1e-4"
+      " --set sliding.kind=start --set sliding.duration=1e-6 --set sliding.velocity=1e-9 ";
+  EXPECT_EQ(slopeOf(wedge + "--probe 0.01"), "\u22120.00200");
+}
+
 /// The scene's own table keeps the columns that people script against.
 TEST_F(ViewTest, ThePlainTableStaysAsItIs) {
   EXPECT_THAT(program.run("curve s.json").out, StartsWith("velocity,mu,mu_standard_error,mu_law"));
@@ -212,6 +237,7 @@ TEST_F(ViewTest, ComparisonsThatCannotBeMeantAreRefused) {
                 "--compare needs the same resolution");
   expectRefused("curve s.json --with load.normal_farce=1", 2, "--with: load.normal_farce");
   expectRefused("curve s.json --with load.normal_force", 2, "--with");
+  expectRefused("curve s.json --with sliding.kind=step", 2, "--with: sliding.kind: ");
   expectRefused("curve s.json -o a.png --x-range 0:1", 2, "not above 0");
   expectRefused("curve s.json -o a.png --axes round", 2, "--axes: round is not one of");
   for (const char* option : {"--axes dimensionless", "--x-range 1:2", "--y-range 1:2"})

@@ -50,6 +50,10 @@ void TransientStrips::show(const Sliding& sliding,
   spacing_ = spacing;
   period_ = period;
   samples_ = std::move(samples);
+  guide_.clear();
+  if (samples_)
+    for (const GuidePoint& point : relaxationGuide(sliding_, *samples_))
+      guide_.emplace_back(point.time, point.mu);
   setAccessibleDescription(note());
   update();
 }
@@ -61,8 +65,8 @@ void TransientStrips::setColours(const PlotColours& colours) {
 
 QString TransientStrips::note() const {
   if (sampleCount() == 0) return tr("nothing has moved yet");
+  if (!hasGuide()) return {};
   const double rate = samples_->back().predictedRate;
-  if (!std::isfinite(rate)) return {};
   return tr("predicted rate 1/τ + v/ℓ = %1 (exact for one contact, a guide on rough lines)")
       .arg(readingLabel(rate) + " s⁻¹");
 }
@@ -85,10 +89,6 @@ void TransientStrips::paintEvent(QPaintEvent*) {
   const double right = std::max(kRight, fontMetrics().horizontalAdvance("88.8 ms") / 2 + 4.0);
   const QRectF area(left, text + 14, width() - left - right, height() - 2 * text - 26);
   paintLegend(painter, {16, 0, width() - 32.0, text + 14});
-  Line guide;
-  if (samples_)
-    for (const GuidePoint& point : relaxationGuide(sliding_, *samples_))
-      guide.emplace_back(point.time, point.mu);
   const double each = (area.height() - 2 * kGap) / 3;
   QRectF strip(area.left(), area.top(), area.width(), each);
   const StripFloors floors = samples_ ? stripFloors(*samples_, spacing_, period_) : StripFloors{};
@@ -97,7 +97,7 @@ void TransientStrips::paintEvent(QPaintEvent*) {
     paintStrip(painter, strip, name, unit, line, over, least);
     strip.translate(0, each + kGap);
   };
-  next(tr("friction μ"), "", lineOf([](const auto& s) { return s.mu; }), guide, floors.friction);
+  next(tr("friction μ"), "", lineOf([](const auto& s) { return s.mu; }), guide_, floors.friction);
   next(tr("indentation d"), "m", lineOf([](const auto& s) { return s.indentation; }), {},
        floors.indentation);
   next(tr("contact length ℓ"), "m", lineOf([](const auto& s) { return s.contactLength; }), {},
@@ -108,11 +108,13 @@ void TransientStrips::paintEvent(QPaintEvent*) {
 /// What the dashes mean, and the rate now.
 void TransientStrips::paintLegend(QPainter& painter, const QRectF& room) const {
   const double scale = markScale(font());
-  painter.setPen(QPen(colours_.marker, 1.6 * scale, Qt::DashLine));
-  painter.drawLine(QPointF(room.left(), room.center().y()),
-                   QPointF(room.left() + 22 * scale, room.center().y()));
+  if (hasGuide()) {
+    painter.setPen(QPen(colours_.marker, 1.6 * scale, Qt::DashLine));
+    painter.drawLine(QPointF(room.left(), room.center().y()),
+                     QPointF(room.left() + 22 * scale, room.center().y()));
+  }
   painter.setPen(colours_.text);
-  const QRectF place = room.adjusted(28 * scale, 0, 0, 0);
+  const QRectF place = room.adjusted(hasGuide() ? 28 * scale : 0, 0, 0, 0);
   painter.drawText(
       place, Qt::AlignVCenter,
       fontMetrics().elidedText(note(), Qt::ElideRight, static_cast<int>(place.width())));

@@ -27,7 +27,8 @@ class TransientStrips : public QWidget {
             double spacing = 0, double period = 0);
   void setColours(const PlotColours& colours);
 
-  /// "predicted rate 1/τ + v/ℓ = 2.1e3 1/s ...", of the newest sample.
+  /// "predicted rate 1/τ + v/ℓ = 2.1×10³ s⁻¹ ...", of the newest sample, where its relaxation is
+  /// drawn; empty where there is nothing to say.
   QString note() const;
   std::size_t sampleCount() const { return samples_ ? samples_->size() : 0; }
 
@@ -36,6 +37,7 @@ class TransientStrips : public QWidget {
 
  private:
   using Line = std::vector<QPointF>;  // time (s) and value
+  bool hasGuide() const { return guide_.size() > 1; }
   Line lineOf(const std::function<double(const TransientSample&)>& value) const;
   void paintLegend(QPainter& painter, const QRectF& room) const;
   void paintStrip(QPainter& painter, const QRectF& room, const QString& name, const char* unit,
@@ -47,6 +49,7 @@ class TransientStrips : public QWidget {
   Sliding sliding_;
   double spacing_ = 0, period_ = 0;  // m
   std::shared_ptr<const std::vector<TransientSample>> samples_;
+  Line guide_;
   PlotColours colours_;
 };
 

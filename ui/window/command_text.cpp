@@ -61,14 +61,22 @@ QString range(double from, double to) {
   return numberText(from) + ':' + numberText(to);
 }
 
+constexpr double kUnseen = 1e-5;  // of a view's width, less than a pixel
+
 /// With the digits that are seen where the view is so wide.
 double seen(double position, double width) {
-  constexpr double kUnseen = 1e-5;  // of the width, less than a pixel
   const double grid = std::pow(10, std::floor(std::log10(kUnseen * width)));
   const double rounded = std::round(position / grid) * grid;
   if (!std::isfinite(rounded) || rounded == 0) return std::isfinite(position) ? 0 : position;
   const double digits = std::floor(std::log10(std::abs(rounded))) - std::log10(grid) + 1.5;
   return roundedToDigits(rounded, static_cast<int>(std::clamp(digits, 1.0, 17.0)));
+}
+
+/// Where the crosshair stands: at an element, which is told from its neighbours in any view.
+double probed(double position, const Frame& frame, double width) {
+  if (!(frame.spacing > 0)) return seen(position, width);
+  const double element = std::round(position / frame.spacing) * frame.spacing;
+  return seen(element, std::min(width, 0.1 * frame.spacing / kUnseen));
 }
 
 /// Where somebody looks. Heights and the end of the colours are always said: fitted ones would be
@@ -85,26 +93,31 @@ QStringList viewWords(const PictureWish& wish) {
   words += {"--heights", range(seen(view.bottom, size), seen(view.top, size))};
   if (const double end = endIn(view, options.overlay); end > 0)
     words += {"--colours-to", numberText(roundedToDigits(end, 6))};
-  if (options.probe) words += {"--probe", numberText(seen(*options.probe, width))};
+  if (options.probe) words += {"--probe", numberText(probed(*options.probe, frame, width))};
   if (options.magnifier)
     words += {"--magnify", numberText(seen(options.magnifier->position, width))};
   return words;
 }
 
-/// With 9 digits, not before `time`: a call takes whole steps that do not go beyond its moment.
-double moment(double time, double end) {
-  constexpr int kDigits = 9;
-  constexpr double kStep = 5e-9;  // at least half a unit of the last digit
-  double rounded = roundedToDigits(time, kDigits);
-  if (rounded < time * (1 - 1e-12)) rounded = roundedToDigits(time * (1 + kStep), kDigits);
-  return std::min(rounded, end);
+/// With as few digits as tell it from the next step: a call takes whole steps that do not go beyond
+/// its moment.
+double moment(const Frame& frame) {
+  constexpr int kAll = 17;
+  for (int digits = 1; digits < kAll; ++digits) {
+    double rounded = roundedToDigits(frame.time, digits);
+    if (rounded < frame.time) {
+      const double unit = std::pow(10, std::floor(std::log10(frame.time)) - digits + 1);
+      rounded = roundedToDigits(frame.time + unit, digits);
+    }
+    if (rounded >= frame.time && rounded <= frame.time + 0.5 * frame.nextStep) return rounded;
+  }
+  return frame.time;
 }
 
 /// The moment: of a motion its time, which says all; of steady sliding how far the line has come.
 QStringList momentWords(const PictureWish& wish) {
   const Frame& frame = *wish.frame;
-  if (frame.transient)
-    return {"--at", numberText(moment(frame.time, frame.scene->sliding.duration))};
+  if (frame.transient) return {"--at", numberText(moment(frame))};
   QStringList words;
   const double width = resolvedView(frame, wish.options.view).width;
   if (frame.distance != 0) words += {"--slid", numberText(seen(frame.distance, width))};
@@ -126,10 +139,7 @@ QString pinnedText(Scene pinned, const Scene& scene) {
   pinned.description = scene.description;
   pinned.chapter = scene.chapter;
   pinned.sliding = scene.sliding;
-  QStringList assignments;
-  for (const std::string& assignment : assignmentsFrom(scene, pinned))
-    assignments += QString::fromStdString(assignment);
-  return assignments.join(';');
+  return QString::fromStdString(joinedAssignments(assignmentsFrom(scene, pinned)));
 }
 
 /// The curves that are compared, and the axes.

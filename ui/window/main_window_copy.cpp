@@ -47,10 +47,11 @@ void MainWindow::buildCopyCommands() {
       [this] { copyText(curveCommand(document_->origin(), document_->scene(), shownCurves())); });
 }
 
-/// The picture that is on the screen; none before the first.
+/// The picture that is on the screen, standing still; none before the first.
 std::optional<ContactShot> MainWindow::shot() const {
-  ContactShot shot{canvas_->viewer().frame(), {}};
-  if (!shot.frame) return std::nullopt;
+  const std::shared_ptr<const Frame> frame = canvas_->viewer().frame();
+  if (!frame) return std::nullopt;
+  ContactShot shot{stillOf(*frame), {}};
   shot.options = canvas_->viewer().options();
   const QSize size = devicePixels(*canvas_);
   shot.options.width = size.width();

@@ -85,9 +85,11 @@ MainWindow::Arrangement MainWindow::arrangementNow() {
   return now;
 }
 
-/// The canvas stays in the window, so that it keeps its OpenGL context.
+/// The canvas stays in the window, so that it keeps its OpenGL context. A part that goes loses the
+/// focus, and an entry then gives what is typed in it: nobody here listens any more.
 void MainWindow::takeApart() {
-  for (QObject* source : std::initializer_list<QObject*>{session_, document_, canvas_})
+  for (QObject* source :
+       std::initializer_list<QObject*>{session_, document_, canvas_, panel_, accuracy_, plot_})
     source->disconnect(this);
   canvas_->setParent(this);
   for (QDialog* dialog : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) delete dialog;

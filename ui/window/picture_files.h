@@ -25,6 +25,10 @@ struct PictureLabel {
   double scale = 1;    // pixels to one at 96 per inch
 };
 
+/// Without what is said of a picture that moves: how fast its time passes on the screen, and in
+/// steady sliding what its last steps read.
+std::shared_ptr<const Frame> stillOf(const Frame& frame);
+
 QImage imageOf(const ContactShot& shot);
 
 /// As PNG, SVG or PDF, by the extension; InputError for any other. As writeFileAtomically.

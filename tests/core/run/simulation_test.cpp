@@ -40,6 +40,38 @@ TEST(Simulation, TheSameCallsGiveTheSameFrames) {
   EXPECT_EQ(one.pressure, two.pressure);
 }
 
+/// The frame after so many calls, by way of its time alone.
+TEST(Simulation, AMomentOfAMotionIsFoundAgain) {
+  constexpr double kPart = 1.0 / 72, kWall = 1.0 / 60;
+  for (const SlidingKind kind :
+       {SlidingKind::Start, SlidingKind::Step, SlidingKind::Oscillation, SlidingKind::Reversal}) {
+    auto scene = someScene();
+    scene->sliding.kind = kind;
+    scene->sliding.duration = 0.004;
+    scene->sliding.frequency = 600;
+    Simulation simulation(scene, 1);
+    for (const int more : {0, 1, 16, 19, 1, 40}) {
+      for (int i = 0; i < more; ++i) simulation.advance(kPart, kWall);
+      const Frame frame = simulation.frame();
+      for (const double later : {0.0, 0.5}) {
+        Simulation again(scene, 1);
+        again.advanceTo(frame.time + later * frame.nextStep, kPart, kWall);
+        const Frame found = again.frame();
+        EXPECT_EQ(found.step, frame.step);
+        EXPECT_EQ(found.time, frame.time);
+        EXPECT_EQ(found.surfaceHeight, frame.surfaceHeight);
+        EXPECT_EQ(found.pressure, frame.pressure);
+        ASSERT_EQ(found.transient->size(), frame.transient->size());
+        for (std::size_t i = 0; i < found.transient->size(); ++i)
+          EXPECT_EQ((*found.transient)[i].indentation, (*frame.transient)[i].indentation);
+        if (std::isfinite(frame.muMarch)) {
+          EXPECT_EQ(found.muMarch, frame.muMarch);
+        }
+      }
+    }
+  }
+}
+
 TEST(Simulation, ALiveChangeGoesOnFromThePresentShape) {
   Simulation simulation(someScene(), 1);
   simulation.advance(0.1, 1.0 / 60);

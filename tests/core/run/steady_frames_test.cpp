@@ -46,6 +46,20 @@ TEST(SteadyFrames, NothingReachesThroughTheLineAndPressureIsInContactOnly) {
   }
 }
 
+TEST(SteadyFrames, ANarrowViewIsMovedAsFinelyAsAWideOne) {
+  const double seen = 1e-2 * 0.02;
+  const Frame wide = SteadyFrames(someScene()).frame(0, 1, 25);
+  const SteadyFrames close(someScene(), {}, seen);
+  EXPECT_LT(close.frame(0, 1, 25).spacing, 1e-3 * seen);
+  EXPECT_LT(wide.spacing, 1e-3 * wide.length);
+  // The same line at the same places.
+  const Frame fine = close.frame(0, 1, 25);
+  constexpr std::size_t kElements = 200;
+  for (std::size_t i = 0; i < kElements; ++i)
+    EXPECT_NEAR(fine.lineHeight[i * (fine.lineHeight.size() / kElements)],
+                wide.lineHeight[i * (wide.lineHeight.size() / kElements)], 1e-4 * wide.rmsHeight);
+}
+
 TEST(SteadyFrames, AtRestNothingMoves) {
   auto scene = std::make_shared<Scene>(*someScene());
   scene->sliding.velocity = 0;

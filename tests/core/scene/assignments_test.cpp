@@ -84,6 +84,15 @@ TEST(Assignments, AProfileKeepsTheSizeOfItsFileAndIsLeftAgain) {
                 writeScene(wanted));
 }
 
+TEST(Assignments, SeveralAreOneWordWhateverIsInThem) {
+  for (const std::vector<std::string>& all : {std::vector<std::string>{"title=a"},
+                                              {"title=a;b", "load.normal_force=1"},
+                                              {"title=;;", "surface.file=C:\\x;y\\", "a=\\;"}})
+    EXPECT_EQ(separatedAssignments(joinedAssignments(all)), all);
+  EXPECT_EQ(separatedAssignments("title=a\\b;seed=1"),
+            (std::vector<std::string>{"title=a\\b", "seed=1"}));
+}
+
 TEST(Assignments, NumbersKeepEveryDigit) {
   Scene scene;
   scene.load.normalForce = 0.1 + 0.2;

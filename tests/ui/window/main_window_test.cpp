@@ -241,7 +241,7 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
   EXPECT_TRUE(tabs.isTabVisible(1));
   EXPECT_EQ(tabs.currentWidget(), &strips);
   ASSERT_TRUE(waitFor([&] { return strips.sampleCount() > 3; }));
-  EXPECT_TRUE(strips.note().contains("predicted rate"));
+  EXPECT_FALSE(strips.note().contains("predicted rate"));  // no line yet, before the step
   const QImage image = strips.grab().toImage();
   const QColor line = plotColoursOf(window_.isDark() ? darkTheme() : lightTheme()).points;
   int drawn = 0;
@@ -249,6 +249,16 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
     for (int x = 0; x < image.width(); ++x)
       if (image.pixelColor(x, y) == line) ++drawn;
   EXPECT_GT(drawn, 3);
+  const auto noteOf = [&](SlidingKind kind) {
+    moving.sliding.kind = kind;
+    window_.showScene(moving);
+    EXPECT_TRUE(waitFor([&] {
+      return frame()->sceneNumber == session().sceneNumber() && strips.sampleCount() > 3;
+    }));
+    return strips.note();
+  };
+  EXPECT_TRUE(noteOf(SlidingKind::Start).contains("predicted rate"));
+  EXPECT_EQ(noteOf(SlidingKind::Oscillation), QString());
   window_.showScene(smallScene());
   EXPECT_FALSE(tabs.isTabVisible(1));
   EXPECT_EQ(tabs.currentWidget(), &window_.plotView());
