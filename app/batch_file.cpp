@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,6 +11,7 @@
 #include "core/friction/curve_words.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/atomic_file.h"
+#include "core/scene/file_name.h"
 #include "core/scene/input_error.h"
 #include "core/scene/json_text.h"
 #include "core/scene/known_words.h"
@@ -105,14 +105,6 @@ std::vector<Sweep> sweepsOf(const Json& entry) {
   return sweeps;
 }
 
-std::string fileName(const std::string& name) {
-  std::string clean;
-  for (const unsigned char letter : name)
-    clean +=
-        std::isalnum(letter) || letter == '-' || letter == '_' ? static_cast<char>(letter) : '_';
-  return clean.substr(0, 60);
-}
-
 /// "; H = 0.3, F = 10 mN": what tells a scene from the others of its sweep.
 std::string variedInWords(const BatchItem& item) {
   std::string text;
@@ -203,7 +195,7 @@ void addEntry(Batch& batch, const Json& json, std::size_t number,
               const std::filesystem::path& folder, std::set<std::string>& names) {
   std::string name = fmt::format("entry_{}", number);
   try {
-    if (json.is_object()) name = fileName(textOf(json, "name", name));
+    if (json.is_object()) name = fileNameOf(textOf(json, "name", name));
     if (name.empty() || !names.insert(name).second) refuse("name", "is empty or stands twice");
     std::vector<BatchItem> items = Entry(json, name, folder).items();
     if (batch.items.size() + items.size() > kMostItems)

@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 3> kSchemes{"nodal", "linear", "cubic"};
 
 constexpr Scale kLog = Scale::Logarithmic;
 constexpr Scale kLin = Scale::Linear;
+constexpr Scale kNoneOrLog = Scale::LogarithmicFromNone;
 constexpr Change kLive = Change::Live;
 constexpr Change kRebuild = Change::Rebuild;
 constexpr std::int64_t kLargestInteger = (std::int64_t{1} << 53) - 1;  // exact in JSON
@@ -58,7 +59,7 @@ const std::array kTable{
     Parameter{"surface.rms_height", "rms height", "h", "m", "Root mean square of the height (ISO Rq), set by the long waves.", kRebuild, {"surface.kind", "self_affine"},
               RealField{ASPERITY_MEMBER(surface, rmsHeight), 0, 1, 1e-9, 1e-4, kLog}},
     Parameter{"surface.roll_off_wavelength", "roll-off", "lambda_r", "m", "Waves longer than this are all equally strong; 0: the roughness is self-affine up to its whole length.", kRebuild, {"surface.kind", "self_affine"},
-              RealField{ASPERITY_MEMBER(surface, rollOffWavelength), 0, 1e3, 0, 0.02, kLin}},
+              RealField{ASPERITY_MEMBER(surface, rollOffWavelength), 0, 1e3, 2e-5, 0.05, kNoneOrLog}},
     Parameter{"surface.summit_correlation", "rough summits", "kappa", "", "Short waves stronger on the summits, which touch first (above 0), or in the valleys (below 0); 0: everywhere alike.", kRebuild, {"surface.kind", "self_affine"},
               RealField{ASPERITY_MEMBER(surface, summitCorrelation), -10, 10, -1, 1, kLin}},
     Parameter{"surface.seed", "seed", "", "", "Picks the random phases of the line.", kRebuild, {"surface.kind", "self_affine"},
@@ -83,7 +84,7 @@ const std::array kTable{
     Parameter{"elastomer.equilibrium_modulus", "rest modulus", "G_inf", "Pa", "Shear modulus that is left when all arms have relaxed; steady sliding needs more than 0.", kLive, {"elastomer.rheology", "standard_solid prony"},
               RealField{ASPERITY_MEMBER(elastomer, equilibriumModulus), 0, 1e15, 1e3, 1e9, kLog}},
     Parameter{"elastomer.viscosity", "viscosity", "eta", "Pa s", "Viscosity of a dashpot beside the arms; 0: none.", kLive, {"elastomer.rheology", "prony"},
-              RealField{ASPERITY_MEMBER(elastomer, viscosity), 0, 1e27, 0, 1e5, kLin}},
+              RealField{ASPERITY_MEMBER(elastomer, viscosity), 0, 1e27, 10, 1e7, kNoneOrLog}},
     Parameter{"elastomer.arms", "arms", "", "", "Springs and dashpots in series: modulus in Pa and relaxation time in s of each; a standard solid has one.", kLive, {"elastomer.rheology", "standard_solid prony"},
               ArmsField{ASPERITY_MEMBER(elastomer, arms)}},
     Parameter{"elastomer.temperature", "temperature", "T", "K", "Temperature of the elastomer; it shifts all relaxation times together.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
@@ -118,7 +119,7 @@ const std::array kTable{
     Parameter{"interface.friction_coefficient", "local friction", "", "", "Local coefficient of friction in contact, added to what the deformation costs and reported apart; 0: none.", kLive, {},
               RealField{ASPERITY_MEMBER(interface, frictionCoefficient), 0, 1e3, 0, 2, kLin}},
     Parameter{"interface.shear_stress", "local shear", "", "N/m", "Tangential load on each length in contact, instead of a local coefficient of friction; 0: none.", kLive, {},
-              RealField{ASPERITY_MEMBER(interface, shearStress), 0, 1e15, 0, 1e3, kLin}},
+              RealField{ASPERITY_MEMBER(interface, shearStress), 0, 1e15, 0.1, 1e5, kNoneOrLog}},
 
     Parameter{"sweep.velocity_from", "slowest", "", "m/s", "First velocity of the friction curve.", kLive, {},
               RealField{ASPERITY_MEMBER(sweep, velocityFrom), 1e-30, 1e12, 1e-6, 1e4, kLog}},

@@ -15,7 +15,9 @@
 
 namespace asperity {
 
-enum class Scale { Linear, Logarithmic };
+/// How a slider's places follow each other. LogarithmicFromNone: 0, which means none, then as
+/// Logarithmic.
+enum class Scale { Linear, Logarithmic, LogarithmicFromNone };
 
 /// A real number in [minimum, maximum]; sliders cover [sliderFrom, sliderTo] on the given scale.
 struct RealField {

@@ -88,6 +88,10 @@ std::string printedNumber(double value, int digits, Zeros zeros) {
   return zeros == Zeros::Drop ? withoutTrailingZeros(std::move(text)) : text;
 }
 
+std::string printedPower(double value, int digits) {
+  return withPower(value, leadingPower(value, digits), digits, Zeros::Drop);
+}
+
 std::string printedQuantity(double value, std::string_view unit, int digits, Zeros zeros) {
   if (!std::isfinite(value)) return "\u2013";
   if (unit.empty()) return printedNumber(value, digits, zeros);

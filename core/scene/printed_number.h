@@ -16,6 +16,9 @@ enum class Zeros { Keep, Drop };
 /// finite number.
 std::string printedNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop);
 
+/// As a power of ten, whatever its size: "2.3\u00D710\u2075", "10\u2075"; value finite, not 0.
+std::string printedPower(double value, int digits = 3);
+
 /// With a prefix from f to P: "3.4 mN", "0 N". Metres, seconds and m/s have none above 1, kelvins
 /// none at all; beyond the prefixes a power of ten stands before the plain unit. A pure number
 /// where there is no unit.

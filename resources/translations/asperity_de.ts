@@ -996,7 +996,7 @@
     </message>
     <message>
         <source>Fi&amp;gures</source>
-        <translation>Ab&amp;bildungen</translation>
+        <translation>Abbildun&amp;gen</translation>
     </message>
     <message>
         <source>&amp;Run</source>
@@ -1566,6 +1566,98 @@
 <context>
     <name>asperity::ShortcutSheet</name>
     <message>
+        <source>Contact: mouse and touch</source>
+        <translation>Kontakt: Maus und Finger</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>Am Zeiger vergrößern</translation>
+    </message>
+    <message>
+        <source>Wheel or pinch</source>
+        <translation>Rad oder Spreizen</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>Ctrl+Wheel</source>
+        <translation>Strg+Rad</translation>
+    </message>
+    <message>
+        <source>Move along the line</source>
+        <translation>Entlang der Linie</translation>
+    </message>
+    <message>
+        <source>Shift+Wheel</source>
+        <translation>Umschalt+Rad</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys</source>
+        <translation>Ziehen oder Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Move the crosshair</source>
+        <translation>Fadenkreuz bewegen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Left or Right</source>
+        <translation>Strg+Links oder Rechts</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>Curve: mouse and touch</source>
+        <translation>Kurve: Maus und Finger</translation>
+    </message>
+    <message>
+        <source>Zoom, over an axis along it</source>
+        <translation>Vergrößern, an Achsen nur diese</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>Move curve or marker</source>
+        <translation>Kurve oder Marke ziehen</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Slower or faster</source>
+        <translation>Langsamer oder schneller</translation>
+    </message>
+    <message>
+        <source>Left or Right</source>
+        <translation>Links oder Rechts</translation>
+    </message>
+    <message>
+        <source>Velocity of a point</source>
+        <translation>Geschwindigkeit eines Punkts</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>Fit axes</source>
+        <translation>Achsen anpassen</translation>
+    </message>
+    <message>
         <source> or </source>
         <translation> oder </translation>
     </message>
@@ -1580,6 +1672,34 @@
 </context>
 <context>
     <name>asperity::StatusLine</name>
+    <message>
+        <source>elastic</source>
+        <translation>elastisch</translation>
+    </message>
+    <message>
+        <source>None here: an elastic body has no relaxation time.</source>
+        <translation>Hier keine: Ein elastischer Körper hat keine Relaxationszeit.</translation>
+    </message>
+    <message>
+        <source>arms</source>
+        <translation>Arme</translation>
+    </message>
+    <message>
+        <source>None here: arms have relaxation times of their own, and Eq. (13) is made with the only one of the paper's elastomer.</source>
+        <translation>Hier keine: Arme haben eigene Relaxationszeiten, und Gl. (13) ist mit der einzigen des Elastomers der Arbeit gebildet.</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>eben</translation>
+    </message>
+    <message>
+        <source>None here: the line has no roughness.</source>
+        <translation>Hier keine: Die Linie hat keine Rauheit.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
     <message>
         <source>Eq. (14) of the paper: normal force / (shear modulus × rms height × length)</source>
         <translation>Gl. (14) der Arbeit: Normalkraft / (Schubmodul × RMS-Höhe × Länge)</translation>

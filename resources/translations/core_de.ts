@@ -2,7 +2,8 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_GB">
 <!-- Texts that core makes: see ui/language/translated.h. %1, %2, ... stand for numbers with their
-     units and for what is in single quotes. Written by hand; lupdate does not know them. -->
+     units, for what is in quotes and for keys. What shipped scenes say of themselves stands in the
+     second context. Written by hand; lupdate does not know them. -->
 <context>
     <name>core</name>
     <message>
@@ -422,274 +423,6 @@
         <translation>Keil</translation>
     </message>
     <message>
-        <source>A constant shear stress in contact</source>
-        <translation>Konstante Schubspannung im Kontakt</translation>
-    </message>
-    <message>
-        <source>A filled tread compound: thirteen arms</source>
-        <translation>Gefüllte Laufflächenmischung: dreizehn Arme</translation>
-    </message>
-    <message>
-        <source>A local coefficient of 0.001 in contact is added to what the deformation costs, and reported apart as mu_interface. The contact itself is not changed: compare it with the same scene without.</source>
-        <translation>Eine lokale Reibungszahl von 0,001 im Kontakt kommt zum Verformungsanteil hinzu und wird als mu_interface getrennt ausgewiesen. Der Kontakt selbst ändert sich nicht: mit derselben Szene ohne sie vergleichen.</translation>
-    </message>
-    <message>
-        <source>A parabola</source>
-        <translation>Parabel</translation>
-    </message>
-    <message>
-        <source>A single wave asks a standard solid for its loss at a single frequency, so the friction curve is the loss modulus itself. Its peak lies where the wave number times velocity times relaxation time is 1.</source>
-        <translation>Eine einzelne Welle fragt den Standardkörper nach seinem Verlust bei einer einzigen Frequenz, daher ist die Reibungskurve der Verlustmodul selbst. Ihr Maximum liegt dort, wo Wellenzahl mal Geschwindigkeit mal Relaxationszeit 1 ist.</translation>
-    </message>
-    <message>
-        <source>A step of velocity</source>
-        <translation>Geschwindigkeitssprung</translation>
-    </message>
-    <message>
-        <source>A step of velocity on one asperity</source>
-        <translation>Geschwindigkeitssprung auf einer Rauheitsspitze</translation>
-    </message>
-    <message>
-        <source>A tread compound at room temperature</source>
-        <translation>Laufflächenmischung bei Raumtemperatur</translation>
-    </message>
-    <message>
-        <source>A wedge</source>
-        <translation>Keil</translation>
-    </message>
-    <message>
-        <source>A wedge on a standard solid</source>
-        <translation>Keil auf einem Standardkörper</translation>
-    </message>
-    <message>
-        <source>At 283 K all relaxation times are some 2600 times as long as at 343 K, so the whole curve moves to lower velocities. Its shape stays: velocity times the shift is all that counts.</source>
-        <translation>Bei 283 K sind alle Relaxationszeiten etwa 2600-mal so lang wie bei 343 K, daher rückt die ganze Kurve zu kleineren Geschwindigkeiten. Ihre Form bleibt: Es zählt allein Geschwindigkeit mal Verschiebung.</translation>
-    </message>
-    <message>
-        <source>At 393 K the rubber relaxes about 15 times as fast as at 343 K, and the plateau is reached only at a higher velocity. The constants are those of a measured filled rubber: C1 4.41, C2 137.64 K, T_r 343.15 K.</source>
-        <translation>Bei 393 K relaxiert der Gummi etwa 15-mal so schnell wie bei 343 K, und das Plateau wird erst bei höherer Geschwindigkeit erreicht. Die Konstanten sind die eines gemessenen gefüllten Gummis: C1 4,41; C2 137,64 K; T_r 343,15 K.</translation>
-    </message>
-    <message>
-        <source>At half time the line slides twice as fast: friction jumps at once with the viscous forces, then relaxes as contact shrinks. The predicted rate is 1/tau + v/l with l the length of a contact; on a rough line it is a guide.</source>
-        <translation>Nach der halben Zeit gleitet die Linie doppelt so schnell: Die Reibung springt sofort mit den viskosen Kräften und relaxiert dann, während der Kontakt schrumpft. Die vorhergesagte Rate ist 1/τ + v/ℓ mit der Länge ℓ eines Kontakts; auf einer rauen Linie ist sie ein Anhalt.</translation>
-    </message>
-    <message>
-        <source>At half time the line stops: friction vanishes at once, and the line goes on sinking in as the rubber creeps around its summits. Contact grows meanwhile, which is why the next start is harder.</source>
-        <translation>Nach der halben Zeit bleibt die Linie stehen: Die Reibung verschwindet sofort, und die Linie sinkt weiter ein, während der Gummi um ihre Gipfel kriecht. Der Kontakt wächst dabei; deshalb ist das nächste Anfahren schwerer.</translation>
-    </message>
-    <message>
-        <source>At half time the line turns back into the dents it has just left. Friction first falls short and then settles at the value of the mirrored line, which for one line is not quite the same.</source>
-        <translation>Nach der halben Zeit kehrt die Linie in die Mulden zurück, die sie eben verlassen hat. Die Reibung ist erst zu klein und nimmt dann den Wert der gespiegelten Linie an, der bei einer einzelnen Linie nicht ganz derselbe ist.</translation>
-    </message>
-    <message>
-        <source>Cold rubber</source>
-        <translation>Kalter Gummi</translation>
-    </message>
-    <message>
-        <source>Contact shifts to the leading side as the velocity grows, while the indentation falls. Friction has a maximum where the way slid in a relaxation time is 1.4 contact half-widths at rest, and falls again.</source>
-        <translation>Mit wachsender Geschwindigkeit wandert der Kontakt zur Vorderseite, und die Eindringung nimmt ab. Die Reibung hat ein Maximum, wo der Gleitweg in einer Relaxationszeit 1,4 halbe Kontaktbreiten in Ruhe beträgt, und fällt dann wieder.</translation>
-    </message>
-    <message>
-        <source>Correlated roughness</source>
-        <translation>Korrelierte Rauheit</translation>
-    </message>
-    <message>
-        <source>Each arm adds a shoulder to the curve, and the dashpot a last climb to the plateau of a Kelvin body. Set the viscosity to 0 and the plateau becomes a fall.</source>
-        <translation>Jeder Arm gibt der Kurve eine Schulter und der Dämpfer einen letzten Anstieg zum Plateau eines Kelvin-Körpers. Mit der Viskosität 0 wird aus dem Plateau ein Abfall.</translation>
-    </message>
-    <message>
-        <source>Each length in contact carries the same tangential load, so this part of friction follows the contact length and falls with velocity. The deformation part rises meanwhile: look where they cross.</source>
-        <translation>Jede Länge im Kontakt trägt dieselbe Tangentiallast, daher folgt dieser Anteil der Reibung der Kontaktlänge und fällt mit der Geschwindigkeit. Der Verformungsanteil steigt dabei: Interessant ist, wo sie sich kreuzen.</translation>
-    </message>
-    <message>
-        <source>Elastic rubber has no friction</source>
-        <translation>Elastischer Gummi hat keine Reibung</translation>
-    </message>
-    <message>
-        <source>Figure 1: contact of a rough line and a viscoelastic elastomer</source>
-        <translation>Abbildung 1: Kontakt einer rauen Linie mit einem viskoelastischen Elastomer</translation>
-    </message>
-    <message>
-        <source>Figure 2: a typical dependence of friction on velocity</source>
-        <translation>Abbildung 2: typische Abhängigkeit der Reibung von der Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Friction over velocity, averaged over 200 lines: it grows, bends into a plateau, and falls. The curve of Eq. (11) lies on it up to the plateau.</source>
-        <translation>Reibung über der Geschwindigkeit, gemittelt über 200 Linien: Sie wächst, biegt in ein Plateau ein und fällt. Die Kurve nach Gl. (11) liegt bis zum Plateau auf ihr.</translation>
-    </message>
-    <message>
-        <source>Full contact</source>
-        <translation>Vollkontakt</translation>
-    </message>
-    <message>
-        <source>Full contact on a sine: one wave, one frequency</source>
-        <translation>Vollkontakt auf einem Sinus: eine Welle, eine Frequenz</translation>
-    </message>
-    <message>
-        <source>Full contact: an exact answer</source>
-        <translation>Vollkontakt: eine exakte Antwort</translation>
-    </message>
-    <message>
-        <source>Local friction beside deformation</source>
-        <translation>Lokale Reibung neben der Verformung</translation>
-    </message>
-    <message>
-        <source>One Maxwell arm beside a spring: friction has one broad peak instead of a plateau, because at high velocity the rubber is a stiff elastic body. Make the arm weaker and the peak sinks.</source>
-        <translation>Ein Maxwell-Arm neben einer Feder: Die Reibung hat ein breites Maximum statt eines Plateaus, denn bei hoher Geschwindigkeit ist der Gummi ein steifer elastischer Körper. Mit schwächerem Arm sinkt das Maximum.</translation>
-    </message>
-    <message>
-        <source>One contact has one length, so friction relaxes along a single exponential at the rate 1/tau + v/l, to about one per cent. On rough lines many contacts overlap and only the guide remains.</source>
-        <translation>Ein einziger Kontakt hat eine einzige Länge, daher relaxiert die Reibung auf etwa ein Prozent genau längs einer einzigen Exponentialfunktion mit der Rate 1/τ + v/ℓ. Auf rauen Linien überlagern sich viele Kontakte, und es bleibt nur ein Anhalt.</translation>
-    </message>
-    <message>
-        <source>Only leading sides of summits are in contact: the rubber acts like a viscous fluid, and friction is the slope of the line there, times about 1.4. Change the modulus or the force: little happens.</source>
-        <translation>Nur die Vorderseiten der Gipfel sind in Kontakt: Der Gummi wirkt wie eine viskose Flüssigkeit, und die Reibungszahl ist dort die Steigung der Linie mal etwa 1,4. Modul oder Kraft ändern: Es geschieht wenig.</translation>
-    </message>
-    <message>
-        <source>Only the highest summits still touch, with tips that are smooth at the shortest wave. Refine the elements: with the nodal scheme the level stays, with a resolved line friction goes on falling.</source>
-        <translation>Nur die höchsten Gipfel berühren noch, mit Spitzen, die auf der Skala der kürzesten Welle glatt sind. Die Elemente verfeinern: Mit dem nodalen Verfahren bleibt das Niveau, mit einer aufgelösten Linie fällt die Reibung weiter.</translation>
-    </message>
-    <message>
-        <source>Oscillation through rest</source>
-        <translation>Schwingung durch die Ruhe</translation>
-    </message>
-    <message>
-        <source>Pressed in for ever and then pulled at once: contact is full width at first, so friction begins above its steady value. It settles within a relaxation time or the way of one contact, whichever is shorter, while the line is lifted.</source>
-        <translation>Beliebig lange eingedrückt und dann plötzlich gezogen: Der Kontakt hat zunächst seine volle Breite, daher beginnt die Reibung über ihrem stationären Wert. Sie stellt sich innerhalb einer Relaxationszeit oder des Weges eines Kontakts ein, je nachdem, was kürzer ist; dabei hebt sich die Linie.</translation>
-    </message>
-    <message>
-        <source>Region I: friction grows with velocity</source>
-        <translation>Bereich I: Die Reibung wächst mit der Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Region II: the bend</source>
-        <translation>Bereich II: die Biegung</translation>
-    </message>
-    <message>
-        <source>Region III: the plateau</source>
-        <translation>Bereich III: das Plateau</translation>
-    </message>
-    <message>
-        <source>Region IV: friction falls again</source>
-        <translation>Bereich IV: Die Reibung fällt wieder</translation>
-    </message>
-    <message>
-        <source>Regions I to IV</source>
-        <translation>Bereiche I bis IV</translation>
-    </message>
-    <message>
-        <source>Relaxation times from 100 s to 1e-10 s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 1e-10 s, so the fall beyond about 1e5 m/s belongs to the fit and not to the rubber.</source>
-        <translation>Relaxationszeiten von 100 s bis 1e-10 s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 1e-10 s abgeschnitten, daher gehört der Abfall oberhalb von etwa 1e5 m/s zur Anpassung und nicht zum Gummi.</translation>
-    </message>
-    <message>
-        <source>Reversal</source>
-        <translation>Umkehr</translation>
-    </message>
-    <message>
-        <source>Rheology</source>
-        <translation>Rheologie</translation>
-    </message>
-    <message>
-        <source>Rougher summits</source>
-        <translation>Rauere Gipfel</translation>
-    </message>
-    <message>
-        <source>Rougher valleys</source>
-        <translation>Rauere Täler</translation>
-    </message>
-    <message>
-        <source>Roughness with a roll-off</source>
-        <translation>Rauheit mit Roll-off</translation>
-    </message>
-    <message>
-        <source>Single asperities</source>
-        <translation>Einzelne Rauheitsspitzen</translation>
-    </message>
-    <message>
-        <source>Slow or fast, a standard solid is elastic, soft or stiff, and friction vanishes on both sides. Compare with the wedge on the Kelvin body, where it stays at its highest.</source>
-        <translation>Langsam oder schnell: Ein Standardkörper ist elastisch, weich oder steif, und auf beiden Seiten verschwindet die Reibung. Zum Vergleich der Keil auf dem Kelvin-Körper, wo sie am höchsten Wert bleibt.</translation>
-    </message>
-    <message>
-        <source>Standard solid on a rough line</source>
-        <translation>Standardkörper auf einer rauen Linie</translation>
-    </message>
-    <message>
-        <source>Start from rest</source>
-        <translation>Anfahren aus der Ruhe</translation>
-    </message>
-    <message>
-        <source>Start on a standard solid</source>
-        <translation>Anfahren auf einem Standardkörper</translation>
-    </message>
-    <message>
-        <source>Stop and rest</source>
-        <translation>Anhalten und Ruhen</translation>
-    </message>
-    <message>
-        <source>Summits of the line are dented into the rubber, which comes back behind them; colour is pressure. Raise the velocity: contact withdraws to the leading sides.</source>
-        <translation>Gipfel der Linie drücken sich in den Gummi, der hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
-    </message>
-    <message>
-        <source>Temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>The load is so high that the rubber fills every valley, and friction is 4 L eta v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
-        <translation>Die Last ist so hoch, dass der Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal dem Quadrat der RMS-Steigung durch die Kraft. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
-    </message>
-    <message>
-        <source>The rubber no longer quite keeps up, and contact begins to leave the trailing sides of the summits. Within a decade of velocity the straight line bends into the plateau.</source>
-        <translation>Der Gummi kommt nicht mehr ganz nach, und der Kontakt beginnt die Rückseiten der Gipfel zu verlassen. Innerhalb einer Dekade der Geschwindigkeit biegt die Gerade in das Plateau ein.</translation>
-    </message>
-    <message>
-        <source>The rubber slides down a straight flank, so pressure is even on it and falls off behind the tip. Friction reaches the slope itself once nothing touches the trailing flank, and stays there.</source>
-        <translation>Der Gummi gleitet eine gerade Flanke hinab, daher ist der Druck auf ihr gleichmäßig und fällt hinter der Spitze ab. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
-    </message>
-    <message>
-        <source>The series holds at 343 K; at 298 K every arm is about 140 times as slow and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>
-        <translation>Die Reihe gilt bei 343 K; bei 298 K ist jeder Arm etwa 140-mal so langsam, und die Reibung bei Schrittgeschwindigkeit ist die eines steiferen Gummis. Die Temperatur verschieben: Die Kurve wandert unverändert längs der Geschwindigkeit.</translation>
-    </message>
-    <message>
-        <source>The short waves lie in the valleys and the summits are smooth, so the slope in contact rises with the load. Friction at light load is far below that of the line with rough summits, at nearly the same spectrum.</source>
-        <translation>Die kurzen Wellen liegen in den Tälern, und die Gipfel sind glatt, daher steigt die Steigung im Kontakt mit der Last. Bei kleiner Last liegt die Reibung weit unter der einer Linie mit rauen Gipfeln, bei fast demselben Spektrum.</translation>
-    </message>
-    <message>
-        <source>The short waves stand on the summits, which touch first, so the slope in contact is high at a light load and falls as the load grows. The spectrum alone does not tell this line from one with rough valleys.</source>
-        <translation>Die kurzen Wellen stehen auf den Gipfeln, die zuerst berühren, daher ist die Steigung im Kontakt bei kleiner Last groß und fällt mit wachsender Last. Das Spektrum allein unterscheidet diese Linie nicht von einer mit rauen Tälern.</translation>
-    </message>
-    <message>
-        <source>The surface has long come back where the next summit meets it, and every contact is nearly even fore and aft. Double the velocity: friction doubles with it.</source>
-        <translation>Die Oberfläche ist längst zurückgekehrt, wo der nächste Gipfel auf sie trifft, und jeder Kontakt ist vorn und hinten fast gleich. Die Geschwindigkeit verdoppeln: Die Reibung verdoppelt sich mit.</translation>
-    </message>
-    <message>
-        <source>The velocity swings through zero and back, and friction lags behind it: at the same velocity it is another on the way up than on the way down, as the rubber remembers where it came from. Slow the oscillation and both ways come together.</source>
-        <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung hinkt hinterher: Bei gleicher Geschwindigkeit ist sie auf dem Hinweg eine andere als auf dem Rückweg, denn der Gummi erinnert sich, woher er kommt. Bei langsamerer Schwingung kommen beide Wege zusammen.</translation>
-    </message>
-    <message>
-        <source>Transients</source>
-        <translation>Übergänge</translation>
-    </message>
-    <message>
-        <source>Two arms and a dashpot</source>
-        <translation>Zwei Arme und ein Dämpfer</translation>
-    </message>
-    <message>
-        <source>Warm rubber</source>
-        <translation>Warmer Gummi</translation>
-    </message>
-    <message>
-        <source>Waves longer than a millimetre are all equally strong, so the line looks like many alike summits instead of one landscape. At the same rms height its slope is far larger, and so is friction.</source>
-        <translation>Wellen über einem Millimeter sind alle gleich stark, daher sieht die Linie wie viele gleiche Gipfel aus statt wie eine Landschaft. Bei gleicher RMS-Höhe ist ihre Steigung weit größer und damit auch die Reibung.</translation>
-    </message>
-    <message>
-        <source>Without a dashpot of its own the rubber answers at once with its stiff modulus and then relaxes. Friction first shoots to more than twice its steady value, then falls with the contact as the line is lifted.</source>
-        <translation>Ohne eigenen Dämpfer antwortet der Gummi sofort mit seinem steifen Modul und relaxiert dann. Die Reibung schießt erst auf mehr als das Doppelte ihres stationären Werts und fällt dann mit dem Kontakt, während sich die Linie hebt.</translation>
-    </message>
-    <message>
-        <source>Without memory every summit is pushed as much forward as back, and friction is exactly zero at any velocity. What remains in a measurement is the local friction of the interface.</source>
-        <translation>Ohne Gedächtnis wird jeder Gipfel ebenso stark vorwärts wie rückwärts gedrückt, und die Reibung ist bei jeder Geschwindigkeit exakt null. In einer Messung bleibt die lokale Reibung der Grenzfläche.</translation>
-    </message>
-    <message>
         <source>%1 in contact are reported apart</source>
         <translation>%1 im Kontakt werden getrennt ausgewiesen</translation>
     </message>
@@ -1088,14 +821,6 @@
     <message>
         <source>Fig. %1</source>
         <translation>Abb. %1</translation>
-    </message>
-    <message>
-        <source>Master curve</source>
-        <translation>Masterkurve</translation>
-    </message>
-    <message>
-        <source>Influence of the spacing</source>
-        <translation>Einfluss des Elementabstands</translation>
     </message>
     <message>
         <source>For 0.2 &lt; H &lt; 0.8 and not too small forces the plateau is almost constant, about sqrt(2) times the rms slope</source>
@@ -1998,18 +1723,6 @@
         <translation>IV Abfall</translation>
     </message>
     <message>
-        <source>One-sided contact</source>
-        <translation>Einseitiger Kontakt</translation>
-    </message>
-    <message>
-        <source>A single summit, seen closely: the rubber is pushed down in front of it and is still on its way up behind, so only the leading side is touched. Lower the velocity to 0.001 m/s: contact becomes even on both sides, and friction vanishes.</source>
-        <translation>Ein einzelner Gipfel, aus der Nähe: Vor ihm wird der Gummi hinabgedrückt, hinter ihm ist er noch auf dem Weg nach oben, daher wird nur die Vorderseite berührt. Die Geschwindigkeit auf 0,001 m/s senken: Der Kontakt wird auf beiden Seiten gleich, und die Reibung verschwindet.</translation>
-    </message>
-    <message>
-        <source>Pressed in and at rest</source>
-        <translation>Eingedrückt und in Ruhe</translation>
-    </message>
-    <message>
         <source>contact pressure p</source>
         <translation>Kontaktdruck p</translation>
     </message>
@@ -2114,16 +1827,567 @@
         <translation>nichts gleitet stationär</translation>
     </message>
     <message>
-        <source>Nothing slides, so there is no friction: the line rests on the summits that reach deepest, and the rubber between them stays flat. Raise the force: contacts grow in number and in length.</source>
-        <translation>Nichts gleitet, daher gibt es keine Reibung: Die Linie ruht auf den Gipfeln, die am tiefsten reichen, und der Gummi dazwischen bleibt eben. Die Kraft erhöhen: Die Kontakte wachsen an Zahl und Länge.</translation>
-    </message>
-    <message>
         <source>nodal is the paper's rule for Kelvin elements: where its force jumps arms cannot close over a period; they need linear or cubic</source>
         <translation>nodal ist die Regel der Arbeit für Kelvin-Elemente: Wo ihre Kraft springt, können sich Arme nicht über eine Periode schließen; sie brauchen linear oder kubisch</translation>
     </message>
     <message>
         <source>is 0: arms and dashpots carry nothing on average over a period, so sliding or not the elastomer sinks for ever; it needs more than 0</source>
         <translation>ist 0: Arme und Dämpfer tragen im Mittel über eine Periode nichts, daher sinkt das Elastomer gleitend oder nicht ohne Ende ein; nötig ist mehr als 0</translation>
+    </message>
+    <message>
+        <source>is %1, and so is everything else: the elastomer is empty</source>
+        <translation>ist %1 und alles andere auch: Das Elastomer ist leer</translation>
+    </message>
+    <message>
+        <source>%1 is neither %2 nor at least %3</source>
+        <translation>%1 ist weder %2 noch mindestens %3</translation>
+    </message>
+    <message>
+        <source>a standard solid has one arm, not %1</source>
+        <translation>ein Standardkörper hat einen Arm, nicht %1</translation>
+    </message>
+    <message>
+        <source>stands beside %1; only one of them may be above %2</source>
+        <translation>steht neben %1; nur eines von beiden darf über %2 liegen</translation>
+    </message>
+    <message>
+        <source>a comparison of curves needs steady sliding, not start</source>
+        <translation>ein Vergleich von Kurven braucht stetiges Gleiten, nicht Anfahren</translation>
+    </message>
+    <message>
+        <source>a comparison of curves needs steady sliding, not step</source>
+        <translation>ein Vergleich von Kurven braucht stetiges Gleiten, nicht einen Sprung</translation>
+    </message>
+    <message>
+        <source>a comparison of curves needs steady sliding, not oscillation</source>
+        <translation>ein Vergleich von Kurven braucht stetiges Gleiten, nicht eine Schwingung</translation>
+    </message>
+    <message>
+        <source>a comparison of curves needs steady sliding, not reversal</source>
+        <translation>ein Vergleich von Kurven braucht stetiges Gleiten, nicht eine Umkehr</translation>
+    </message>
+    <message>
+        <source>a comparison needs the same resolution at every velocity, not a target</source>
+        <translation>ein Vergleich braucht dieselbe Auflösung bei jeder Geschwindigkeit, kein Ziel</translation>
+    </message>
+    <message>
+        <source>is %1: arms and dashpots carry nothing on average over a period, so sliding or not the elastomer sinks for ever; it needs more than %2</source>
+        <translation>ist %1: Arme und Dämpfer tragen im Mittel über eine Periode nichts, sodass das Elastomer mit oder ohne Gleiten immer weiter einsinkt; nötig ist mehr als %2</translation>
+    </message>
+    <message>
+        <source>%1 is not above %2, reference_temperature - c2, where the shift ends</source>
+        <translation>%1 liegt nicht über %2, Bezugstemperatur - c2, wo die Verschiebung endet</translation>
+    </message>
+    <message>
+        <source>%1 shifts the times by %2 decades; allowed is %3</source>
+        <translation>%1 verschiebt die Zeiten um %2 Dekaden; erlaubt sind %3</translation>
+    </message>
+    <message>
+        <source>%1 times oversampling %2 is more than %3 points</source>
+        <translation>%1 mal Überabtastung %2 sind mehr als %3 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3, what %4 elements carry</source>
+        <translation>%1 liegt außerhalb von %2 bis %3, was %4 Elemente tragen</translation>
+    </message>
+    <message>
+        <source>is missing; the profile has heights without positions</source>
+        <translation>fehlt; das Profil hat Höhen ohne Orte</translation>
+    </message>
+    <message>
+        <source>is missing; a profile needs a file</source>
+        <translation>fehlt; ein Profil braucht eine Datei</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>its length %1 is outside %2 to %3</source>
+        <translation>seine Länge %1 liegt außerhalb von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 is above %2, %3</source>
+        <translation>%1 liegt über %2, %3</translation>
+    </message>
+    <message>
+        <source>chooses scheme and oversampling itself; give it or them</source>
+        <translation>wählt Verfahren und Überabtastung selbst; anzugeben ist entweder das eine oder das andere</translation>
+    </message>
+    <message>
+        <source>a scene is one JSON object</source>
+        <translation>eine Szene ist ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>needs an object of keys</source>
+        <translation>braucht ein Objekt mit Schlüsseln</translation>
+    </message>
+    <message>
+        <source>needs an object of modulus and relaxation_time</source>
+        <translation>braucht ein Objekt aus modulus und relaxation_time</translation>
+    </message>
+    <message>
+        <source>a key of a section stands inside its section's object</source>
+        <translation>ein Schlüssel eines Abschnitts steht im Objekt seines Abschnitts</translation>
+    </message>
+    <message>
+        <source>stands twice in the same object</source>
+        <translation>steht zweimal in demselben Objekt</translation>
+    </message>
+    <message>
+        <source>is nested too deeply</source>
+        <translation>ist zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>is not valid JSON</source>
+        <translation>ist kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>%1 is not allowed here; allowed is %2 to %3</source>
+        <translation>%1 ist hier nicht erlaubt; erlaubt ist %2 bis %3</translation>
+    </message>
+    <message>
+        <source>true is not allowed here; allowed is %1 to %2</source>
+        <translation>true ist hier nicht erlaubt; erlaubt ist %1 bis %2</translation>
+    </message>
+    <message>
+        <source>false is not allowed here; allowed is %1 to %2</source>
+        <translation>false ist hier nicht erlaubt; erlaubt ist %1 bis %2</translation>
+    </message>
+    <message>
+        <source>null is not allowed here; allowed is %1 to %2</source>
+        <translation>null ist hier nicht erlaubt; erlaubt ist %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a list is not allowed here; allowed is %1 to %2</source>
+        <translation>eine Liste ist hier nicht erlaubt; erlaubt ist %1 bis %2</translation>
+    </message>
+    <message>
+        <source>an object is not allowed here; allowed is %1 to %2</source>
+        <translation>ein Objekt ist hier nicht erlaubt; erlaubt ist %1 bis %2</translation>
+    </message>
+    <message>
+        <source>unknown key; the nearest known one is %1</source>
+        <translation>unbekannter Schlüssel; der nächste bekannte ist %1</translation>
+    </message>
+    <message>
+        <source>unknown key; %1 lists all</source>
+        <translation>unbekannter Schlüssel; %1 nennt alle</translation>
+    </message>
+    <message>
+        <source>unknown key; an arm has modulus and relaxation_time</source>
+        <translation>unbekannter Schlüssel; ein Arm hat modulus und relaxation_time</translation>
+    </message>
+    <message>
+        <source>has %1 rows of numbers; at least %2 are needed</source>
+        <translation>hat %1 Zeilen mit Zahlen; mindestens %2 sind nötig</translation>
+    </message>
+    <message>
+        <source>has no meaning for %1 %2; it belongs to %3</source>
+        <translation>hat keine Bedeutung für %1 %2; gehört zu %3</translation>
+    </message>
+    <message>
+        <source>has more than %1 rows</source>
+        <translation>hat mehr als %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>row %1: %2 is not a number</source>
+        <translation>Zeile %1: %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>row %1: %2 is not a finite number</source>
+        <translation>Zeile %1: %2 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>row %1: inf is not a finite number</source>
+        <translation>Zeile %1: inf ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>row %1: nan is not a finite number</source>
+        <translation>Zeile %1: nan ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>row %1: %2 is beyond %3</source>
+        <translation>Zeile %1: %2 liegt jenseits von %3</translation>
+    </message>
+    <message>
+        <source>row %1: has %2 columns; position and height, or height alone, are needed</source>
+        <translation>Zeile %1: hat %2 Spalten; nötig sind Ort und Höhe oder nur die Höhe</translation>
+    </message>
+    <message>
+        <source>row %1: has %2 columns or more; position and height, or height alone, are needed</source>
+        <translation>Zeile %1: hat %2 Spalten oder mehr; nötig sind Ort und Höhe oder nur die Höhe</translation>
+    </message>
+    <message>
+        <source>positions must increase</source>
+        <translation>die Orte müssen zunehmen</translation>
+    </message>
+    <message>
+        <source>spacing %1 after data row %2 differs from %3; positions must be uniform to %4</source>
+        <translation>der Abstand %1 nach Datenzeile %2 unterscheidet sich von %3; die Orte müssen bis auf %4 gleichabständig sein</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>die Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>is a folder; a file name is needed</source>
+        <translation>ist ein Ordner; nötig ist ein Dateiname</translation>
+    </message>
+    <message>
+        <source>is not a plain file and would be replaced</source>
+        <translation>ist keine gewöhnliche Datei und würde ersetzt</translation>
+    </message>
+    <message>
+        <source>is larger than the %1 bytes allowed</source>
+        <translation>ist größer als die erlaubten %1 Bytes</translation>
+    </message>
+    <message>
+        <source>holds no scene: it was not made by Asperity, or what it said of itself was removed</source>
+        <translation>enthält keine Szene: Entweder ist es nicht von Asperity gemacht, oder was es von sich sagte, wurde entfernt</translation>
+    </message>
+    <message>
+        <source>shows many scenes; open the picture or the table of one of them</source>
+        <translation>zeigt viele Szenen; zu öffnen ist das Bild oder die Tabelle einer davon</translation>
+    </message>
+    <message>
+        <source>%1 is not one of .png, .svg, .pdf</source>
+        <translation>%1 ist nicht .png, .svg oder .pdf</translation>
+    </message>
+</context>
+<context>
+    <name>scenes</name>
+    <message>
+        <source>Fig. 1</source>
+        <translation>Abb. 1</translation>
+    </message>
+    <message>
+        <source>Fig. 2</source>
+        <translation>Abb. 2</translation>
+    </message>
+    <message>
+        <source>Fig. 3</source>
+        <translation>Abb. 3</translation>
+    </message>
+    <message>
+        <source>Fig. 4</source>
+        <translation>Abb. 4</translation>
+    </message>
+    <message>
+        <source>Fig. 5</source>
+        <translation>Abb. 5</translation>
+    </message>
+    <message>
+        <source>Fig. 6</source>
+        <translation>Abb. 6</translation>
+    </message>
+    <message>
+        <source>Master curve</source>
+        <translation>Masterkurve</translation>
+    </message>
+    <message>
+        <source>Influence of the spacing</source>
+        <translation>Einfluss des Elementabstands</translation>
+    </message>
+    <message>
+        <source>A constant shear stress in contact</source>
+        <translation>Konstante Schubspannung im Kontakt</translation>
+    </message>
+    <message>
+        <source>A filled tread compound: thirteen arms</source>
+        <translation>Gefüllte Laufflächenmischung: dreizehn Arme</translation>
+    </message>
+    <message>
+        <source>A local coefficient of 0.001 in contact is added to what the deformation costs, and reported apart as mu_interface. The contact itself is not changed: compare it with the same scene without.</source>
+        <translation>Eine lokale Reibungszahl von 0,001 im Kontakt kommt zum Verformungsanteil hinzu und wird als mu_interface getrennt ausgewiesen. Der Kontakt selbst ändert sich nicht: mit derselben Szene ohne sie vergleichen.</translation>
+    </message>
+    <message>
+        <source>A parabola</source>
+        <translation>Parabel</translation>
+    </message>
+    <message>
+        <source>A single wave asks a standard solid for its loss at a single frequency, so the friction curve is the loss modulus itself. Its peak lies where the wave number times velocity times relaxation time is 1.</source>
+        <translation>Eine einzelne Welle fragt den Standardkörper nach seinem Verlust bei einer einzigen Frequenz, daher ist die Reibungskurve der Verlustmodul selbst. Ihr Maximum liegt dort, wo Wellenzahl mal Geschwindigkeit mal Relaxationszeit 1 ist.</translation>
+    </message>
+    <message>
+        <source>A step of velocity</source>
+        <translation>Geschwindigkeitssprung</translation>
+    </message>
+    <message>
+        <source>A step of velocity on one asperity</source>
+        <translation>Geschwindigkeitssprung auf einer Rauheitsspitze</translation>
+    </message>
+    <message>
+        <source>A tread compound at room temperature</source>
+        <translation>Laufflächenmischung bei Raumtemperatur</translation>
+    </message>
+    <message>
+        <source>A wedge</source>
+        <translation>Keil</translation>
+    </message>
+    <message>
+        <source>A wedge on a standard solid</source>
+        <translation>Keil auf einem Standardkörper</translation>
+    </message>
+    <message>
+        <source>At 283 K all relaxation times are some 2600 times as long as at 343 K, so the whole curve moves to lower velocities. Its shape stays: velocity times the shift is all that counts.</source>
+        <translation>Bei 283 K sind alle Relaxationszeiten etwa 2600-mal so lang wie bei 343 K, daher rückt die ganze Kurve zu kleineren Geschwindigkeiten. Ihre Form bleibt: Es zählt allein Geschwindigkeit mal Verschiebung.</translation>
+    </message>
+    <message>
+        <source>At 393 K the rubber relaxes about 15 times as fast as at 343 K, and the plateau is reached only at a higher velocity. The constants are those of a measured filled rubber: C1 4.41, C2 137.64 K, T_r 343.15 K.</source>
+        <translation>Bei 393 K relaxiert der Gummi etwa 15-mal so schnell wie bei 343 K, und das Plateau wird erst bei höherer Geschwindigkeit erreicht. Die Konstanten sind die eines gemessenen gefüllten Gummis: C1 4,41; C2 137,64 K; T_r 343,15 K.</translation>
+    </message>
+    <message>
+        <source>At half time the line slides twice as fast: friction jumps at once with the viscous forces, then relaxes as contact shrinks. The predicted rate is 1/tau + v/l with l the length of a contact; on a rough line it is a guide.</source>
+        <translation>Nach der halben Zeit gleitet die Linie doppelt so schnell: Die Reibung springt sofort mit den viskosen Kräften und relaxiert dann, während der Kontakt schrumpft. Die vorhergesagte Rate ist 1/τ + v/ℓ mit der Länge ℓ eines Kontakts; auf einer rauen Linie ist sie ein Anhalt.</translation>
+    </message>
+    <message>
+        <source>At half time the line stops: friction vanishes at once, and the line goes on sinking in as the rubber creeps around its summits. Contact grows meanwhile, which is why the next start is harder.</source>
+        <translation>Nach der halben Zeit bleibt die Linie stehen: Die Reibung verschwindet sofort, und die Linie sinkt weiter ein, während der Gummi um ihre Gipfel kriecht. Der Kontakt wächst dabei; deshalb ist das nächste Anfahren schwerer.</translation>
+    </message>
+    <message>
+        <source>At half time the line turns back into the dents it has just left. Friction first falls short and then settles at the value of the mirrored line, which for one line is not quite the same.</source>
+        <translation>Nach der halben Zeit kehrt die Linie in die Mulden zurück, die sie eben verlassen hat. Die Reibung ist erst zu klein und nimmt dann den Wert der gespiegelten Linie an, der bei einer einzelnen Linie nicht ganz derselbe ist.</translation>
+    </message>
+    <message>
+        <source>Cold rubber</source>
+        <translation>Kalter Gummi</translation>
+    </message>
+    <message>
+        <source>Contact shifts to the leading side as the velocity grows, while the indentation falls. Friction has a maximum where the way slid in a relaxation time is 1.4 contact half-widths at rest, and falls again.</source>
+        <translation>Mit wachsender Geschwindigkeit wandert der Kontakt zur Vorderseite, und die Eindringung nimmt ab. Die Reibung hat ein Maximum, wo der Gleitweg in einer Relaxationszeit 1,4 halbe Kontaktbreiten in Ruhe beträgt, und fällt dann wieder.</translation>
+    </message>
+    <message>
+        <source>Correlated roughness</source>
+        <translation>Korrelierte Rauheit</translation>
+    </message>
+    <message>
+        <source>Each arm adds a shoulder to the curve, and the dashpot a last climb to the plateau of a Kelvin body. Set the viscosity to 0 and the plateau becomes a fall.</source>
+        <translation>Jeder Arm gibt der Kurve eine Schulter und der Dämpfer einen letzten Anstieg zum Plateau eines Kelvin-Körpers. Mit der Viskosität 0 wird aus dem Plateau ein Abfall.</translation>
+    </message>
+    <message>
+        <source>Each length in contact carries the same tangential load, so this part of friction follows the contact length and falls with velocity. The deformation part rises meanwhile: look where they cross.</source>
+        <translation>Jede Länge im Kontakt trägt dieselbe Tangentiallast, daher folgt dieser Anteil der Reibung der Kontaktlänge und fällt mit der Geschwindigkeit. Der Verformungsanteil steigt dabei: Interessant ist, wo sie sich kreuzen.</translation>
+    </message>
+    <message>
+        <source>Elastic rubber has no friction</source>
+        <translation>Elastischer Gummi hat keine Reibung</translation>
+    </message>
+    <message>
+        <source>Figure 1: contact of a rough line and a viscoelastic elastomer</source>
+        <translation>Abbildung 1: Kontakt einer rauen Linie mit einem viskoelastischen Elastomer</translation>
+    </message>
+    <message>
+        <source>Figure 2: a typical dependence of friction on velocity</source>
+        <translation>Abbildung 2: typische Abhängigkeit der Reibung von der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Friction over velocity, averaged over 200 lines: it grows, bends into a plateau, and falls. The curve of Eq. (11) lies on it up to the plateau.</source>
+        <translation>Reibung über der Geschwindigkeit, gemittelt über 200 Linien: Sie wächst, biegt in ein Plateau ein und fällt. Die Kurve nach Gl. (11) liegt bis zum Plateau auf ihr.</translation>
+    </message>
+    <message>
+        <source>Full contact</source>
+        <translation>Vollkontakt</translation>
+    </message>
+    <message>
+        <source>Full contact on a sine: one wave, one frequency</source>
+        <translation>Vollkontakt auf einem Sinus: eine Welle, eine Frequenz</translation>
+    </message>
+    <message>
+        <source>Full contact: an exact answer</source>
+        <translation>Vollkontakt: eine exakte Antwort</translation>
+    </message>
+    <message>
+        <source>Local friction beside deformation</source>
+        <translation>Lokale Reibung neben der Verformung</translation>
+    </message>
+    <message>
+        <source>One Maxwell arm beside a spring: friction has one broad peak instead of a plateau, because at high velocity the rubber is a stiff elastic body. Make the arm weaker and the peak sinks.</source>
+        <translation>Ein Maxwell-Arm neben einer Feder: Die Reibung hat ein breites Maximum statt eines Plateaus, denn bei hoher Geschwindigkeit ist der Gummi ein steifer elastischer Körper. Mit schwächerem Arm sinkt das Maximum.</translation>
+    </message>
+    <message>
+        <source>One contact has one length, so friction relaxes along a single exponential at the rate 1/tau + v/l, to about one per cent. On rough lines many contacts overlap and only the guide remains.</source>
+        <translation>Ein einziger Kontakt hat eine einzige Länge, daher relaxiert die Reibung auf etwa ein Prozent genau längs einer einzigen Exponentialfunktion mit der Rate 1/τ + v/ℓ. Auf rauen Linien überlagern sich viele Kontakte, und es bleibt nur ein Anhalt.</translation>
+    </message>
+    <message>
+        <source>Only leading sides of summits are in contact: the rubber acts like a viscous fluid, and friction is the slope of the line there, times about 1.4. Change the modulus or the force: little happens.</source>
+        <translation>Nur die Vorderseiten der Gipfel sind in Kontakt: Der Gummi wirkt wie eine viskose Flüssigkeit, und die Reibungszahl ist dort die Steigung der Linie mal etwa 1,4. Modul oder Kraft ändern: Es geschieht wenig.</translation>
+    </message>
+    <message>
+        <source>Only the highest summits still touch, with tips that are smooth at the shortest wave. Refine the elements: with the nodal scheme the level stays, with a resolved line friction goes on falling.</source>
+        <translation>Nur die höchsten Gipfel berühren noch, mit Spitzen, die auf der Skala der kürzesten Welle glatt sind. Die Elemente verfeinern: Mit dem nodalen Verfahren bleibt das Niveau, mit einer aufgelösten Linie fällt die Reibung weiter.</translation>
+    </message>
+    <message>
+        <source>Oscillation through rest</source>
+        <translation>Schwingung durch die Ruhe</translation>
+    </message>
+    <message>
+        <source>Pressed in for ever and then pulled at once: contact is full width at first, so friction begins above its steady value. It settles within a relaxation time or the way of one contact, whichever is shorter, while the line is lifted.</source>
+        <translation>Beliebig lange eingedrückt und dann plötzlich gezogen: Der Kontakt hat zunächst seine volle Breite, daher beginnt die Reibung über ihrem stationären Wert. Sie stellt sich innerhalb einer Relaxationszeit oder des Weges eines Kontakts ein, je nachdem, was kürzer ist; dabei hebt sich die Linie.</translation>
+    </message>
+    <message>
+        <source>Region I: friction grows with velocity</source>
+        <translation>Bereich I: Die Reibung wächst mit der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Region II: the bend</source>
+        <translation>Bereich II: die Biegung</translation>
+    </message>
+    <message>
+        <source>Region III: the plateau</source>
+        <translation>Bereich III: das Plateau</translation>
+    </message>
+    <message>
+        <source>Region IV: friction falls again</source>
+        <translation>Bereich IV: Die Reibung fällt wieder</translation>
+    </message>
+    <message>
+        <source>Regions I to IV</source>
+        <translation>Bereiche I bis IV</translation>
+    </message>
+    <message>
+        <source>Relaxation times from 100 s to 1e-10 s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 1e-10 s, so the fall beyond about 1e5 m/s belongs to the fit and not to the rubber.</source>
+        <translation>Relaxationszeiten von 100 s bis 1e-10 s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 1e-10 s abgeschnitten, daher gehört der Abfall oberhalb von etwa 1e5 m/s zur Anpassung und nicht zum Gummi.</translation>
+    </message>
+    <message>
+        <source>Reversal</source>
+        <translation>Umkehr</translation>
+    </message>
+    <message>
+        <source>Rheology</source>
+        <translation>Rheologie</translation>
+    </message>
+    <message>
+        <source>Rougher summits</source>
+        <translation>Rauere Gipfel</translation>
+    </message>
+    <message>
+        <source>Rougher valleys</source>
+        <translation>Rauere Täler</translation>
+    </message>
+    <message>
+        <source>Roughness with a roll-off</source>
+        <translation>Rauheit mit Roll-off</translation>
+    </message>
+    <message>
+        <source>Single asperities</source>
+        <translation>Einzelne Rauheitsspitzen</translation>
+    </message>
+    <message>
+        <source>Slow or fast, a standard solid is elastic, soft or stiff, and friction vanishes on both sides. Compare with the wedge on the Kelvin body, where it stays at its highest.</source>
+        <translation>Langsam oder schnell: Ein Standardkörper ist elastisch, weich oder steif, und auf beiden Seiten verschwindet die Reibung. Zum Vergleich der Keil auf dem Kelvin-Körper, wo sie am höchsten Wert bleibt.</translation>
+    </message>
+    <message>
+        <source>Standard solid on a rough line</source>
+        <translation>Standardkörper auf einer rauen Linie</translation>
+    </message>
+    <message>
+        <source>Start from rest</source>
+        <translation>Anfahren aus der Ruhe</translation>
+    </message>
+    <message>
+        <source>Start on a standard solid</source>
+        <translation>Anfahren auf einem Standardkörper</translation>
+    </message>
+    <message>
+        <source>Stop and rest</source>
+        <translation>Anhalten und Ruhen</translation>
+    </message>
+    <message>
+        <source>Summits of the line are dented into the rubber, which comes back behind them; colour is pressure. Raise the velocity: contact withdraws to the leading sides.</source>
+        <translation>Gipfel der Linie drücken sich in den Gummi, der hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>The load is so high that the rubber fills every valley, and friction is 4 L eta v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
+        <translation>Die Last ist so hoch, dass der Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal dem Quadrat der RMS-Steigung durch die Kraft. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
+    </message>
+    <message>
+        <source>The rubber no longer quite keeps up, and contact begins to leave the trailing sides of the summits. Within a decade of velocity the straight line bends into the plateau.</source>
+        <translation>Der Gummi kommt nicht mehr ganz nach, und der Kontakt beginnt die Rückseiten der Gipfel zu verlassen. Innerhalb einer Dekade der Geschwindigkeit biegt die Gerade in das Plateau ein.</translation>
+    </message>
+    <message>
+        <source>The rubber slides down a straight flank, so pressure is even on it and falls off behind the tip. Friction reaches the slope itself once nothing touches the trailing flank, and stays there.</source>
+        <translation>Der Gummi gleitet eine gerade Flanke hinab, daher ist der Druck auf ihr gleichmäßig und fällt hinter der Spitze ab. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
+    </message>
+    <message>
+        <source>The series holds at 343 K; at 298 K every arm is about 140 times as slow and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>
+        <translation>Die Reihe gilt bei 343 K; bei 298 K ist jeder Arm etwa 140-mal so langsam, und die Reibung bei Schrittgeschwindigkeit ist die eines steiferen Gummis. Die Temperatur verschieben: Die Kurve wandert unverändert längs der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The short waves lie in the valleys and the summits are smooth, so the slope in contact rises with the load. Friction at light load is far below that of the line with rough summits, at nearly the same spectrum.</source>
+        <translation>Die kurzen Wellen liegen in den Tälern, und die Gipfel sind glatt, daher steigt die Steigung im Kontakt mit der Last. Bei kleiner Last liegt die Reibung weit unter der einer Linie mit rauen Gipfeln, bei fast demselben Spektrum.</translation>
+    </message>
+    <message>
+        <source>The short waves stand on the summits, which touch first, so the slope in contact is high at a light load and falls as the load grows. The spectrum alone does not tell this line from one with rough valleys.</source>
+        <translation>Die kurzen Wellen stehen auf den Gipfeln, die zuerst berühren, daher ist die Steigung im Kontakt bei kleiner Last groß und fällt mit wachsender Last. Das Spektrum allein unterscheidet diese Linie nicht von einer mit rauen Tälern.</translation>
+    </message>
+    <message>
+        <source>The surface has long come back where the next summit meets it, and every contact is nearly even fore and aft. Double the velocity: friction doubles with it.</source>
+        <translation>Die Oberfläche ist längst zurückgekehrt, wo der nächste Gipfel auf sie trifft, und jeder Kontakt ist vorn und hinten fast gleich. Die Geschwindigkeit verdoppeln: Die Reibung verdoppelt sich mit.</translation>
+    </message>
+    <message>
+        <source>The velocity swings through zero and back, and friction lags behind it: at the same velocity it is another on the way up than on the way down, as the rubber remembers where it came from. Slow the oscillation and both ways come together.</source>
+        <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung hinkt hinterher: Bei gleicher Geschwindigkeit ist sie auf dem Hinweg eine andere als auf dem Rückweg, denn der Gummi erinnert sich, woher er kommt. Bei langsamerer Schwingung kommen beide Wege zusammen.</translation>
+    </message>
+    <message>
+        <source>Transients</source>
+        <translation>Übergänge</translation>
+    </message>
+    <message>
+        <source>Two arms and a dashpot</source>
+        <translation>Zwei Arme und ein Dämpfer</translation>
+    </message>
+    <message>
+        <source>Warm rubber</source>
+        <translation>Warmer Gummi</translation>
+    </message>
+    <message>
+        <source>Waves longer than a millimetre are all equally strong, so the line looks like many alike summits instead of one landscape. At the same rms height its slope is far larger, and so is friction.</source>
+        <translation>Wellen über einem Millimeter sind alle gleich stark, daher sieht die Linie wie viele gleiche Gipfel aus statt wie eine Landschaft. Bei gleicher RMS-Höhe ist ihre Steigung weit größer und damit auch die Reibung.</translation>
+    </message>
+    <message>
+        <source>Without a dashpot of its own the rubber answers at once with its stiff modulus and then relaxes. Friction first shoots to more than twice its steady value, then falls with the contact as the line is lifted.</source>
+        <translation>Ohne eigenen Dämpfer antwortet der Gummi sofort mit seinem steifen Modul und relaxiert dann. Die Reibung schießt erst auf mehr als das Doppelte ihres stationären Werts und fällt dann mit dem Kontakt, während sich die Linie hebt.</translation>
+    </message>
+    <message>
+        <source>Without memory every summit is pushed as much forward as back, and friction is exactly zero at any velocity. What remains in a measurement is the local friction of the interface.</source>
+        <translation>Ohne Gedächtnis wird jeder Gipfel ebenso stark vorwärts wie rückwärts gedrückt, und die Reibung ist bei jeder Geschwindigkeit exakt null. In einer Messung bleibt die lokale Reibung der Grenzfläche.</translation>
+    </message>
+    <message>
+        <source>One-sided contact</source>
+        <translation>Einseitiger Kontakt</translation>
+    </message>
+    <message>
+        <source>A single summit, seen closely: the rubber is pushed down in front of it and is still on its way up behind, so only the leading side is touched. Lower the velocity to 0.001 m/s: contact becomes even on both sides, and friction vanishes.</source>
+        <translation>Ein einzelner Gipfel, aus der Nähe: Vor ihm wird der Gummi hinabgedrückt, hinter ihm ist er noch auf dem Weg nach oben, daher wird nur die Vorderseite berührt. Die Geschwindigkeit auf 0,001 m/s senken: Der Kontakt wird auf beiden Seiten gleich, und die Reibung verschwindet.</translation>
+    </message>
+    <message>
+        <source>Pressed in and at rest</source>
+        <translation>Eingedrückt und in Ruhe</translation>
+    </message>
+    <message>
+        <source>Nothing slides, so there is no friction: the line rests on the summits that reach deepest, and the rubber between them stays flat. Raise the force: contacts grow in number and in length.</source>
+        <translation>Nichts gleitet, daher gibt es keine Reibung: Die Linie ruht auf den Gipfeln, die am tiefsten reichen, und der Gummi dazwischen bleibt eben. Die Kraft erhöhen: Die Kontakte wachsen an Zahl und Länge.</translation>
     </message>
 </context>
 </TS>

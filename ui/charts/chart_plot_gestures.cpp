@@ -137,6 +137,9 @@ void ChartPlotView::read(QPointF place) {
     if (describe_) text = describe_(kStripCurve, point.row);
   } else if (target.span >= 0) {
     text = plot_.spans[static_cast<std::size_t>(target.span)].tip;
+  } else if (place.y() > std::max(map.area.bottom(), map.strip.bottom()) &&
+             TitlesItem::alongWithin(plot_, font(), map.area.width()) != plot_.x.title) {
+    text = plot_.x.title;  // which is cut there
   }
   if (text.isEmpty()) return tip_->clear();
   tip_->show(text, at, target.span < 0, chart_->rect(), colours_, font());

@@ -24,8 +24,8 @@ constexpr double kSpanDepth = 1, kGridDepth = 1.5;  // between background and gr
 constexpr double kOverlayDepth = 100;               // over everything in it
 constexpr double kLabelWidth = 44;                  // a label needs this much of its axis
 constexpr double kLabelHeight = 24;
-constexpr double kStripGap = 18;  // between the plot and the strip below
-constexpr double kSlim = 0.32;    // height of the strip, of the whole
+constexpr double kStripGap = 6;  // between the plot and the name of the strip below
+constexpr double kSlim = 0.32;   // height of the strip, of the whole
 
 }  // namespace
 
@@ -43,6 +43,7 @@ ChartPlotView::ChartPlotView(QWidget* parent)
       spans_(new SpanItem(chart_)),
       grid_(new GridItem(chart_)),
       points_(new PointsItem(chart_)),
+      titles_(new TitlesItem(chart_)),
       strip_(new StripItem(chart_)),
       marker_(new MarkerItem(chart_)),
       tip_(new TipItem(chart_)),
@@ -59,6 +60,7 @@ ChartPlotView::ChartPlotView(QWidget* parent)
   spans_->setZValue(kSpanDepth);
   grid_->setZValue(kGridDepth);
   points_->setZValue(kOverlayDepth);
+  titles_->setZValue(kOverlayDepth);
   strip_->setZValue(kOverlayDepth);
   marker_->setZValue(kOverlayDepth + 1);
   tip_->setZValue(kOverlayDepth + 2);
@@ -168,12 +170,10 @@ void ChartPlotView::showAll() {
   const double strip = plot_.strip ? std::round(kSlim * height()) : 0;
   placeArea(strip);
   x_->setLabelsVisible(!plot_.strip);
-  x_->setTitleVisible(!plot_.strip);
   const PlotWindow shown = window();
   const double scale = markScale(font());
   showAxis(*x_, shown.x, (width() - 90.0 * scale) / (kLabelWidth * scale));
   showAxis(*y_, shown.y, (height() - 90.0 * scale - strip) / (kLabelHeight * scale));
-  showTitles();
   showSeries();
   updateItems();
 }
@@ -185,7 +185,7 @@ void ChartPlotView::placeArea(double strip) {
   const double left = 12 + line + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
   const double above = plot_.spans.empty() ? 9 : namesHeight() + 2;
   // The strip and the labels of the common axis stand below the chart.
-  const double below = 2 * line + 20 + (plot_.strip ? strip + kStripGap : 0);
+  const double below = 2 * line + 20 + (plot_.strip ? strip + stripGap() : 0);
   // Half of the label at the end of the axis.
   const double right = std::max(18.0, metrics.horizontalAdvance(QStringLiteral("10⁻⁵")) / 2 + 4);
   const QRectF area(left, above, view_->width() - left - right, view_->height() - above - below);
@@ -196,22 +196,6 @@ void ChartPlotView::placeArea(double strip) {
   // The library leaves its axes behind until something else makes it lay them out.
   chart_->layout()->invalidate();
   chart_->layout()->activate();
-}
-
-/// Upright the long title needs more room than the plot may have.
-void ChartPlotView::showTitles() {
-  const QFontMetricsF metrics(y_->titleFont());
-  const auto fits = [&](const QString& title) {
-    return metrics.horizontalAdvance(title) + 4 <= chart_->plotArea().height();
-  };
-  const QString& brief = plot_.y.shortTitle;
-  const auto set = [](QCategoryAxis& axis, const QString& title) {
-    if (axis.titleText() != title) axis.setTitleText(title);
-  };
-  set(*x_, plot_.x.title);
-  set(*y_, fits(plot_.y.title) || brief.isEmpty() ? plot_.y.title
-           : fits(brief)                          ? brief
-                                                  : brief.section(' ', -1));  // the symbol
 }
 
 /// Labels at whole decades, at every second (third...) where they would not fit, and between them
@@ -271,9 +255,7 @@ void ChartPlotView::paintLines() const {
 void ChartPlotView::paintAxis(QCategoryAxis& axis) const {
   const QFont font = this->font();
   axis.setLabelsFont(font);
-  axis.setTitleFont(font);
   axis.setLabelsColor(colours_.text);
-  axis.setTitleBrush(colours_.text);
   axis.setLinePen(showsFocus_ ? QPen(colours_.points, 2) : QPen(colours_.axis, 1));
 }
 
@@ -281,11 +263,15 @@ double ChartPlotView::namesHeight() const {
   return std::max(kSpanNames, std::ceil(QFontMetricsF(font()).height()));
 }
 
+double ChartPlotView::stripGap() const {
+  return kStripGap + std::ceil(QFontMetricsF(font()).height());
+}
+
 PlotGeometry ChartPlotView::geometry() const {
   PlotGeometry map{chart_->plotArea(), window().x,       window().y, {},
                    namesHeight(),      markScale(font())};
   if (plot_.strip)
-    map.strip = QRectF(map.area.left(), map.area.bottom() + kStripGap, map.area.width(),
+    map.strip = QRectF(map.area.left(), map.area.bottom() + stripGap(), map.area.width(),
                        std::round(kSlim * height()));
   return map;
 }
@@ -293,7 +279,8 @@ PlotGeometry ChartPlotView::geometry() const {
 void ChartPlotView::updateItems() {
   const PlotGeometry map = geometry();
   for (PlotItem* item : {static_cast<PlotItem*>(spans_), static_cast<PlotItem*>(grid_),
-                         static_cast<PlotItem*>(points_), static_cast<PlotItem*>(strip_)})
+                         static_cast<PlotItem*>(points_), static_cast<PlotItem*>(titles_),
+                         static_cast<PlotItem*>(strip_)})
     item->update(map, plot_, colours_);
   updateMarker();
   if (hover_ && gesture_ == Gesture::None)

@@ -31,6 +31,7 @@ class ChartPlotView : public PlotView {
   bool isZoomed() const override { return zoom_.has_value(); }
   void zoom(double factor) override;
   void fit() override;
+  void setZoom(const std::optional<PlotWindow>& window) override;
   QString reading() const override { return tip_->text(); }
 
  protected:
@@ -52,7 +53,6 @@ class ChartPlotView : public PlotView {
   QCategoryAxis* makeAxis(Qt::Alignment side);
   void showAxis(QCategoryAxis& axis, const DecadeRange& range, double room);
   void placeArea(double strip);
-  void showTitles();
   void showSeries();
   QLineSeries* addLine();
   void showAll();
@@ -62,11 +62,11 @@ class ChartPlotView : public PlotView {
   void updateItems();
   void updateMarker();
   double namesHeight() const;
+  double stripGap() const;
   PlotGeometry geometry() const;
   QPointF corner() const;
 
   // In chart_plot_gestures.cpp.
-  void setZoom(const std::optional<PlotWindow>& window);
   void read(QPointF place);
   void gripMarker(QPointF place, bool finely);
   void dragMarker(QPointF place, bool finely);
@@ -86,6 +86,7 @@ class ChartPlotView : public PlotView {
   SpanItem* spans_;
   GridItem* grid_;
   PointsItem* points_;
+  TitlesItem* titles_;
   StripItem* strip_;
   MarkerItem* marker_;
   TipItem* tip_;

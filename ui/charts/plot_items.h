@@ -51,6 +51,19 @@ class PointsItem : public PlotItem {
   void paintBlank(QPainter& painter) const;
 };
 
+/// The titles of the axes, which the library cuts where it does not have to: along the line below
+/// the labels, and upright at the left edge, the longest form that has room.
+class TitlesItem : public PlotItem {
+ public:
+  using PlotItem::PlotItem;
+  QRectF boundingRect() const override;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+  /// Of the axis along, with `width` pixels for it; shorter than the title where that does not fit.
+  static QString alongWithin(const Plot& plot, const QFont& font, double width);
+  static QString uprightWithin(const Plot& plot, const QFont& font, double height);
+};
+
 /// The slim plot below; labels and title of the common axis stand under it.
 class StripItem : public PlotItem {
  public:

@@ -22,7 +22,7 @@ constexpr double kLabelRoom = 44;  // width that a label along needs
 QRectF StripItem::boundingRect() const {
   if (geometry_.strip.isEmpty()) return {};
   const double scale = geometry_.scale;
-  return geometry_.strip.adjusted(-geometry_.strip.left(), -6 * scale, 20 * scale, 60 * scale);
+  return geometry_.strip.adjusted(-geometry_.strip.left(), -40 * scale, 20 * scale, 70 * scale);
 }
 
 void StripItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -107,19 +107,17 @@ void StripItem::paintPoints(QPainter& painter) const {
   painter.restore();
 }
 
-/// In the corner, on the background, so that it can be read over points.
+/// Over the strip, where no point comes.
 void StripItem::paintName(QPainter& painter) const {
   const QFontMetricsF metrics(painter.font());
   const PlotStrip& strip = *plot_.strip;
   QString text = strip.note.isEmpty() ? strip.name : strip.name + "  ·  " + strip.note;
-  text = metrics.elidedText(text, Qt::ElideRight, geometry_.strip.width() - 16);
-  const QRectF place(geometry_.strip.left() + 6, geometry_.strip.top() + 3,
-                     metrics.horizontalAdvance(text) + 8, metrics.height());
-  QColor halo = colours_.background;
-  halo.setAlphaF(0.85F);
-  painter.fillRect(place, halo);
+  const QRectF& box = geometry_.strip;
+  text = metrics.elidedText(text, Qt::ElideRight, box.width());
   painter.setPen(colours_.text);
-  painter.drawText(place, Qt::AlignCenter, text);
+  painter.drawText(
+      QRectF(box.left(), box.top() - metrics.height() - 2, box.width(), metrics.height()),
+      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, text);
 }
 
 }  // namespace asperity

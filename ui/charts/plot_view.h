@@ -49,6 +49,8 @@ class PlotView : public QWidget {
   virtual bool isZoomed() const = 0;
   virtual void zoom(double factor) = 0;  // about the middle; below 1: nearer
   virtual void fit() = 0;
+  /// Shows this part; none: all, as fit().
+  virtual void setZoom(const std::optional<PlotWindow>& window) = 0;
 
   /// The reading of a point: its series' number and its row. May be empty.
   using Describe = std::function<QString(int id, int row)>;

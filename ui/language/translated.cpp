@@ -26,6 +26,18 @@ const QRegularExpression& quantity() {
   return form;
 }
 
+/// The same, and what nobody translates: keys of a scene and texts of JSON.
+const QRegularExpression& quantityOrName() {
+  static const QRegularExpression form(
+      quantity().pattern() +
+          QStringLiteral("|(?<![\\w.])[a-z_]+(?:\\.[a-z0-9_]+)+(?![\\w.])|\"[^\"]*\""
+                         "|[a-z_]+(?=; it belongs to )|(?<=; it belongs to )[a-z_ ]+$"),
+      QRegularExpression::UseUnicodePropertiesOption);
+  return form;
+}
+
+constexpr double kLeastPlain = 1e-3, kMostPlain = 1e5;  // beyond them powers of ten
+
 /// Numbers as computers write them, "1e-10" and "6.3e+02", as all others are printed.
 QString withPrintedNumbers(const QString& text) {
   static const QRegularExpression form(
@@ -38,25 +50,34 @@ QString withPrintedNumbers(const QString& text) {
     const double value = (front + '.' + behind + 'e' + match.captured(3)).toDouble();
     if (!std::isfinite(value)) continue;
     const auto digits = static_cast<int>(front.size() + behind.size()) - front.startsWith('-');
+    const double size = std::abs(value);
+    const bool isPlain = value == 0 || (size >= kLeastPlain && size < kMostPlain);
     printed += text.mid(end, match.capturedStart() - end) +
-               inLanguage(QString::fromStdString(printedNumber(value, digits)));
+               inLanguage(QString::fromStdString(isPlain ? printedNumber(value, digits)
+                                                         : printedPower(value, digits)));
     end = match.capturedEnd();
   }
   return printed + text.mid(end);
 }
 
+constexpr const char* kScenes = "scenes";  // context of what shipped scenes say of themselves
+
 Found known(const QString& english) {
-  return translationIn("core", english.toUtf8().constData());
+  const QByteArray text = english.toUtf8();
+  const Found found = translationIn("core", text.constData());
+  return found ? found : translationIn(kScenes, text.constData());
 }
 
-/// Numbers and their units become %1, %2, ..., and go back in the language's way.
-Found knownWithoutNumbers(const QString& english) {
+/// What the form finds becomes %1, %2, ..., and goes back in the language's way.
+Found knownWithout(const QRegularExpression& form, const QString& english) {
   QString pattern;
   QStringList values;
   qsizetype end = 0;
-  for (auto it = quantity().globalMatch(english); it.hasNext();) {
+  for (auto it = form.globalMatch(english); it.hasNext();) {
     const QRegularExpressionMatch match = it.next();
-    values += inLanguage(match.captured());
+    const bool isNumber =
+        quantity().match(match.captured()).capturedLength() == match.capturedLength();
+    values += isNumber ? inLanguage(match.captured()) : match.captured();
     pattern += english.mid(end, match.capturedStart() - end) + '%' + QString::number(values.size());
     end = match.capturedEnd();
   }
@@ -67,6 +88,14 @@ Found knownWithoutNumbers(const QString& english) {
     for (qsizetype i = values.size(); i > 0; --i)
       found->replace('%' + QString::number(i), values[i - 1]);
   return found;
+}
+
+Found knownWithoutNumbers(const QString& english) {
+  return knownWithout(quantity(), english);
+}
+
+Found knownWithoutNames(const QString& english) {
+  return knownWithout(quantityOrName(), english);
 }
 
 /// "H = 0.7", "10 mN", "III": the same in every language but for the decimal sign.
@@ -95,7 +124,7 @@ Found labelled(const QString& english) {
 }
 
 Found whole(const QString& english) {
-  for (const auto way : {known, knownWithoutNumbers, formula, labelled})
+  for (const auto way : {known, knownWithoutNumbers, knownWithoutNames, formula, labelled})
     if (const Found found = way(english)) return found;
   return {};
 }
@@ -175,12 +204,13 @@ namespace {
 std::string inPresentLanguage(std::string_view english) {
   if (presentLanguage() == "en") return std::string(english);
   if (const auto found = translationOf(english)) return *found;
-  // A sheet says first what somebody called the scene.
-  const std::size_t name = english.find("; ");
-  if (name == english.npos) return std::string(english);
-  const auto rest = translationOf(english.substr(name + 2));
-  return std::string(english.substr(0, name + 2)) +
-         rest.value_or(std::string(english.substr(name + 2)));
+  // A sheet says first what somebody called the scene, an error which file it is about.
+  for (const char* separator : {"; ", ": "})
+    for (std::size_t name = english.find(separator); name != english.npos;
+         name = english.find(separator, name + 2))
+      if (const auto rest = translationOf(english.substr(name + 2)))
+        return std::string(english.substr(0, name + 2)) + *rest;
+  return std::string(english);
 }
 
 }  // namespace
@@ -191,6 +221,15 @@ std::string translated(std::string_view english) {
 
 QString translatedText(std::string_view english) {
   return withPrintedNumbers(QString::fromStdString(inPresentLanguage(english)));
+}
+
+bool isTranslatedScene(std::string_view text) {
+  return !text.empty() && translationIn(kScenes, std::string(text).c_str());
+}
+
+QString sceneText(std::string_view text) {
+  const Found found = translationIn(kScenes, std::string(text).c_str());
+  return withPrintedNumbers(found ? *found : QString::fromStdString(std::string(text)));
 }
 
 DiagramSheet translated(DiagramSheet sheet) {

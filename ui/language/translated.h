@@ -18,10 +18,15 @@ namespace asperity {
 std::optional<std::string> translationOf(std::string_view english);
 
 /// The same; in English, or where there is no translation, the text itself. What follows a name
-/// that nobody knows and a semicolon is translated alone. Numbers like 1e-10 are printed as all
-/// others are (core/scene/printed_number.h).
+/// that nobody knows and a semicolon or a colon is translated alone. Numbers like 1e-10 are printed
+/// as all others are (core/scene/printed_number.h), from 1e5 on and below 1e-3 as powers of ten.
 std::string translated(std::string_view english);
 QString translatedText(std::string_view english);
+
+/// A scene's own title, description or chapter: that of a shipped scene in the language in use,
+/// another as it is, but for its numbers.
+QString sceneText(std::string_view text);
+bool isTranslatedScene(std::string_view text);
 
 /// With all its titles, names and labels.
 DiagramSheet translated(DiagramSheet sheet);

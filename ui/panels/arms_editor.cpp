@@ -254,6 +254,11 @@ void ArmsEditor::makeRows(std::size_t count) {
   while (rows_.size() < count) rows_.push_back(new ArmRow(*this, *grid_, rows_.size()));
 }
 
+void ArmsEditor::setOpened(std::optional<bool> opened) {
+  opened_ = opened;
+  showFold();
+}
+
 bool ArmsEditor::isOpen() const {
   return opened_.value_or(arms_.size() <= kShort);
 }

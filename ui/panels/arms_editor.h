@@ -30,6 +30,10 @@ class ArmsEditor : public QWidget {
   /// overwrites what someone typed and was refused.
   void showArms(const std::vector<Arm>& arms, std::optional<std::size_t> wanted, bool replace);
 
+  /// Open or folded by hand; none: as long as the list is short.
+  std::optional<bool> opened() const { return opened_; }
+  void setOpened(std::optional<bool> opened);
+
   /// The line with the fold, for the row of the panel.
   QToolButton& fold() { return *fold_; }
 

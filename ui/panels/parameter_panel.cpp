@@ -1,9 +1,11 @@
 #include "ui/panels/parameter_panel.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <filesystem>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "core/scene/input_error.h"
 #include "core/scene/parameters.h"
 #include "ui/language/translated.h"
+#include "ui/panels/arms_editor.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/panel_style.h"
 #include "ui/panels/parameter_row.h"
@@ -77,7 +80,8 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
       scene_(scene),
       passedOn_(scene),
       sizes_(scene.surface),
-      chooser_(askForProfile) {
+      chooser_(askForProfile),
+      scroll_(new QScrollArea) {
   auto* content = new QWidget;
   content->setObjectName("parameterRows");
   content->setFocusPolicy(Qt::ClickFocus);
@@ -88,15 +92,14 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
   for (const QString& section : sections()) addSection(*column, section);
   column->addStretch(1);
 
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFocusPolicy(Qt::NoFocus);  // its rows take it
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setWidget(content);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFocusPolicy(Qt::NoFocus);  // its rows take it
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll);
+  layout->addWidget(scroll_);
   setMinimumWidth(350);
   applyStyle();
   showRows(nullptr);
@@ -110,6 +113,24 @@ void ParameterPanel::setScene(const Scene& scene) {
   complaints_.clear();
   for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, true);
   showMissing();
+}
+
+PanelState ParameterPanel::state() const {
+  PanelState state;
+  for (const ValueEntry* entry : findChildren<ValueEntry*>())
+    if (const auto typed = entry->typed()) state.typed.insert(entry->objectName(), *typed);
+  state.armsOpened = findChild<ArmsEditor*>()->opened();
+  state.scrolled = scroll_->verticalScrollBar()->value();
+  return state;
+}
+
+void ParameterPanel::setState(const PanelState& state) {
+  for (auto typed = state.typed.begin(); typed != state.typed.end(); ++typed)
+    if (auto* entry = findChild<ValueEntry*>(typed.key())) entry->resume(*typed);
+  findChild<ArmsEditor*>()->setOpened(state.armsOpened);
+  // How far it can be scrolled is known once it is laid out.
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  scroll_->verticalScrollBar()->setValue(state.scrolled);
 }
 
 void ParameterPanel::showError(const QString& key, const QString& text) {

@@ -8,10 +8,13 @@
 #include <QSet>
 #include <QWidget>
 #include <functional>
+#include <optional>
 
 #include "core/scene/scene.h"
 #include "ui/panels/left_open.h"
+#include "ui/panels/value_entry.h"
 
+class QScrollArea;
 class QVBoxLayout;
 
 namespace asperity {
@@ -21,6 +24,13 @@ struct Parameter;
 
 /// Asks a person for a file, beginning in a folder; empty where none was chosen.
 using FileChooser = std::function<QString(QWidget* parent, const QString& folder)>;
+
+/// What a panel shows beyond its scene.
+struct PanelState {
+  QMap<QString, TypedText> typed;  // by the entry's name
+  std::optional<bool> armsOpened;
+  int scrolled = 0;
+};
 
 class ParameterPanel : public QWidget {
   Q_OBJECT
@@ -32,6 +42,10 @@ class ParameterPanel : public QWidget {
 
   /// Shows another scene; emits nothing.
   void setScene(const Scene& scene);
+
+  /// For a panel of the same scene in this one's place.
+  PanelState state() const;
+  void setState(const PanelState& state);
 
   /// A complaint about a parameter that only came up when the scene ran. Unknown keys are ignored.
   void showError(const QString& key, const QString& text);
@@ -71,6 +85,7 @@ class ParameterPanel : public QWidget {
   FileChooser chooser_;
   QSet<QString> complaints_;           // keys of showError()
   QMap<QString, ParameterRow*> rows_;  // by key
+  QScrollArea* scroll_;
 };
 
 }  // namespace asperity

@@ -88,6 +88,10 @@ UnitText shownText(const Parameter& parameter, const ParameterValue& value) {
     const UnitText text = inReadableUnit(*real, fromUtf8(parameter.unit));
     return {inLanguage(text.number), text.unit};
   }
+  // A shipped scene says what it is in the language of the window.
+  if (const auto* text = std::get_if<std::string>(&value))
+    if (std::holds_alternative<TextField>(parameter.field) && isTranslatedScene(*text))
+      return {sceneText(*text), {}};
   return {valueText(value), fromUtf8(parameter.unit)};
 }
 
@@ -138,7 +142,10 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
   const std::optional<StandIn> standIn = standInFor(parameter_, scene, known);
   if (slider_) slider_->showValue(standIn ? standIn->value.value_or(0) : asNumber(value));
   if (entry_) showEntry(value, standIn, replace);
-  if (text_) replace ? text_->replaceText(valueText(value)) : text_->showText(valueText(value));
+  if (text_) {
+    const QString text = shownText(parameter_, value).number;
+    replace ? text_->replaceText(text) : text_->showText(text);
+  }
   if (arms_) arms_->showArms(scene.elastomer.arms, armsWanted(scene), replace);
   if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
   if (replace) showError({});

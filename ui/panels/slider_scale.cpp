@@ -31,11 +31,12 @@ Span spanOf(const Parameter& parameter) {
 SliderScale::SliderScale(const Parameter& parameter) {
   const Span span = spanOf(parameter);
   scale_ = span.scale;
+  if (scale_ == Scale::LogarithmicFromNone) values_.push_back(0);
   const double low = coordinate(span.from);
   const double high = coordinate(span.to);
   for (int i = 0; i <= kSteps; ++i) {
     const double between = low + (high - low) * i / kSteps;
-    double value = scale_ == Scale::Logarithmic ? std::exp(between) : between;
+    double value = scale_ == Scale::Linear ? between : std::exp(between);
     value = roundedToDigits(value, kDigits);
     if (span.whole) value = std::round(value);
     value = std::clamp(value, span.from, span.to);
@@ -44,7 +45,7 @@ SliderScale::SliderScale(const Parameter& parameter) {
 }
 
 double SliderScale::coordinate(double value) const {
-  return scale_ == Scale::Logarithmic ? std::log(value) : value;
+  return scale_ == Scale::Linear ? value : std::log(value);
 }
 
 double SliderScale::valueAt(int position) const {
@@ -56,7 +57,7 @@ int SliderScale::positionOf(double value) const {
   if (above == values_.begin()) return 0;
   if (above == values_.end()) return count() - 1;
   const double middle = (coordinate(*(above - 1)) + coordinate(*above)) / 2;
-  const auto nearest = coordinate(value) < middle ? above - 1 : above;
+  const auto nearest = coordinate(value) < middle ? above - 1 : above;  // none is far from all
   return static_cast<int>(nearest - values_.begin());
 }
 

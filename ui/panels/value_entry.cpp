@@ -21,15 +21,32 @@ void ValueEntry::replaceText(const QString& text, const QString& unit) {
   accepted_ = text;
   acceptedUnit_ = unit;
   showError({});
-  if (unit_ != unit) {
-    unit_ = unit;
-    emit unitShown(unit);
-  }
+  showUnit(unit);
   if (this->text() != text) {
     setText(text);
     shownEnd_ == Qt::LeftEdge ? home(false) : end(false);
   }
   setModified(false);
+}
+
+void ValueEntry::showUnit(const QString& unit) {
+  if (unit_ == unit) return;
+  unit_ = unit;
+  emit unitShown(unit);
+}
+
+std::optional<TypedText> ValueEntry::typed() const {
+  const bool isOwn = text() != accepted_ || unit_ != acceptedUnit_;
+  if (!isOwn || !(hasError() || isModified())) return std::nullopt;
+  return TypedText{text(), unit_, hasError(), cursorPosition()};
+}
+
+void ValueEntry::resume(const TypedText& typed) {
+  showUnit(typed.unit);
+  setText(typed.text);
+  setCursorPosition(typed.cursor);
+  setModified(!typed.isRefused);
+  if (typed.isRefused) emit textCommitted(typed.text);
 }
 
 void ValueEntry::showError(const QString& reason) {

@@ -5,8 +5,16 @@
 #pragma once
 
 #include <QLineEdit>
+#include <optional>
 
 namespace asperity {
+
+/// In an entry without counting: not yet, or refused.
+struct TypedText {
+  QString text, unit;
+  bool isRefused = false;
+  int cursor = 0;
+};
 
 class ValueEntry : public QLineEdit {
   Q_OBJECT
@@ -27,6 +35,11 @@ class ValueEntry : public QLineEdit {
   /// Which end of a text that is too long is in sight; the left one unless told.
   void setShownEnd(Qt::Edge end) { shownEnd_ = end; }
 
+  /// What was typed and does not count, for an entry that takes this one's place.
+  std::optional<TypedText> typed() const;
+  /// What was refused is given again, so that the reason is said anew.
+  void resume(const TypedText& typed);
+
   /// Red frame and the reason; an empty reason takes both away.
   void showError(const QString& reason);
   bool hasError() const { return !reason_.isEmpty(); }
@@ -42,6 +55,7 @@ class ValueEntry : public QLineEdit {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void showUnit(const QString& unit);
   void mend();
   void commit();
   bool hasOwn(const QKeyEvent& event) const;

@@ -17,12 +17,12 @@ double enlargementFor(double rmsSlope) {
   return rmsSlope > 0 ? std::max(1.0, roundUp125(kTypicalFriction / rmsSlope)) : 1;
 }
 
-void addArrowWithRim(DrawLayer& layer, Place from, Place to, const ContactLayout& layout) {
+void addArrowWithRim(ForceLayers layers, Place from, Place to, const ContactLayout& layout) {
   const float u = layout.sizes.unit;
   const float length = std::hypot(to.x - from.x, to.y - from.y);
   const float head = std::min(9 * u, 0.5F * length);
-  addArrow(layer, from, to, head, 6 * u, withAlpha(layout.theme.rigid, 0.85F));
-  addArrow(layer, from, to, head, 2.8F * u, layout.theme.highlight);
+  addArrow(layers.rims, from, to, head, 6 * u, withAlpha(layout.theme.rigid, 0.85F));
+  addArrow(layers.arrows, from, to, head, 2.8F * u, layout.theme.highlight);
 }
 
 }  // namespace
@@ -53,13 +53,13 @@ ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout) {
   return arrows;
 }
 
-void addForceArrows(DrawLayer& layer, const ForceArrows& arrows, Place from,
+void addForceArrows(ForceLayers layers, const ForceArrows& arrows, Place from,
                     const ContactLayout& layout) {
   const float side = arrows.pointsRight ? arrows.sideways : -arrows.sideways;
-  if (arrows.sideways > 0) addArrowWithRim(layer, from, {from.x + side, from.y}, layout);
-  if (arrows.down > 0) addArrowWithRim(layer, from, {from.x, from.y + arrows.down}, layout);
+  if (arrows.sideways > 0) addArrowWithRim(layers, from, {from.x + side, from.y}, layout);
+  if (arrows.down > 0) addArrowWithRim(layers, from, {from.x, from.y + arrows.down}, layout);
   const float u = layout.sizes.unit;
-  addLine(layer, {from}, 7 * u, layout.theme.highlight);
+  addLine(layers.arrows, {from}, 7 * u, layout.theme.highlight);
 }
 
 }  // namespace asperity

@@ -17,8 +17,13 @@ struct ForceArrows {
 };
 ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout);
 
+/// Rims belong under the line, which they would cut, and arrows over it.
+struct ForceLayers {
+  DrawLayer &rims, &arrows;
+};
+
 /// From `from`, over the rigid body.
-void addForceArrows(DrawLayer& layer, const ForceArrows& arrows, Place from,
+void addForceArrows(ForceLayers layers, const ForceArrows& arrows, Place from,
                     const ContactLayout& layout);
 
 /// m/s, now; 0 without a scene.

@@ -129,7 +129,7 @@ std::string lineOf(const Surface& surface) {
 
 std::string titleOf(const Frame& frame) {
   if (!frame.scene) return Words::tr("A rigid line on an elastomer");
-  if (!frame.scene->title.empty()) return translated(frame.scene->title);
+  if (!frame.scene->title.empty()) return sceneText(frame.scene->title).toStdString();
   const bool rests = frame.scene->sliding.velocity == 0;
   return filled(
       rests ? Words::tr("%1 rests on an elastomer") : Words::tr("%1 slides over an elastomer"),
@@ -150,18 +150,35 @@ float titleBaseline(const Sizes& s) {
   return std::round(10 * s.unit + s.title);
 }
 
-void addTitle(DrawList& list, const Frame& frame, const Sizes& s, const Theme& theme, float side) {
-  const auto width = static_cast<float>(list.width);
+/// The title and what stands at the right end of its line, as far as there is room.
+struct TitleLine {
+  std::string whole, shown, progress;
+  float side = 0, room = 0, progressAt = 0;
+};
+
+TitleLine titleLine(const Frame& frame, const ContactPictureOptions& options) {
+  const Sizes s = sizesFor(options);
+  const auto width = static_cast<float>(options.width);
+  TitleLine line{titleOf(frame), {}, progressOf(frame), std::round(16 * s.unit), 0, 0};
+  const float progress = textWidth(line.progress, s.small);
+  line.progressAt = std::floor(width - line.side - progress);
+  const float alone = width - 2 * line.side, beside = alone - progress - 2 * line.side;
+  const float wanted = textWidth(line.whole, s.title, true);
+  if (!(progress < 0.4F * width) || (wanted > beside && wanted <= alone)) line.progress.clear();
+  line.room = line.progress.empty() ? alone : beside;
+  line.shown = elided(line.whole, s.title, true, line.room);
+  return line;
+}
+
+void addTitle(DrawList& list, const Frame& frame, const ContactPictureOptions& options) {
+  const Sizes s = sizesFor(options);
+  const Theme& theme = options.theme;
   const float baseline = titleBaseline(s);
-  const std::string progress = progressOf(frame);
-  const float progressWidth = textWidth(progress, s.small);
-  const bool both = !progress.empty() && progressWidth < 0.4F * width;
-  const float room = width - 2 * side - (both ? progressWidth + 2 * side : 0);
-  const std::string title = elided(titleOf(frame), s.title, true, room);
-  if (!title.empty()) addText(list, {{title, true}}, {side, baseline}, s.title, theme.text);
-  if (both)
-    addText(list, {{progress}}, {std::floor(width - side - progressWidth), baseline}, s.small,
-            theme.faintText);
+  const TitleLine line = titleLine(frame, options);
+  if (!line.shown.empty())
+    addText(list, {{line.shown, true}}, {line.side, baseline}, s.title, theme.text);
+  if (!line.progress.empty())
+    addText(list, {{line.progress}}, {line.progressAt, baseline}, s.small, theme.faintText);
 }
 
 float titleHeight(const Sizes& s) {
@@ -208,7 +225,7 @@ float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions&
   const Sizes s = sizesFor(options);
   const Theme& theme = options.theme;
   if (!hasHeader(options)) return 0;
-  addTitle(list, frame, s, theme, std::round(16 * s.unit));
+  addTitle(list, frame, options);
   const std::vector<PlacedReading> readings = placedReadings(frame, options, titleBaseline(s));
   if (readings.empty()) return titleHeight(s);
   for (const auto& [reading, at] : readings) {
@@ -226,6 +243,8 @@ std::vector<ContactReading> contactReadings(const Frame& frame,
   std::vector<ContactReading> places;
   if (!options.title || !hasHeader(options)) return places;
   const Sizes s = sizesFor(options);
+  if (const TitleLine line = titleLine(frame, options); line.shown != line.whole)
+    places.push_back({{line.side, 0, line.room, titleHeight(s)}, line.shown, line.whole});
   for (const auto& [reading, at] : placedReadings(frame, options, titleBaseline(s)))
     places.push_back({{at.x, at.y + 0.25F * s.body, widthOf(reading, s), rowHeight(s)},
                       plainText(reading.label),

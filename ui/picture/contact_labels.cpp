@@ -1,4 +1,5 @@
-// Labels inside the axes. They stand still in the corners, on soft plates of their body's colour.
+// Labels inside the axes. They stand still in the corners, on soft plates of their body's colour
+// that lie under the curves: in a low view the line reaches up to them and stays whole.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -179,8 +180,8 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
 
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout) {
   Notes notes = notesFor(frame, layout);
-  DrawLayer layer;
-  TagPainter painter(list, layer, layout);
+  DrawLayer layer, plates;
+  TagPainter painter(list, plates, layer, layout);
   const float margin = std::round(9 * layout.sizes.unit);
   const float rows = 2 * painter.height() + 3 * margin;
   if (!isDrawable(frame) || rows > 0.75F * layout.plot.height) return notes;
@@ -189,10 +190,11 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout)
   const float reach = arrows.pointsRight ? arrows.sideways : 0;
   if (arrows.down > 0)
     addForceArrows(
-        layer, arrows,
+        {plates, layer}, arrows,
         {layout.plot.right() - 3 * margin - reach, layout.plot.y + 2 * margin + painter.height()},
         layout);
   nameElastomer(painter, frame, layout, notes);
+  list.layers.insert(list.layers.end() - 1, std::move(plates));  // the last has the curves
   list.layers.push_back(std::move(layer));
   return notes;
 }

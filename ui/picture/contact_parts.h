@@ -19,7 +19,8 @@ float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions&
 /// Both bodies, the gap, the curves and the lit contacts.
 void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout);
 
-/// What the bodies are, which way the line slides, the forces. Returns what the footer has to say.
+/// What the bodies are, which way the line slides, the forces; after addBodies. Returns what the
+/// footer has to say.
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout);
 
 /// Frame, ticks, axis titles, pressure legend, footer.

@@ -7,9 +7,11 @@
 
 namespace asperity {
 
-TagPainter::TagPainter(DrawList& list, DrawLayer& layer, const ContactLayout& layout)
+TagPainter::TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows,
+                       const ContactLayout& layout)
     : list_(list),
-      layer_(layer),
+      plates_(plates),
+      arrows_(arrows),
       layout_(layout),
       size_(layout.sizes.small + 1),
       inset_(std::round(9 * layout.sizes.unit)) {}
@@ -26,7 +28,7 @@ float TagPainter::width(const Tag& tag) const {
 }
 
 void TagPainter::paint(const Tag& tag, Place topLeft, const Rgba& plate) {
-  addPill(layer_, {topLeft.x, topLeft.y, width(tag), height()}, withAlpha(plate, 0.86F));
+  addPill(plates_, {topLeft.x, topLeft.y, width(tag), height()}, withAlpha(plate, 0.86F));
   const Rgba colour = textOn(plate);
   const float baseline = std::round(topLeft.y + height() / 2 + size_ * 0.36F);
   float x = topLeft.x + inset_;
@@ -56,7 +58,7 @@ void TagPainter::paintArrow(ArrowWay way, float x, float middle, const Rgba& col
     from = {x + length / 2, middle - height() * 0.34F};
     to = {x + length / 2, middle + height() * 0.34F};
   }
-  addArrow(layer_, from, to, 8 * u, 2.4F * u, colour);
+  addArrow(arrows_, from, to, 8 * u, 2.4F * u, colour);
 }
 
 }  // namespace asperity

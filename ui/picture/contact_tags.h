@@ -14,10 +14,11 @@ struct Tag {
   TextRuns after;
 };
 
-/// Paints tags, all in one size; the list, layer and layout must outlive it.
+/// Paints tags, all in one size: their plates in one layer, their arrows in another. The list,
+/// layers and layout must outlive it.
 class TagPainter {
  public:
-  TagPainter(DrawList& list, DrawLayer& layer, const ContactLayout& layout);
+  TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows, const ContactLayout& layout);
 
   float height() const;
   float width(const Tag& tag) const;
@@ -29,7 +30,7 @@ class TagPainter {
   void paintArrow(ArrowWay way, float x, float middle, const Rgba& colour);
 
   DrawList& list_;
-  DrawLayer& layer_;
+  DrawLayer &plates_, &arrows_;
   const ContactLayout& layout_;
   float size_, inset_;
 };

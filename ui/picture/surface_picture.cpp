@@ -98,7 +98,7 @@ class SurfacePicture {
   float addHeader() {
     const float width = static_cast<float>(list_.width) - 2 * side_;
     const std::string title =
-        scene_.title.empty() ? Words::tr("Rigid line") : translated(scene_.title);
+        scene_.title.empty() ? Words::tr("Rigid line") : sceneText(scene_.title).toStdString();
     float baseline = std::round(10 * sizes_.unit + sizes_.title);
     addText(list_, {{elided(title, sizes_.title, true, width), true}}, {side_, baseline},
             sizes_.title, theme_.text);

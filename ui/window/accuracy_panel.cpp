@@ -177,12 +177,13 @@ void AccuracyPanel::setComparison(const std::optional<CurveSetting>& setting) {
 
 std::optional<ComparedMethods> AccuracyPanel::comparedMethods() const {
   if (!pictured_ || isComparing_ || !picture_->figure()) return std::nullopt;
-  return ComparedMethods{*pictured_, picture_->figure()};
+  return ComparedMethods{*pictured_, picture_->figure(), picture_->chosen()};
 }
 
 void AccuracyPanel::showComparedMethods(const ComparedMethods& compared) {
   pictured_ = compared.scene;
   picture_->showFigure(compared.figure);
+  picture_->choose(compared.diagram);
   dropOldPicture();
 }
 

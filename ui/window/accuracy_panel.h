@@ -35,6 +35,7 @@ int placeOf(double target);
 struct ComparedMethods {
   Scene scene;
   std::shared_ptr<const MadeFigure> figure;
+  int diagram = 0;  // in sight
 };
 
 class AccuracyPanel : public QWidget {

@@ -90,17 +90,24 @@ ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   header.setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   header.setSectionResizeMode(QHeaderView::Fixed);
   header.setSectionResizeMode(kClaim, QHeaderView::Stretch);
-  // Claims wrap anew, also where a scroll bar takes some of their width.
-  connect(&header, &QHeaderView::sectionResized, this, [this](int column) {
-    if (column == kClaim) resizeRowsToContents();
-  });
+  // Claims wrap anew, also where a scroll bar takes some of their width. Later: the header says so
+  // while its stretched column still has the width of before.
+  connect(
+      &header, &QHeaderView::sectionResized, this,
+      [this](int column) {
+        if (column == kClaim) resizeRowsToContents();
+      },
+      Qt::QueuedConnection);
   const int letter = fontMetrics().averageCharWidth();
   header.resizeSection(kHolds, 17 * letter);
   header.resizeSection(kMeasured, 20 * letter);
   header.resizeSection(kExpected, 13 * letter);
   header.resizeSection(kWhere, 24 * letter);
-  connect(this, &QTableWidget::itemSelectionChanged, this,
-          [this] { unfold(selectedItems().isEmpty() ? -1 : currentRow()); });
+  connect(this, &QTableWidget::itemSelectionChanged, this, [this] { unfold(unfolded()); });
+}
+
+int ClaimsTable::unfolded() const {
+  return selectedItems().isEmpty() ? -1 : currentRow();
 }
 
 void ClaimsTable::setClaims(const std::vector<Claim>& claims) {

@@ -18,6 +18,8 @@ class ClaimsTable : public QTableWidget {
 
   void setClaims(const std::vector<Claim>& claims);
   void setDark(bool dark);
+  /// The selected row; -1: none.
+  int unfolded() const;
 
  private:
   void fill();

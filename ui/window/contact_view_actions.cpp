@@ -99,10 +99,12 @@ void addSwitches(ContactCanvas& canvas, QMenu& menu) {
            {Qt::Key_M}},
           [&canvas](bool on) { canvas.magnify(on); });
   for (QAction* action : {follow, magnify}) action->setCheckable(true);
-  QObject::connect(&canvas, &ContactCanvas::viewChanged, follow, [&canvas, follow, magnify] {
+  const auto showState = [&canvas, follow, magnify] {
     follow->setChecked(canvas.viewer().navigation().followsLine());
     magnify->setChecked(canvas.viewer().magnifies());
-  });
+  };
+  QObject::connect(&canvas, &ContactCanvas::viewChanged, follow, showState);
+  showState();
 }
 
 void addColours(ContactCanvas& canvas, QMenu& menu) {

@@ -31,6 +31,7 @@ CurveCommands::CurveCommands(Session& session, PlotView& view, Export run, QObje
   unpinAll_->setShortcut(Qt::SHIFT | Qt::Key_P);
   dimensionless_ = add("dimensionlessAxes", tr("Dimensionless axes"), [] {});
   dimensionless_->setCheckable(true);
+  dimensionless_->setChecked(session_.friction().axes() == CurveAxes::Dimensionless);
   dimensionless_->setShortcut(Qt::Key_D);
   dimensionless_->setToolTip(tr("v̄ of Eq. (13) and μ over the rms slope of the line"));
   connect(dimensionless_, &QAction::toggled, this, &CurveCommands::setAxes);

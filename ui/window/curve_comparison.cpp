@@ -2,6 +2,7 @@
 
 #include <exception>
 
+#include "ui/language/translated.h"
 #include "ui/window/session.h"
 
 namespace asperity {
@@ -48,7 +49,7 @@ void CurveComparison::start() {
     try {
       curveDifference(scene, setting, options);
     } catch (const std::exception& error) {
-      later([this, reason = QString::fromUtf8(error.what())] { emit failed(reason); });
+      later([this, reason = translatedText(error.what())] { emit failed(reason); });
     }
   });
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/friction/study.h"
+#include "ui/language/translated.h"
 #include "ui/picture/figure_drawing.h"
 
 namespace asperity {
@@ -31,7 +32,7 @@ void FigureWorker::run(const FigureJob& job, const std::stop_token& stop) const 
   } catch (const StudyStopped&) {
     events_.stopped(job.name);
   } catch (const std::exception& error) {
-    events_.failed(job.name, QString::fromUtf8(error.what()));
+    events_.failed(job.name, translatedText(error.what()));
   }
 }
 

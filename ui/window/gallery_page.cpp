@@ -70,6 +70,22 @@ std::unique_ptr<FigureGallery> GalleryPage::takeFigures() {
   return std::unique_ptr<FigureGallery>(gallery_);
 }
 
+GalleryState GalleryPage::state() const {
+  GalleryState state{chosen(), claims_->unfolded(), realizations_->value(), {}};
+  for (const QSplitter* splitter : findChildren<QSplitter*>())
+    state.splits += splitter->saveState();
+  return state;
+}
+
+void GalleryPage::setState(const GalleryState& state) {
+  choose(state.figure, false);
+  claims_->selectRow(state.claim);
+  realizations_->setValue(state.realizations);
+  const QList<QSplitter*> splitters = findChildren<QSplitter*>();
+  for (qsizetype i = 0; i < splitters.size(); ++i)
+    splitters[i]->restoreState(state.splits.value(i));
+}
+
 QWidget* GalleryPage::makeHeading() {
   auto* heading = new QWidget;
   heading->setObjectName("dockTitle");

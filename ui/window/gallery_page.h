@@ -23,6 +23,14 @@ class FigureList;
 class FigurePicture;
 class MessageBar;
 
+/// What of a page is in sight and set up.
+struct GalleryState {
+  FigureName figure = FigureName::Contact;
+  int claim = -1;  // the row that is unfolded
+  int realizations = 0;
+  QList<QByteArray> splits;
+};
+
 class GalleryPage : public QWidget {
   Q_OBJECT
 
@@ -38,6 +46,8 @@ class GalleryPage : public QWidget {
   FigureGallery& gallery() { return *gallery_; }
   /// For another page; this one goes next.
   std::unique_ptr<FigureGallery> takeFigures();
+  GalleryState state() const;
+  void setState(const GalleryState& state);
   FigurePicture& picture() { return *picture_; }
   MessageBar& messages() { return *messages_; }
 

@@ -6,6 +6,7 @@
 #include <QSpinBox>
 #include <exception>
 
+#include "ui/language/translated.h"
 #include "ui/window/figure_files.h"
 #include "ui/window/figure_list.h"
 #include "ui/window/gallery_page.h"
@@ -75,7 +76,7 @@ void GalleryPage::save(const QString& file,
     try {
       write(file.toStdString(), *made);
     } catch (const std::exception& error) {
-      complaint = QString::fromUtf8(error.what());
+      complaint = translatedText(error.what());
     }
     QMetaObject::invokeMethod(this, [this, file, complaint] {
       if (complaint.isEmpty()) {

@@ -180,7 +180,7 @@ void MainWindow::showComplaint() {
 }
 
 void MainWindow::showDescription() {
-  const QString text = translatedText(session_->scene().description);
+  const QString text = sceneText(session_->scene().description);
   if (text == described_) return;  // closed by hand it stays closed
   described_ = text;
   text.isEmpty() || isTouring_ ? description_->hide() : description_->showMessage(text);

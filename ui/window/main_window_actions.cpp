@@ -14,6 +14,7 @@
 #include "ui/window/command_words.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/mnemonics.h"
 #include "ui/window/scene_document.h"
 #include "ui/window/scene_library.h"
 #include "ui/window/session.h"
@@ -79,6 +80,7 @@ void MainWindow::buildMenus() {
 
   fillHelp(*menuBar()->addMenu(tr("&Help")));
   for (QAction* action : menuBar()->actions()) adoptActions(*action->menu());
+  for (QMenu* menu : menuBar()->findChildren<QMenu*>()) keepMnemonics(*menu);
 }
 
 /// Their keys are the window's, too: they go on where the menu bar is hidden.
@@ -98,14 +100,14 @@ void MainWindow::fillScenes(QMenu& menu) {
   for (const LibraryScene& entry : libraryScenes()) {
     if (entry.scene.chapter != chapter) {
       chapter = entry.scene.chapter;
-      part = chapter.empty() ? &menu : menu.addMenu(translatedText(chapter));
+      part = chapter.empty() ? &menu : menu.addMenu(sceneText(chapter));
       part->setToolTipsVisible(true);
     }
-    const QString title = translatedText(entry.scene.title);
+    const QString title = sceneText(entry.scene.title);
     QAction* action = part->addAction(title.isEmpty() ? entry.name : title, this, [this, entry] {
       replaceScene({entry.name, {}, entry.scene});
     });
-    action->setToolTip(wrappedTip(translatedText(entry.scene.description)));
+    action->setToolTip(wrappedTip(sceneText(entry.scene.description)));
     action->setObjectName("scene:" + entry.name);
   }
 }

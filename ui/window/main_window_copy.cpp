@@ -11,6 +11,7 @@
 
 #include "ui/charts/plot_view.h"
 #include "ui/charts/transient_strips.h"
+#include "ui/language/translated.h"
 #include "ui/window/accuracy_panel.h"
 #include "ui/window/appearance.h"
 #include "ui/window/command_text.h"
@@ -67,7 +68,7 @@ void MainWindow::runExport(std::function<void()> work, std::function<void()> don
     try {
       work();
     } catch (const std::exception& error) {
-      complaint = QString::fromUtf8(error.what());
+      complaint = translatedText(error.what());
     }
     QMetaObject::invokeMethod(this, [this, complaint, done] {
       complaint.isEmpty() ? done() : messages_->showMessage(complaint);

@@ -72,7 +72,7 @@ void MainWindow::showHistory() {
 
 /// Its title, or else its file's name; may be empty.
 QString MainWindow::nameOfScene() const {
-  const QString title = translatedText(document_->scene().title);
+  const QString title = sceneText(document_->scene().title);
   return title.isEmpty() ? QFileInfo(document_->file()).fileName() : title;
 }
 

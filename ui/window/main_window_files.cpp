@@ -14,6 +14,7 @@
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
+#include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/command_words.h"
 #include "ui/window/main_window.h"
@@ -91,7 +92,7 @@ bool MainWindow::openScene(const QString& file) {
     const bool isScene = file.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
     showScene({{}, isScene ? file : QString(), readProvenance(file.toStdString())});
   } catch (const InputError& error) {
-    messages_->showMessage(QString::fromUtf8(error.what()));
+    messages_->showMessage(translatedText(error.what()));
     return false;
   }
   addRecentFile(file);
@@ -107,7 +108,7 @@ bool MainWindow::saveScene(const QString& file) {
     checkWritable(path);
     writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), document_->scene())));
   } catch (const std::exception& error) {
-    messages_->showMessage(QString::fromUtf8(error.what()));
+    messages_->showMessage(translatedText(error.what()));
     return false;
   }
   messages_->hide();
@@ -122,11 +123,7 @@ bool MainWindow::save() {
 }
 
 bool MainWindow::askSave() {
-  QString name = document_->file();
-  if (name.isEmpty()) {
-    const QString shipped = document_->origin().shipped;
-    name = (shipped.isEmpty() ? QStringLiteral("scene") : shipped) + ".json";
-  }
+  const QString name = document_->file().isEmpty() ? document_->proposedFile() : document_->file();
   const QString file =
       QFileDialog::getSaveFileName(this, tr("Save scene"), name, tr("Scenes (*.json)"));
   return !file.isEmpty() && saveScene(file);

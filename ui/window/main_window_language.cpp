@@ -12,6 +12,7 @@
 #include <QToolBar>
 #include <memory>
 
+#include "ui/charts/plot_view.h"
 #include "ui/language/language.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/accuracy_panel.h"
@@ -32,14 +33,17 @@ struct MainWindow::Arrangement {
   QByteArray docks, split;
   QList<bool> tabs;  // in order: wanted
   int tab = 0;
-  Scene typed;  // in the panel, where it may miss something yet
+  std::optional<PlotWindow> zoom;  // of the friction curve
+  Scene typed;                     // in the panel, where it may miss something yet
+  PanelState panel;
+  QString focus;  // name of what had it
   std::optional<CurveSetting> comparison;
   std::optional<ComparedMethods> methods;
   QString message;  // that is no complaint of the scene; in the language of its time
   bool isDescribed = false, isOffered = false, isTouring = false;
   int tourStep = 0;
   std::unique_ptr<FigureGallery> figures;
-  FigureName figure = FigureName::Contact;
+  GalleryState gallery;
   bool isShowingFigures = false;
 };
 
@@ -57,13 +61,16 @@ void MainWindow::setLanguage(std::string_view code) {
 
 MainWindow::Arrangement MainWindow::arrangementNow() {
   Arrangement now;
+  if (const QWidget* focused = focusWidget()) now.focus = focused->objectName();
   now.isShowingFigures = isShowingFigures();
   closeFigures();
   now.docks = saveState();
   now.split = splitter_->saveState();
   for (const QAction* action : std::as_const(tabActions_)) now.tabs += action->isChecked();
   now.tab = tabs_->currentIndex();
+  if (plot_->isZoomed()) now.zoom = plot_->window();
   now.typed = panel_->scene();
+  now.panel = panel_->state();
   now.comparison = accuracy_->comparison();
   now.methods = accuracy_->comparedMethods();
   if (!messages_->isHidden() && !messages_->isComplaint()) now.message = messages_->text();
@@ -72,15 +79,17 @@ MainWindow::Arrangement MainWindow::arrangementNow() {
   now.isTouring = isTouring_;
   now.tourStep = tourBar_->step();
   if (gallery_) {
-    now.figure = gallery_->chosen();
+    now.gallery = gallery_->state();
     now.figures = gallery_->takeFigures();
   }
   return now;
 }
 
-/// The canvas stays in the window, so that it keeps its OpenGL context.
+/// The canvas stays in the window, so that it keeps its OpenGL context. A part that goes loses the
+/// focus, and an entry then gives what is typed in it: nobody here listens any more.
 void MainWindow::takeApart() {
-  for (QObject* source : std::initializer_list<QObject*>{session_, document_, canvas_})
+  for (QObject* source :
+       std::initializer_list<QObject*>{session_, document_, canvas_, panel_, accuracy_, plot_})
     source->disconnect(this);
   canvas_->setParent(this);
   for (QDialog* dialog : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) delete dialog;
@@ -130,9 +139,13 @@ void MainWindow::arrange(Arrangement arrangement) {
   if (session_->frame()) showFrame();
   if (arrangement.figures) {
     makeGallery(std::move(arrangement.figures));
-    gallery_->choose(arrangement.figure, false);
+    gallery_->setState(arrangement.gallery);
   }
   if (arrangement.isShowingFigures) openFigures();
+  plot_->setZoom(arrangement.zoom);
+  panel_->setState(arrangement.panel);
+  if (arrangement.focus.isEmpty()) return;
+  if (auto* focused = findChild<QWidget*>(arrangement.focus)) focused->setFocus();
 }
 
 }  // namespace asperity

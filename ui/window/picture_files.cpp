@@ -42,8 +42,9 @@ void writePicture(const std::filesystem::path& file, const DrawList& picture,
 
 void writeContact(const std::filesystem::path& file, const ContactShot& shot) {
   const Scene& scene = *shot.frame->scene;
-  writePicture(file, composeContact(*shot.frame, shot.options),
-               {translated(scene.title), pictureOrigin("render", scene), shot.options.scale});
+  writePicture(
+      file, composeContact(*shot.frame, shot.options),
+      {sceneText(scene.title).toStdString(), pictureOrigin("render", scene), shot.options.scale});
 }
 
 }  // namespace asperity

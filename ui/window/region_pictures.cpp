@@ -101,7 +101,12 @@ void RegionPictures::clearButtons() {
   for (QAbstractButton* button : buttons_->buttons()) delete button;
 }
 
+int RegionPictures::chosen() const {
+  return buttons_->checkedId();
+}
+
 void RegionPictures::choose(int index) {
+  if (!buttons_->button(index)) return;
   const auto place = static_cast<std::size_t>(index);
   const auto [name, range] = partsOf(made_->figure.sheet.diagrams.at(place));
   chosen_ = name;

@@ -28,13 +28,16 @@ class RegionPictures : public QWidget {
   void showText(const QString& text);
   void setTheme(const Theme& theme);
 
+  /// The place of the diagram in sight; -1: there is none. Choosing what is not there does nothing.
+  int chosen() const;
+  void choose(int index);
+
   /// None where there is text.
   std::shared_ptr<const MadeFigure> figure() const { return made_; }
   FigurePicture& picture() { return *picture_; }
 
  private:
   void clearButtons();
-  void choose(int index);
 
   std::shared_ptr<const MadeFigure> made_;
   QWidget* bar_;

@@ -1,10 +1,12 @@
 #include "ui/window/scene_document.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QUndoCommand>
 #include <algorithm>
 #include <utility>
 
+#include "core/scene/file_name.h"
 #include "core/scene/parameters.h"
 #include "ui/panels/parameter_row.h"
 
@@ -97,6 +99,21 @@ void SceneDocument::nameSteps() {
 void SceneDocument::saved(const QString& file) {
   origin_ = {{}, file, scene_};
   emit changed();
+}
+
+QString SceneDocument::proposedFile() const {
+  if (!origin_.shipped.isEmpty()) return origin_.shipped + QStringLiteral(".json");
+  // Letters without their accents, and what stands between words as one sign.
+  static const QRegularExpression mark(QStringLiteral("\\p{M}"));
+  static const QRegularExpression between(QStringLiteral("[^A-Za-z0-9]+"));
+  const QString plain = QString::fromStdString(scene_.title)
+                            .normalized(QString::NormalizationForm_KD)
+                            .toLower()
+                            .remove(mark);
+  const QString words = plain.split(between, Qt::SkipEmptyParts).join('_');
+  const std::string name = fileNameOf(words.toStdString());
+  return (name.empty() ? QStringLiteral("scene") : QString::fromStdString(name)) +
+         QStringLiteral(".json");
 }
 
 void SceneDocument::goTo(const Scene& scene) {

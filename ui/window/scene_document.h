@@ -51,6 +51,10 @@ class SceneDocument : public QObject {
   /// The file that saving writes; empty: a name is needed.
   QString file() const { return origin_.file; }
 
+  /// "figure_1.json": what a scene without a file may be saved as, by the shipped scene that it
+  /// came from, or by its title.
+  QString proposedFile() const;
+
   /// By value: a slider moved and moved back leaves the scene unchanged.
   bool isChanged() const { return !(scene_ == origin_.scene); }
 

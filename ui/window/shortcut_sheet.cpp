@@ -15,6 +15,10 @@ namespace asperity {
 
 namespace {
 
+constexpr int kAround = 40;             // pixels around the groups, a scroll bar's included
+constexpr double kLeastLetters = 0.75;  // of the usual size
+constexpr double kSmaller = 0.97;       // in one step
+
 QString plain(QString text) {
   return text.remove('&').remove(u'…');
 }
@@ -53,7 +57,7 @@ QWidget* groupWidget(const ShortcutGroup& group) {
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 2);
   grid->setHorizontalSpacing(18);
-  grid->setVerticalSpacing(4);
+  grid->setVerticalSpacing(2);
   auto* title = new QLabel(group.title);
   QFont bold = title->font();
   bold.setBold(true);
@@ -88,25 +92,62 @@ QList<ShortcutGroup> shortcutGroups(const QMainWindow& window) {
   return groups;
 }
 
-/// In columns of about the same height.
+QList<ShortcutGroup> gestureGroups() {
+  return {{ShortcutSheet::tr("Contact: mouse and touch"),
+           {{ShortcutSheet::tr("Zoom at the pointer"), ShortcutSheet::tr("Wheel or pinch")},
+            {ShortcutSheet::tr("Vertical exaggeration"), ShortcutSheet::tr("Ctrl+Wheel")},
+            {ShortcutSheet::tr("Move along the line"), ShortcutSheet::tr("Shift+Wheel")},
+            {ShortcutSheet::tr("Move the view"), ShortcutSheet::tr("Drag or arrow keys")},
+            {ShortcutSheet::tr("Move the crosshair"), ShortcutSheet::tr("Ctrl+Left or Right")},
+            {ShortcutSheet::tr("Show all"), ShortcutSheet::tr("Double click")}}},
+          {ShortcutSheet::tr("Curve: mouse and touch"),
+           {{ShortcutSheet::tr("Zoom, over an axis along it"), ShortcutSheet::tr("Wheel")},
+            {ShortcutSheet::tr("Move curve or marker"), ShortcutSheet::tr("Drag")},
+            {ShortcutSheet::tr("Slower or faster"), ShortcutSheet::tr("Left or Right")},
+            {ShortcutSheet::tr("Velocity of a point"), ShortcutSheet::tr("Click")},
+            {ShortcutSheet::tr("Fit axes"), ShortcutSheet::tr("Double click")}}}};
+}
+
+namespace {
+
+/// Lines that a group takes, with its title and the gap below it.
+qsizetype linesOf(const ShortcutGroup& group) {
+  return group.entries.size() + 2;
+}
+
+/// The groups one below the other in columns of at most so many lines; how many columns those are.
+qsizetype columnsWithin(qsizetype most, const QList<ShortcutGroup>& groups,
+                        QList<qsizetype>& columnOf) {
+  columnOf.clear();
+  qsizetype column = 0, lines = 0;
+  for (const ShortcutGroup& group : groups) {
+    if (lines > 0 && lines + linesOf(group) > most) {
+      ++column;
+      lines = 0;
+    }
+    lines += linesOf(group);
+    columnOf += column;
+  }
+  return column + 1;
+}
+
+}  // namespace
+
+/// In columns, the longest of which is as short as can be.
 ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDialog(parent) {
   setObjectName("shortcutSheet");
   setWindowTitle(tr("Keyboard shortcuts"));
-  const QList<ShortcutGroup> groups = shortcutGroups(window);
-  qsizetype total = 0;
-  for (const ShortcutGroup& group : groups) total += group.entries.size() + 2;
-
+  const QList<ShortcutGroup> groups = shortcutGroups(window) + gestureGroups();
   content_ = new QWidget;
   auto* row = new QHBoxLayout(content_);
-  row->setSpacing(40);
+  row->setSpacing(28);
   QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout, new QVBoxLayout};
   constexpr qsizetype kColumns = std::size(columns);
-  qsizetype before = 0;
-  for (const ShortcutGroup& group : groups) {
-    const qsizetype middle = before + group.entries.size() / 2;
-    columns[std::min(kColumns - 1, kColumns * middle / total)]->addWidget(groupWidget(group));
-    before += group.entries.size() + 2;
-  }
+  QList<qsizetype> columnOf;
+  qsizetype most = 1;
+  while (columnsWithin(most, groups, columnOf) > kColumns) ++most;
+  for (qsizetype i = 0; i < groups.size(); ++i)
+    columns[columnOf[i]]->addWidget(groupWidget(groups[i]));
   for (QVBoxLayout* column : columns) {
     column->addStretch(1);
     row->addLayout(column);
@@ -120,12 +161,27 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   layout->addWidget(scroll);
 }
 
-/// As large as needed, once fonts and style are those of the screen.
+QSize ShortcutSheet::neededSize() const {
+  // Of all: a group lays itself out before the sheet knows of it.
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  return content_->minimumSizeHint().expandedTo(content_->sizeHint()) + QSize(kAround, kAround);
+}
+
+/// As large as needed, once fonts and style are those of the screen; in smaller letters where the
+/// window has no room for it.
 void ShortcutSheet::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
-  QCoreApplication::sendPostedEvents(content_, QEvent::LayoutRequest);
-  const QSize wanted = content_->minimumSizeHint().expandedTo(content_->sizeHint());
-  resize((wanted + QSize(60, 60)).boundedTo(parentWidget() ? parentWidget()->size() : wanted));
+  const QSize most = parentWidget() ? parentWidget()->size() : neededSize();
+  const auto isTooLarge = [&](const QSize& size) {
+    return size.width() > most.width() || size.height() > most.height();
+  };
+  for (double part = 1; isTooLarge(neededSize()) && part > kLeastLetters; part *= kSmaller)
+    for (QLabel* label : content_->findChildren<QLabel*>()) {
+      QFont font = label->font();  // under a style sheet it is not that of the sheet
+      font.setPointSizeF(kSmaller * font.pointSizeF());
+      label->setFont(font);
+    }
+  resize(neededSize().boundedTo(most));
 }
 
 }  // namespace asperity

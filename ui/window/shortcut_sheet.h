@@ -1,5 +1,6 @@
 // Every key of a window on one sheet, read from its actions as they are: by menu, then what is in
-// no menu by the action's property "group". GUI thread; belongs to its parent.
+// no menu by the action's property "group"; and what wheel, pointer, fingers and arrow keys do in
+// the views. GUI thread; belongs to its parent.
 #pragma once
 
 #include <QCoreApplication>
@@ -23,6 +24,9 @@ struct ShortcutGroup {
 /// Groups without a key are left out.
 QList<ShortcutGroup> shortcutGroups(const QMainWindow& window);
 
+/// What contact_canvas.h and plot_view.h say of themselves.
+QList<ShortcutGroup> gestureGroups();
+
 class ShortcutSheet : public QDialog {
   Q_DECLARE_TR_FUNCTIONS(asperity::ShortcutSheet)
 
@@ -33,6 +37,8 @@ class ShortcutSheet : public QDialog {
   void showEvent(QShowEvent* event) override;
 
  private:
+  QSize neededSize() const;
+
   QWidget* content_;
 };
 

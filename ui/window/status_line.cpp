@@ -13,6 +13,7 @@
 #include "ui/charts/decade_range.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
+#include "ui/window/command_words.h"
 #include "ui/window/curve_reading.h"
 #include "ui/window/said_label.h"
 
@@ -49,6 +50,25 @@ QString rateText(double rate) {
   return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
 }
 
+/// Why there is no dimensionless velocity, beside it and as a sentence; empty where there is one.
+struct Reason {
+  QString brief, sentence;
+};
+
+Reason whyNoVelocity(const Frame& frame) {
+  const ElementKind kind = lawOf(frame.scene->elastomer).kind();
+  if (kind == ElementKind::Elastic)
+    return {StatusLine::tr("elastic"),
+            StatusLine::tr("None here: an elastic body has no relaxation time.")};
+  if (kind == ElementKind::Arms)
+    return {StatusLine::tr("arms"),
+            StatusLine::tr("None here: arms have relaxation times of their own, and Eq. (13) is "
+                           "made with the only one of the paper's elastomer.")};
+  if (!(frame.rmsHeight > 0) || !(frame.rmsSlope > 0))
+    return {StatusLine::tr("flat"), StatusLine::tr("None here: the line has no roughness.")};
+  return {};
+}
+
 }  // namespace
 
 double dimensionlessForce(const Frame& frame) {
@@ -78,9 +98,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   force_ =
       addFact(*line, "factForce",
               tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
-  velocity_ = addFact(*line, "factVelocity",
-                      tr("Eq. (13) of the paper: relaxation time × velocity × rms slope / "
-                         "(√2 × rms height); of a motion at this moment"));
+  velocity_ = addFact(*line, "factVelocity", velocityTip());
   said_ = new SaidLabel;
   said_->setObjectName("said");
   line->addWidget(said_, 1);
@@ -139,6 +157,12 @@ void StatusLine::showWork(const Work& work) {
                             : QString());
 }
 
+QString StatusLine::velocityTip() {
+  return tr(
+      "Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of "
+      "a motion at this moment");
+}
+
 QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name, const QString& tip) {
   auto* label = new QLabel;
   label->setObjectName(name);
@@ -154,7 +178,23 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
   mu_->setText(tr("friction μ = %1%2").arg(readingLabel(presentFriction(frame)), mean));
   force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
-  velocity_->setText(tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame))));
+  showVelocity(frame);
+}
+
+/// With the reason beside it where none can be said and nothing else needs the room.
+void StatusLine::showVelocity(const Frame& frame) {
+  constexpr int kLeastLeft = 4, kAir = 16;  // pixels; apart, so that it does not come and go
+  const QString plain = tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame)));
+  const Reason reason = whyNoVelocity(frame);
+  velocity_->setToolTip(reason.sentence.isEmpty()
+                            ? velocityTip()
+                            : wrappedTip(velocityTip() + QStringLiteral(". ") + reason.sentence));
+  if (reason.brief.isEmpty()) return velocity_->setText(plain);
+  const QString whole = tr("%1 (%2)").arg(plain, reason.brief);
+  const int more = fontMetrics().horizontalAdvance(whole) - fontMetrics().horizontalAdvance(plain);
+  const bool isWhole = velocity_->text() == whole;
+  const bool hasRoom = isWhole ? said_->width() >= kLeastLeft : said_->width() >= more + kAir;
+  velocity_->setText(hasRoom ? whole : plain);
 }
 
 void StatusLine::say(const QString& text) {

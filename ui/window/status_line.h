@@ -49,6 +49,8 @@ class StatusLine : public QWidget {
 
  private:
   QLabel* addFact(QHBoxLayout& line, const char* name, const QString& tip);
+  static QString velocityTip();
+  void showVelocity(const Frame& frame);
   void addWork(QHBoxLayout& line);
   void pressed();
   void fallSilent();

@@ -206,6 +206,27 @@ TEST_F(PlotViewTest, AStripStandsBelowOverTheSameAxis) {
   EXPECT_TRUE(has(kColours.points, at(0.03, 0.02))) << "the curve is still there";
 }
 
+/// In a presentation's large texts, too: a point at the upper left corner of its strip is seen
+/// whatever the strip is called.
+TEST_F(PlotViewTest, TheNameOfAStripHidesNoPoint) {
+  QFont large = view_->font();
+  large.setPointSizeF(1.5 * large.pointSizeF());
+  view_->setFont(large);
+  Plot plot = samplePlot();
+  plot.strip = PlotStrip{"difference", "linear", "", -10, 10, false, {}};
+  for (int i = 0; i < 20; ++i)
+    plot.strip->points.push_back({1.2e-3 * std::pow(10, 0.1 * i), 8.5 - 0.05 * i});
+  const auto without = [&](const QString& name) {
+    plot.strip->name = name;
+    view_->setPlot(plot);
+    const QRect box(view_->stripPositionOf(1e-3, 10).toPoint(),
+                    view_->stripPositionOf(1e3, -10).toPoint());
+    return image().copy(box);
+  };
+  const QImage empty = without({});
+  EXPECT_EQ(without("linear ×4, less the curve above"), empty);
+}
+
 TEST_F(PlotViewTest, TheMarkerAloneCanBeMoved) {
   PlotMarker marker = *samplePlot().marker;
   marker.x = 100;

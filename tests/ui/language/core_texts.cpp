@@ -1,5 +1,7 @@
 #include "tests/ui/language/core_texts.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -8,6 +10,7 @@
 #include "core/accuracy/work_precision_file.h"
 #include "core/contact/unmet_balance.h"
 #include "core/friction/curve_diagram.h"
+#include "core/friction/curve_difference.h"
 #include "core/friction/curve_regions.h"
 #include "core/friction/curve_words.h"
 #include "core/friction/ensemble.h"
@@ -16,10 +19,13 @@
 #include "core/run/line_diagrams.h"
 #include "core/run/steady_frames.h"
 #include "core/run/transient_diagram.h"
+#include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
 #include "core/scene/scene_file.h"
+#include "core/surface/line_source.h"
+#include "core/surface/profile_file.h"
 
 namespace asperity {
 namespace {
@@ -131,6 +137,8 @@ Texts sceneTexts() {
   Texts texts;
   for (const Scene& scene : shippedScenes())
     texts.insert({scene.title, scene.chapter, scene.description});
+  for (const FigureEntry& entry : figureEntries())  // which open as scenes
+    texts.insert(figureScene(entry.name, {}).title);
   return texts;
 }
 
@@ -170,6 +178,70 @@ Texts refusalTexts() {
     for (const char* text : {"some", "-1e40", "1e40", "1.5e15", "inf", "1e999", "0.5", ""})
       refused(row, [&](const Parameter& p, Scene& scene) { setFromText(p, scene, text); });
   }
+  return texts;
+}
+
+Texts complaintTexts() {
+  Texts texts;
+  const auto complaintOf = [&](const auto& act) {
+    try {
+      act();
+      ADD_FAILURE() << "is not refused";
+    } catch (const InputError& error) {
+      texts.insert(error.message());
+    }
+  };
+  for (const char* scene :
+       {R"({"elastomer": {"rheology": "prony", "equilibrium_modulus": 0, "arms": []}})",
+        R"({"elastomer": {"rheology": "prony", "equilibrium_modulus": 1e-30}})",
+        R"({"elastomer": {"rheology": "standard_solid", "arms": []}})",
+        R"({"elastomer": {"rheology": "prony"}, "accuracy": {"scheme": "nodal"}})",
+        R"({"interface": {"friction_coefficient": 1, "shear_stress": 1}})",
+        R"({"surface": {"slope": 1}})",
+        R"({"elastomer": {"viscosity": 1}})",
+        R"({"elastomer": {"temperature": 150}})",
+        R"({"elastomer": {"temperature": 197}})",
+        R"({"surface": {"kind": "profile"}})",
+        R"({"accuracy": {"target_relative_error": 0.1,
+        "oversampling": 4}})",
+        R"({"sweep": {"velocity_from": 2, "velocity_to": 1}})",
+        R"([])",
+        R"({"surface": 3})",
+        R"({"surface": {"seed": 1, "seed": 2}})",
+        R"({"load.depth": 1})",
+        R"({"surface": {"length": [1]}})",
+        R"({"surface": {"length": {}}})",
+        R"({"surface": {"length": true}})",
+        R"({"surface": {"length": "x"}})",
+        R"({"surface": {"lenght": 1}})",
+        R"({"elastomer": {"rheology": "prony", "arms": [1]}})",
+        R"({"elastomer": {"rheology": "prony", "arms": [{"modulus": 1}]}})",
+        R"({"a": {"a": {"a": {"a": {"a": {"a": {"a": {"a": {"a": 1}}}}}}}}})"})
+    complaintOf([&] {
+      Scene read = readScene(scene, "test");
+      checkEffects(read);
+    });
+  const auto line = [&](const char* scene) {
+    complaintOf([&] { LineSource(readScene(scene, "test"), 8); });
+  };
+  line(R"({"surface": {"elements": 16777216, "kind": "sine"}})");
+  line(R"({"surface": {"kind": "sine", "waves": 100, "elements": 50}})");
+  Scene sinks;
+  sinks.elastomer.rheology = Rheology::Prony;
+  sinks.elastomer.equilibriumModulus = 0;
+  complaintOf([&] { needEquilibrium(sinks); });
+  for (const SlidingKind kind :
+       {SlidingKind::Start, SlidingKind::Step, SlidingKind::Oscillation, SlidingKind::Reversal}) {
+    Scene moving;
+    moving.sliding.kind = kind;
+    complaintOf([&] { curveDifference(moving, {}, {}); });
+  }
+  Scene aimed;
+  aimed.accuracy.targetRelativeError = 0.01;
+  complaintOf([&] { curveDifference(aimed, {}, {}); });
+  for (const char* profile : {"1\n2\n", "1\n2\nx\n", "1\n2\ninf\n", "1\n2\n1e30\n", "1,2\n2\n",
+                              "0,1\n0,2\n0,3\n", "0,1\n1,2\n3,3\n"})
+    complaintOf([&] { parseProfile(profile, {}); });
   return texts;
 }
 

@@ -40,6 +40,34 @@ TEST_F(Translated, NumbersArePrintedInOneStyle) {
     EXPECT_EQ(translated(text), text);
 }
 
+TEST_F(Translated, LargeAndSmallNumbersArePowersOfTen) {
+  EXPECT_EQ(translated("from 1e5 m/s, 2.5e5 Pa and 3e-4 N"),
+            "from 10\u2075 m/s, 2,5\u00D710\u2075 Pa and 3\u00D710\u207B\u2074 N");
+  EXPECT_EQ(translated("from 2e4 m/s and 2e-3 N"), "from 20000 m/s and 0,002 N");
+  EXPECT_EQ(sceneText("beyond 1e5 m/s"), QStringLiteral("beyond 10\u2075 m/s"));
+}
+
+TEST_F(Translated, AComplaintKeepsItsFileAndItsKeys) {
+  EXPECT_EQ(translated("my scene.json: surface.file: is missing; a profile needs a file"),
+            "my scene.json: surface.file: fehlt; ein Profil braucht eine Datei");
+  EXPECT_EQ(translated("unknown key; the nearest known one is surface.hurst"),
+            "unbekannter Schlüssel; der nächste bekannte ist surface.hurst");
+  EXPECT_EQ(translated("2 is above sweep.velocity_to, 1.5"), "2 liegt über sweep.velocity_to, 1,5");
+}
+
+/// Words that the program knows from elsewhere are a person's own in a scene.
+TEST_F(Translated, OnlyAShippedSceneSpeaksGerman) {
+  EXPECT_EQ(sceneText("Rheology"), "Rheologie");
+  for (const char* own : {"linear", "seed 3", "velocity sweep"}) {
+    EXPECT_TRUE(translationOf(own)) << own;
+    EXPECT_FALSE(isTranslatedScene(own));
+    EXPECT_EQ(sceneText(own), own);
+  }
+  useLanguage("en");
+  EXPECT_EQ(sceneText("Rheology"), "Rheology");
+  EXPECT_FALSE(isTranslatedScene("Rheology"));
+}
+
 TEST_F(Translated, AQuantityWithAPowerOfTenIsOne) {
   EXPECT_EQ(translated("region II: 6.3\u00D710\u207B\u2075 to 10\u207B\u00B9 m/s"),
             "Bereich II: 6,3\u00D710\u207B\u2075 bis 10\u207B\u00B9 m/s");

@@ -70,6 +70,7 @@ TEST_F(German, HasTheTableOfParameters) {
 
 TEST_F(German, HasTheShippedScenes) {
   EXPECT_EQ(missing(sceneTexts()), "");
+  for (const std::string& text : sceneTexts()) EXPECT_TRUE(isTranslatedScene(text)) << text;
 }
 
 TEST_F(German, HasThePlans) {
@@ -78,6 +79,10 @@ TEST_F(German, HasThePlans) {
 
 TEST_F(German, HasTheRefusalsOfValues) {
   EXPECT_EQ(missing(refusalTexts()), "");
+}
+
+TEST_F(German, HasTheComplaintsAboutScenesAndProfiles) {
+  EXPECT_EQ(missing(complaintTexts()), "");
 }
 
 TEST_F(German, HasTheFiguresAndTheirClaims) {
@@ -93,8 +98,8 @@ TEST(Translations, ShowNoNumberAsComputersWriteIt) {
   static const QRegularExpression machine(QStringLiteral("(?<![\\w.,])\\d[\\d.,]*e[-+]?\\d"));
   for (const char* code : {"en", "de"}) {
     useLanguage(code);
-    for (const auto& texts :
-         {tableTexts(), sceneTexts(), planTexts(), refusalTexts(), figureTexts(), diagramTexts()})
+    for (const auto& texts : {tableTexts(), sceneTexts(), planTexts(), refusalTexts(),
+                              complaintTexts(), figureTexts(), diagramTexts()})
       for (const std::string& text : texts) {
         const QString shown = translatedText(text);
         // What somebody typed is quoted as it was typed.

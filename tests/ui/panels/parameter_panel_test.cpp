@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 
 #include "core/scene/parameters.h"
+#include "tests/ui/panels/parameter_panel_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/text_box.h"
@@ -20,44 +21,6 @@
 
 namespace asperity {
 namespace {
-
-class ParameterPanelTest : public testing::Test {
- protected:
-  ParameterPanelTest() : spy_(&panel_, &ParameterPanel::sceneEdited) {
-    panel_.resize(380, 700);
-    panel_.show();
-  }
-
-  template <class Control>
-  Control* control(const QString& name) {
-    return panel_.findChild<Control*>(name);
-  }
-  ValueSlider& slider(const QString& key) { return *control<ValueSlider>("slider:" + key); }
-  ValueEntry& entry(const QString& key) { return *control<ValueEntry>("entry:" + key); }
-  QString complaint(const QString& key) { return control<QLabel>("error:" + key)->text(); }
-
-  bool isShown(const QString& name) {
-    auto* widget = control<QWidget>(name);
-    return widget && widget->isVisibleTo(&panel_);
-  }
-
-  void type(const QString& key, const QString& text) {
-    entry(key).setFocus();
-    entry(key).selectAll();
-    QTest::keyClick(&entry(key), Qt::Key_Delete);
-    QTest::keyClicks(&entry(key), text);
-    QTest::keyClick(&entry(key), Qt::Key_Return);
-  }
-
-  void choose(const QString& key, const QString& word) {
-    auto* box = control<QComboBox>("choice:" + key);
-    box->setCurrentIndex(box->findData(word));
-    emit box->activated(box->currentIndex());
-  }
-
-  ParameterPanel panel_{Scene{}};
-  QSignalSpy spy_;
-};
 
 bool isNumber(const Parameter& parameter) {
   return std::holds_alternative<RealField>(parameter.field) ||
@@ -171,38 +134,6 @@ TEST_F(ParameterPanelTest, RefusesBadTextAndKeepsTheOldValue) {
   EXPECT_EQ(panel_.scene().surface.hurst, 0.9);
 }
 
-TEST_F(ParameterPanelTest, ARefusalGoesWhenThePresentTextIsBack) {
-  ValueEntry& field = entry("surface.elements");
-  field.setFocus();
-  field.end(false);
-  for (const Qt::Key back : {Qt::Key_Z, Qt::Key_Backspace}) {
-    QTest::keyClicks(&field, "w");
-    QTest::keyClick(&field, Qt::Key_Return);
-    ASSERT_TRUE(field.hasError());
-    QTest::keyClick(&field, back, back == Qt::Key_Z ? Qt::ControlModifier : Qt::NoModifier);
-    EXPECT_EQ(field.text(), QString::number(panel_.scene().surface.elements));
-    EXPECT_FALSE(field.hasError());
-    EXPECT_FALSE(isShown("error:surface.elements"));
-  }
-}
-
-TEST_F(ParameterPanelTest, ASliderMendsARefusedText) {
-  type("surface.hurst", "abc");
-  QTest::keyClick(&slider("surface.hurst"), Qt::Key_Left);
-  EXPECT_FALSE(entry("surface.hurst").hasError());
-  EXPECT_EQ(entry("surface.hurst").text(), numberText(panel_.scene().surface.hurst));
-}
-
-TEST_F(ParameterPanelTest, EscapeTakesBackWhatWasTyped) {
-  ValueEntry& force = entry("load.normal_force");
-  force.setFocus();
-  force.selectAll();
-  QTest::keyClicks(&force, "99");
-  QTest::keyClick(&force, Qt::Key_Escape);
-  EXPECT_EQ(force.text(), "3.4");
-  EXPECT_EQ(spy_.count(), 0);
-}
-
 TEST_F(ParameterPanelTest, RefusalsNameTheRangeInReadableUnits) {
   type("elastomer.shear_modulus", "-2");
   EXPECT_EQ(complaint("elastomer.shear_modulus"), "-2 MPa is outside 1 \u00B5Pa to 1 PPa");
@@ -287,130 +218,6 @@ TEST_F(ParameterPanelTest, KindsBringTheirOwnRows) {
   EXPECT_EQ(spy_.count(), 2);
 }
 
-TEST_F(ParameterPanelTest, AProfileAsksForItsFileAndIsNotPassedOnWithout) {
-  choose("surface.kind", "profile");
-  EXPECT_EQ(spy_.count(), 0);
-  EXPECT_TRUE(isShown("note:surface.file"));
-  EXPECT_EQ(control<QLabel>("note:surface.file")->text(), "choose a profile file");
-  EXPECT_FALSE(isShown("error:surface.file"));
-
-  type("surface.file", "line.csv");
-  EXPECT_EQ(spy_.count(), 1);
-  EXPECT_EQ(panel_.scene().surface.file, "line.csv");
-  EXPECT_FALSE(isShown("note:surface.file"));
-
-  type("surface.file", "");
-  EXPECT_EQ(spy_.count(), 1);
-  EXPECT_TRUE(isShown("note:surface.file"));
-}
-
-TEST_F(ParameterPanelTest, LengthAndElementsComeBackWithTheirKind) {
-  type("surface.elements", "1000");
-  type("surface.length", "0.03 m");
-  spy_.clear();
-  choose("surface.kind", "profile");
-  EXPECT_EQ(panel_.scene().surface.length, 0);
-  EXPECT_EQ(panel_.scene().surface.elements, 0);
-  choose("surface.kind", "self_affine");
-  EXPECT_EQ(panel_.scene().surface.length, 0.03);
-  EXPECT_EQ(panel_.scene().surface.elements, 1000);
-  EXPECT_EQ(spy_.count(), 0);  // nothing has changed
-
-  choose("surface.kind", "profile");
-  type("surface.file", "line.csv");
-  type("surface.elements", "64");
-  choose("surface.kind", "sine");
-  EXPECT_EQ(panel_.scene().surface.elements, 1000);
-  choose("surface.kind", "profile");
-  EXPECT_EQ(panel_.scene().surface.elements, 64);
-  EXPECT_EQ(panel_.scene().surface.length, 0);
-}
-
-TEST_F(ParameterPanelTest, AProfileAloneLeavesDefaultsToOtherKinds) {
-  Scene scene;
-  scene.surface.kind = SurfaceKind::Profile;
-  scene.surface.file = "line.csv";
-  scene.surface.length = 0;
-  scene.surface.elements = 0;
-  panel_.setScene(scene);
-  choose("surface.kind", "self_affine");
-  EXPECT_EQ(panel_.scene().surface.length, Surface{}.length);
-  EXPECT_EQ(panel_.scene().surface.elements, Surface{}.elements);
-}
-
-TEST_F(ParameterPanelTest, WhatTheFileSaysStandsInPaleLetters) {
-  choose("surface.kind", "profile");
-  type("surface.file", "line.csv");
-  EXPECT_EQ(entry("surface.length").text(), "");
-  EXPECT_EQ(entry("surface.length").placeholderText(), "as in file");
-  panel_.showLine({0.0128, 1024});
-  EXPECT_EQ(entry("surface.length").placeholderText(), "0.0128");
-  EXPECT_EQ(entry("surface.elements").placeholderText(), "1024");
-  EXPECT_EQ(panel_.scene().surface.length, 0);
-
-  type("surface.length", "0.1 m");
-  EXPECT_EQ(panel_.scene().surface.length, 0.1);
-  auto* reset = control<QToolButton>("reset:surface.length");
-  QTest::mouseClick(reset, Qt::LeftButton);
-  EXPECT_EQ(panel_.scene().surface.length, 0);
-  EXPECT_FALSE(reset->isEnabled());
-  type("surface.elements", "64");
-  type("surface.elements", "");
-  EXPECT_EQ(panel_.scene().surface.elements, 0);
-  EXPECT_FALSE(entry("surface.elements").hasError());
-
-  type("surface.file", "other.csv");  // says something else
-  EXPECT_EQ(entry("surface.length").placeholderText(), "as in file");
-}
-
-TEST_F(ParameterPanelTest, AButtonFindsTheFile) {
-  Scene scene;
-  scene.folder = "/measured/here";
-  panel_.setScene(scene);
-  EXPECT_FALSE(isShown("browse:surface.file"));
-  choose("surface.kind", "profile");
-  ASSERT_TRUE(isShown("browse:surface.file"));
-  auto* browse = control<QToolButton>("browse:surface.file");
-  QString answer, folder;
-  panel_.setFileChooser([&](QWidget*, const QString& from) {
-    folder = from;
-    return answer;
-  });
-  browse->click();  // and nothing chosen
-  EXPECT_EQ(spy_.count(), 0);
-  EXPECT_EQ(folder, "/measured/here");
-
-  answer = "/measured/here/today/line.csv";
-  browse->click();
-  EXPECT_EQ(panel_.scene().surface.file, "today/line.csv");
-  EXPECT_EQ(entry("surface.file").text(), "today/line.csv");
-  answer = "/measured/hereafter/line.csv";
-  browse->click();
-  EXPECT_EQ(folder, "/measured/here/today");
-  EXPECT_EQ(panel_.scene().surface.file, "/measured/hereafter/line.csv");
-  EXPECT_EQ(spy_.count(), 2);
-}
-
-TEST_F(ParameterPanelTest, OnlyRandomLinesHaveRealizations) {
-  choose("surface.kind", "sine");
-  EXPECT_FALSE(slider("ensemble.realizations").isEnabled());
-  EXPECT_EQ(entry("ensemble.realizations").placeholderText(), "1");
-  EXPECT_EQ(entry("ensemble.realizations").text(), "");
-  choose("surface.kind", "self_affine");
-  EXPECT_TRUE(slider("ensemble.realizations").isEnabled());
-  EXPECT_EQ(entry("ensemble.realizations").text(), "200");
-}
-
-TEST_F(ParameterPanelTest, EnterGivesTheKeysBackUnlessTheTextIsRefused) {
-  panel_.activateWindow();
-  entry("surface.hurst").setFocus();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return entry("surface.hurst").hasFocus(); }));
-  type("surface.hurst", "7");
-  EXPECT_TRUE(entry("surface.hurst").hasFocus());
-  type("surface.hurst", "0.8");
-  EXPECT_FALSE(entry("surface.hurst").hasFocus());
-}
-
 TEST_F(ParameterPanelTest, ShowsAnotherSceneSilently) {
   Scene scene;
   scene.load.normalForce = 0.1;
@@ -431,16 +238,6 @@ TEST_F(ParameterPanelTest, ShowsComplaintsOfTheRunner) {
   EXPECT_EQ(complaint("surface.hurst"), "");
   EXPECT_FALSE(entry("surface.hurst").hasError());
   EXPECT_TRUE(entry("surface.length").hasError());  // still what someone typed
-}
-
-TEST_F(ParameterPanelTest, EscapeTakesTheComplaintBackToo) {
-  type("surface.hurst", "abc");
-  ASSERT_TRUE(isShown("error:surface.hurst"));
-  ValueEntry& hurst = entry("surface.hurst");
-  hurst.setFocus();
-  QTest::keyClick(&hurst, Qt::Key_Escape);
-  EXPECT_FALSE(isShown("error:surface.hurst"));
-  EXPECT_EQ(hurst.text(), numberText(panel_.scene().surface.hurst));
 }
 
 }  // namespace

@@ -49,6 +49,19 @@ TEST(SliderScale, MiddleOfALogarithmicSliderIsTheGeometricMean) {
               (std::log10(field.sliderFrom) + std::log10(field.sliderTo)) / 2, 0.02);
 }
 
+/// The dashpot of the usual elastomer, G tau, stands in the middle; none at the left end.
+TEST(SliderScale, ALogarithmicSliderMayBeginWithNone) {
+  const Parameter& viscosity = *findParameter("elastomer.viscosity");
+  const SliderScale scale(viscosity);
+  EXPECT_EQ(scale.valueAt(0), 0);
+  EXPECT_EQ(scale.valueAt(1), std::get<RealField>(viscosity.field).sliderFrom);
+  EXPECT_EQ(scale.positionOf(0), 0);
+  EXPECT_EQ(scale.positionOf(1e-3), 1);
+  const Elastomer usual;
+  EXPECT_NEAR(scale.positionOf(usual.shearModulus * usual.relaxationTime), scale.count() / 2,
+              0.01 * scale.count());
+}
+
 TEST(SliderScale, StepsAreRoundNumbers) {
   const SliderScale scale(*findParameter("sliding.velocity"));
   for (int i = 0; i < scale.count(); i += 37)

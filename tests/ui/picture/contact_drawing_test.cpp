@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 
 #include "sample_frame.h"
 #include "ui/picture/colours.h"
@@ -37,6 +38,39 @@ Frame singleContact(int points, std::size_t where) {
   frame.lineHeight[where] = frame.surfaceHeight[where] = -1e-9;
   frame.pressure[where] = 7;
   return frame;
+}
+
+/// In a low view that is filled to its top, where the labels are.
+TEST(ContactDrawing, LabelsLeaveTheLineWhole) {
+  OsmesaContext context;
+  Frame frame = singleContact(400, 200);
+  frame.pressure.assign(400, 0);
+  frame.normalForce = 0;
+  auto scene = std::make_shared<Scene>();
+  scene->sliding.velocity = 1;
+  frame.scene = scene;
+  for (std::size_t i = 0; i < 400; ++i)
+    frame.lineHeight[i] = 1e-6 * (0.6 + 0.4 * std::sin(0.1 * static_cast<double>(i)));
+  ContactPictureOptions options;
+  options.width = 900;
+  options.height = 240;
+  options.view = {0, frame.length, -0.2e-6, 1.02e-6, 0};
+  const Clip plot = contactPlotArea(frame, options);
+  const DrawList list = composeContact(frame, options);
+  EXPECT_TRUE(
+      std::ranges::any_of(list.texts, [](const auto& t) { return t.utf8 == "rigid body"; }));
+  const Pixels pixels = context.draw(list);
+  int broken = 0;
+  for (std::size_t i = 2; i < 398; ++i) {
+    const double height = frame.lineHeight[i];
+    const int x = static_cast<int>(plot.x + plot.width * static_cast<double>(i) / 400);
+    const int y = static_cast<int>(plot.y + plot.height * (1.02e-6 - height) / 1.22e-6);
+    int nearest = 255;
+    for (int dy = -3; dy <= 3; ++dy)
+      nearest = std::min(nearest, difference(pixels, x, y + dy, options.theme.rigidEdge));
+    broken += nearest > 60;
+  }
+  EXPECT_LE(broken, 4);  // pixels of the tags' arrow
 }
 
 TEST(ContactDrawing, OnePointInContactIsSeenAtEveryWidth) {

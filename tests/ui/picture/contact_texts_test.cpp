@@ -234,6 +234,29 @@ TEST(ContactTexts, EveryReadingHasItsSentence) {
   EXPECT_TRUE(contactReadings(frame, plain).empty());
 }
 
+/// At the large texts of a presentation, too.
+TEST(ContactTexts, ATitleThatIsTooLongIsToldWhereItStands) {
+  SampleOptions sample;
+  sample.points = 300;
+  Frame frame = *sampleFrame(sample);
+  Scene scene = *frame.scene;
+  scene.title = "A title that is a good deal longer than what a picture of this width can show";
+  frame.scene = std::make_shared<const Scene>(scene);
+  ContactPictureOptions options;
+  EXPECT_NE(contactReadings(frame, options).front().tip, scene.title);  // as a whole it is there
+  options.width = 700;
+  options.scale = 1.5F;
+  const ContactReading title = contactReadings(frame, options).front();
+  EXPECT_EQ(title.tip, scene.title);
+  const DrawList list = composeContact(frame, options);
+  const auto shown = std::ranges::find_if(
+      list.texts, [&](const DrawText& text) { return text.utf8 == title.name; });
+  ASSERT_NE(shown, list.texts.end());
+  EXPECT_TRUE(shown->utf8.ends_with("\u2026"));
+  EXPECT_GT(shown->y, title.place.y);
+  EXPECT_LT(shown->y, title.place.y + title.place.height);
+}
+
 TEST(ContactTexts, NoColourBarWithoutAPressure) {
   SampleOptions options;
   options.points = 300;

@@ -51,6 +51,11 @@ class Walk {
     window_.curveCommands().save(QDir(folder_).filePath(name));
     (void)QTest::qWaitFor([&] { return QFile::exists(QDir(folder_).filePath(name)); }, 20000);
   }
+  void present(bool on) {
+    const QSize size = window_.size();
+    window_.setPresenting(on);
+    window_.resize(size);
+  }
   void tab(int index) { window_.findChild<QTabWidget*>("tabs")->setCurrentIndex(index); }
   void compare(Scheme scheme, int oversampling) {
     pointer({2, 2});
@@ -103,6 +108,9 @@ void walk(Walk& walk) {
   walk.save("7_difference");
   walk.compare(Scheme::Nodal, 1);
   walk.save("8_difference_nodal");
+  walk.present(true);
+  walk.save("8_presented");
+  walk.present(false);
   walk.trigger("pinCurve");
   walk.show([](Scene& scene) { scene.elastomer.shearModulus *= 4; });
   walk.compare(Scheme::Linear, 4);

@@ -81,6 +81,24 @@ TEST(SceneDocument, StepsAreNamedAfterWhatTheyChange) {
   EXPECT_EQ(stepName(document.scene(), two), "2 parameters");
 }
 
+TEST(SceneDocument, ANewFileIsNamedAfterTheSceneThatItHolds) {
+  Scene scene;
+  SceneDocument document(scene);
+  EXPECT_EQ(document.proposedFile(), "scene.json");
+  for (const auto& [title, file] :
+       {std::pair("Tread: H = 0.3, 10 mN", "tread_h_0_3_10_mn.json"),
+        std::pair("../Glätte  é", "glatte_e.json"), std::pair("???", "scene.json")}) {
+    scene.title = title;
+    document.open({{}, {}, scene});
+    EXPECT_EQ(document.proposedFile(), file);
+  }
+  document.open({"figure_1", {}, scene});
+  EXPECT_EQ(document.proposedFile(), "figure_1.json");
+  scene.title = std::string(300, 'x');
+  document.open({{}, {}, scene});
+  EXPECT_LE(document.proposedFile().size(), 65);
+}
+
 TEST_F(DocumentTest, AnEditIsUndoneAndRedoneByItsKeys) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   EXPECT_FALSE(action("undo").isEnabled());

@@ -2,137 +2,23 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QHeaderView>
-#include <QLineEdit>
-#include <QListWidget>
-#include <QMenu>
-#include <QMenuBar>
-#include <QRegularExpression>
-#include <QSettings>
-#include <QTabBar>
+#include <QDialog>
+#include <QScrollBar>
 #include <QTabWidget>
-#include <QToolBar>
-#include <QToolButton>
-#include <QTreeWidget>
-#include <memory>
-#include <set>
+#include <algorithm>
 
-#include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/language/language.h"
-#include "ui/panels/number_text.h"
+#include "tests/ui/window/window_in.h"
+#include "ui/panels/text_box.h"
 #include "ui/window/accuracy_panel.h"
-#include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
-#include "ui/window/scene_document.h"
-#include "ui/window/window_language.h"
+#include "ui/window/scene_library.h"
+#include "ui/window/shortcut_sheet.h"
 
 namespace asperity {
 namespace {
 
 using testing::IsEmpty;
-
-using Texts = std::set<std::string>;
-
-/// A window in a language, which goes back to English with it.
-class WindowIn {
- public:
-  explicit WindowIn(std::string_view code, const Scene& scene = smallScene()) {
-    useLanguage(code);
-    window_ = std::make_unique<MainWindow>(scene);
-    window_->resize(1280, 720);
-    window_->show();
-  }
-  ~WindowIn() {
-    window_.reset();
-    useLanguage("en");
-  }
-  MainWindow& operator*() { return *window_; }
-  MainWindow* operator->() { return window_.get(); }
-
-  /// Runs until there are a frame and a curve to speak of.
-  bool waitForCurve() {
-    return QTest::qWaitFor([this] { return window_->session().plot().progress >= 1; },
-                           kWindowPatience);
-  }
-
- private:
-  std::unique_ptr<MainWindow> window_;
-};
-
-QString plain(QString text) {
-  static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
-  return text.remove(tag).remove(u'&');
-}
-
-Texts itemsOf(const QAbstractItemModel& model) {
-  Texts texts;
-  for (int column = 0; column < model.columnCount(); ++column) {
-    texts.insert(model.headerData(column, Qt::Horizontal).toString().toStdString());
-    for (int row = 0; row < model.rowCount(); ++row)
-      for (const int role :
-           {int(Qt::DisplayRole), int(Qt::ToolTipRole), int(Qt::AccessibleTextRole)})
-        texts.insert(plain(model.index(row, column).data(role).toString()).toStdString());
-  }
-  return texts;
-}
-
-/// Everything that a person can read or hear of a window.
-Texts textsOf(const MainWindow& window) {
-  Texts texts{window.windowTitle().toStdString()};
-  const auto add = [&](const QString& text) { texts.insert(plain(text).toStdString()); };
-  for (const QWidget* widget : window.findChildren<QWidget*>()) {
-    add(widget->toolTip());
-    add(widget->accessibleName());
-    add(widget->accessibleDescription());
-    if (const auto* label = qobject_cast<const QLabel*>(widget)) add(label->text());
-    if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) add(button->text());
-    if (const auto* menu = qobject_cast<const QMenu*>(widget)) add(menu->title());
-    if (const auto* entry = qobject_cast<const QLineEdit*>(widget)) add(entry->placeholderText());
-    if (const auto* box = qobject_cast<const QComboBox*>(widget))
-      texts.merge(itemsOf(*box->model()));
-    if (const auto* view = qobject_cast<const QAbstractItemView*>(widget))
-      if (view->model()) texts.merge(itemsOf(*view->model()));
-    if (const auto* tabs = qobject_cast<const QTabBar*>(widget))
-      for (int i = 0; i < tabs->count(); ++i) add(tabs->tabText(i));
-  }
-  for (const QAction* action : window.findChildren<QAction*>()) {
-    add(action->text());
-    add(action->toolTip());
-  }
-  return texts;
-}
-
-/// Words of both languages, names, keys of the table (which are no words), paths.
-bool isTheSame(const std::string& text) {
-  static const QRegularExpression word(QStringLiteral("[A-Za-z]{4}"));
-  static const QRegularExpression key(QStringLiteral("^[a-z_]+\\.[a-z0-9_.]+$|^:|^/"));
-  static const std::set<QString> words{"Asperity",
-                                       "English",
-                                       "Deutsch",
-                                       "OpenGL",
-                                       "Elastomer",
-                                       "Plan",
-                                       "Parameter",
-                                       "linear",
-                                       "nodal",
-                                       "Radius",
-                                       "Kelvin",
-                                       "Prony",
-                                       "Pause",
-                                       "Software (OSMesa)",
-                                       "software (OSMesa)",
-                                       "title",
-                                       "small",
-                                       "small – Asperity",
-                                       "small[*] – Asperity"};
-  const QString whole = QString::fromStdString(text).trimmed();
-  return !word.match(whole).hasMatch() || findParameter(text) || key.match(whole).hasMatch() ||
-         words.contains(whole);
-}
 
 /// What a window says in a language, its sheet of shortcuts and a step of its tour included.
 Texts allTextsIn(std::string_view code) {
@@ -146,61 +32,11 @@ Texts allTextsIn(std::string_view code) {
   return texts;
 }
 
-/// Words of one set that stand in the other, too, though they are not the same in both languages.
-Texts leftOver(const Texts& shown, const Texts& other) {
-  Texts left;
-  for (const std::string& text : shown)
-    if (other.contains(text) && !isTheSame(text)) left.insert(text);
-  return left;
-}
-
 TEST(GermanWindow, HasNothingLeftInEnglish) {
   const Texts english = allTextsIn("en"), german = allTextsIn("de");
   EXPECT_GT(german.size(), 150U);
   EXPECT_THAT(leftOver(german, english), IsEmpty());
   EXPECT_TRUE(german.contains("Reibungskurve"));
-}
-
-/// Why a visible widget does not show all of its text; empty where it does.
-std::string cutOff(const QWidget& widget) {
-  const auto say = [&](const QString& text, QSize needed) {
-    return (text + QStringLiteral(" needs %1 x %2, has %3 x %4")
-                       .arg(needed.width())
-                       .arg(needed.height())
-                       .arg(widget.width())
-                       .arg(widget.height()))
-        .toStdString();
-  };
-  if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
-    if (label->text().isEmpty()) return {};
-    if (label->wordWrap()) {
-      const int height = label->heightForWidth(label->width());
-      return height > label->height() ? say(label->text(), {label->width(), height}) : "";
-    }
-    return label->sizeHint().width() > label->width() ? say(label->text(), label->sizeHint()) : "";
-  }
-  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))  // a sign may be tight
-    if (button->sizeHint().width() > button->width() && button->text().size() > 1)
-      return say(button->text(), button->sizeHint());
-  if (const auto* box = qobject_cast<const QComboBox*>(&widget))
-    if (box->sizeHint().width() > box->width()) return say(box->currentText(), box->sizeHint());
-  return {};
-}
-
-/// What is cut off of everything in sight, one a line, once the layout has settled.
-std::string cutOffIn(const QWidget& window) {
-  static const std::set<QString> tooLong{"qt_toolbar_ext_button", "qt_menubar_ext_button"};
-  std::string lines;
-  const auto isWhole = [&] {
-    lines.clear();
-    for (const QWidget* widget : window.findChildren<QWidget*>()) {
-      if (!widget->isVisible()) continue;
-      if (const std::string line = cutOff(*widget); !line.empty()) lines += line + "\n";
-      if (tooLong.contains(widget->objectName())) lines += "a bar is longer than the window\n";
-    }
-    return lines.empty();
-  };
-  return QTest::qWaitFor(isWhole, 2000) ? std::string() : lines;
 }
 
 class EachLanguage : public testing::TestWithParam<const char*> {};
@@ -241,6 +77,62 @@ TEST_P(EachLanguage, NothingOfTheFiguresPageIsCutOff) {
 INSTANTIATE_TEST_SUITE_P(Window, EachLanguage, testing::Values("en", "de"),
                          [](const auto& each) { return std::string(each.param); });
 
+/// With what the wheel and fingers do.
+TEST_P(EachLanguage, NothingOfTheSheetOfKeysIsCutOff) {
+  WindowIn window(GetParam());
+  window->findChild<QAction*>("shortcuts")->trigger();
+  auto& sheet = *window->findChild<QDialog*>("shortcutSheet");
+  EXPECT_EQ(cutOffIn(sheet), "");
+  for (const QScrollBar* bar : sheet.findChildren<QScrollBar*>())
+    EXPECT_EQ(bar->maximum(), bar->minimum()) << bar->orientation();
+  for (const ShortcutGroup& group : gestureGroups())
+    for (const ShortcutGroup::Entry& entry : group.entries)
+      EXPECT_TRUE(std::ranges::any_of(sheet.findChildren<QLabel*>(), [&](const QLabel* label) {
+        return label->text() == entry.text;
+      })) << entry.text.toStdString();
+}
+
+TEST(GermanWindow, ShippedScenesSpeakGermanAndOthersAsTheyWereWritten) {
+  const auto& library = libraryScenes();
+  const auto shipped = std::ranges::find(library, "tread_compound", &LibraryScene::name);
+  ASSERT_NE(shipped, library.end());
+  WindowIn window("de", shipped->scene);
+  auto* title = window->findChild<ValueEntry*>("entry:title");
+  auto* description = window->findChild<TextBox*>("text:description");
+  EXPECT_EQ(title->text(), "Gefüllte Laufflächenmischung: dreizehn Arme");
+  EXPECT_TRUE(description->toPlainText().startsWith("Relaxationszeiten von"));
+  EXPECT_TRUE(description->toPlainText().contains(QStringLiteral("10⁵ m/s")));
+  // To look at it or to leave it changes nothing.
+  description->setFocus();
+  title->setFocus();
+  QTest::keyClick(title, Qt::Key_Return);
+  EXPECT_EQ(window->session().scene(), shipped->scene);
+  EXPECT_FALSE(window->isWindowModified());
+
+  Scene own = smallScene();
+  own.title = "linear";
+  own.description = "velocity sweep";
+  window->showScene(own);
+  EXPECT_EQ(title->text(), "linear");
+  EXPECT_EQ(description->toPlainText(), "velocity sweep");
+  EXPECT_EQ(window->windowTitle(), QStringLiteral("linear[*] – Asperity"));
+}
+
+TEST(GermanWindow, AComplaintAboutTheSceneIsGerman) {
+  WindowIn window("de");
+  Scene empty = smallScene();
+  empty.elastomer.rheology = Rheology::Prony;
+  empty.elastomer.equilibriumModulus = 0;
+  empty.elastomer.arms.clear();
+  window->editScene(empty);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window->messages().isVisible(); }, kWindowPatience));
+  EXPECT_EQ(window->messages().text(),
+            "elastomer.equilibrium_modulus: ist 0 und alles andere auch: Das Elastomer ist leer");
+  EXPECT_FALSE(window->openScene("/no/such/scene.json"));
+  EXPECT_EQ(window->messages().text(),
+            "/no/such/scene.json: lässt sich nicht öffnen: die Datei gibt es nicht");
+}
+
 TEST(GermanWindow, NumbersHaveACommaAndMayBeTypedWithEither) {
   WindowIn window("de");
   auto* entry = window->findChild<ValueEntry*>("entry:surface.hurst");
@@ -272,140 +164,6 @@ TEST(GermanWindow, ARefusalIsGerman) {
   QTest::keyClick(entry, Qt::Key_Return);
   EXPECT_EQ(window->findChild<QLabel*>("error:load.normal_force")->text(),
             "0,5 kg ist eine Masse; gefragt ist eine Kraft, etwa 3,4 mN");
-}
-
-TEST(LanguageSwitch, LeavesNoWordBehindInEitherDirection) {
-  WindowIn window("en");
-  ASSERT_TRUE(window.waitForCurve());
-  window->findChild<QAction*>("tour")->trigger();
-  ASSERT_TRUE(window.waitForCurve());
-  const Texts english = textsOf(*window);
-  window->setLanguage("de");
-  EXPECT_EQ(presentLanguage(), "de");
-  ASSERT_TRUE(window.waitForCurve());
-  EXPECT_TRUE(window->isTouring());
-  const Texts german = textsOf(*window);
-  EXPECT_THAT(leftOver(german, english), IsEmpty());
-  EXPECT_GT(german.size(), 150U);
-  EXPECT_EQ(cutOffIn(*window), "");
-  window->setLanguage("en");
-  const Texts back = textsOf(*window);
-  EXPECT_THAT(leftOver(back, german), IsEmpty());
-  EXPECT_TRUE(back.contains("Friction curve"));
-}
-
-TEST(LanguageSwitch, KeepsSceneHistoryRunsAndLayout) {
-  WindowIn window("en");
-  ASSERT_TRUE(window.waitForCurve());
-  Scene scene = window->session().scene();
-  scene.load.normalForce = 0.01;
-  window->editScene(scene);
-  window->findChild<QAction*>("resetAll")->trigger();
-  window->document().history().undo();
-  window->setDark(true);
-  window->findChild<QDockWidget*>("parameterDock")->hide();
-  auto* tabs = window->findChild<QTabWidget*>("tabs");
-  const QString name = tabs->widget(2)->objectName();
-  tabs->setCurrentIndex(2);
-  window->session().setPlaying(false);
-  const auto number = window->session().sceneNumber();
-  const auto actions = window->findChildren<QAction*>().size();
-
-  for (const char* code : {"de", "en", "de"}) window->setLanguage(code);
-  EXPECT_EQ(window->session().scene(), scene);
-  EXPECT_EQ(window->session().sceneNumber(), number);  // nothing was begun anew
-  EXPECT_FALSE(window->session().isPlaying());
-  EXPECT_TRUE(window->isDark());
-  EXPECT_TRUE(window->findChild<QDockWidget*>("parameterDock")->isHidden());
-  tabs = window->findChild<QTabWidget*>("tabs");
-  EXPECT_EQ(tabs->currentWidget()->objectName(), name);
-  EXPECT_EQ(window->findChildren<QAction*>().size(), actions);
-  EXPECT_EQ(window->findChild<QAction*>("play")->text(), "Start");
-
-  QUndoStack& history = window->document().history();
-  EXPECT_EQ(history.count(), 2);
-  EXPECT_EQ(history.undoText(), "Normalkraft");
-  EXPECT_EQ(history.redoText(), "Alle Parameter");
-  window->findChild<QAction*>("undo")->trigger();
-  EXPECT_EQ(window->session().scene().load.normalForce, smallScene().load.normalForce);
-  EXPECT_EQ(window->panel().scene(), window->session().scene());
-  QTest::keyClick(&*window, Qt::Key_F9);  // the key is no one's twice
-  EXPECT_FALSE(window->findChild<QDockWidget*>("parameterDock")->isHidden());
-}
-
-TEST(LanguageSwitch, KeepsComplaintsComparisonsAndFigures) {
-  WindowIn window("en");
-  ASSERT_TRUE(window.waitForCurve());
-  window->findChild<QCheckBox*>("comparisonWanted")->setChecked(true);
-  window->openFigures();
-  FigureGallery* figures = &window->gallery().gallery();
-  window->setLanguage("de");
-  EXPECT_TRUE(window->isShowingFigures());
-  EXPECT_EQ(&window->gallery().gallery(), figures);
-  window->closeFigures();
-  EXPECT_TRUE(window->findChild<QCheckBox*>("comparisonWanted")->isChecked());
-
-  Scene empty = smallScene();
-  empty.elastomer.rheology = Rheology::Prony;
-  empty.elastomer.equilibriumModulus = 0;
-  empty.elastomer.arms.clear();
-  window->editScene(empty);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window->messages().isVisible(); }, kWindowPatience));
-  const QString key = window->messages().text().section(':', 0, 0);
-  window->setLanguage("en");
-  EXPECT_TRUE(window->messages().isVisible());
-  EXPECT_TRUE(window->messages().text().startsWith(key));
-  EXPECT_TRUE(window->findChild<ValueEntry*>("entry:" + key)->hasError());
-}
-
-TEST(LanguageSwitch, KeepsAMessageThatIsNotAboutTheScene) {
-  WindowIn window("en");
-  ASSERT_TRUE(window.waitForCurve());
-  window->messages().showMessage("cannot be read");
-  window->setLanguage("de");
-  EXPECT_TRUE(window->messages().isVisible());
-  EXPECT_EQ(window->messages().text(), "cannot be read");
-  window->messages().endComplaint();
-  EXPECT_TRUE(window->messages().isVisible());
-  window->messages().hide();
-  window->setLanguage("en");
-  EXPECT_FALSE(window->messages().isVisible());
-}
-
-TEST(LanguageSwitch, KeepsTheMeasuredComparisonOfMethods) {
-  WindowIn window("en");
-  auto* panel = window->findChild<AccuracyPanel*>("accuracyPanel");
-  auto made = std::make_shared<MadeFigure>();
-  made->figure.sheet.diagrams.resize(2);
-  made->figure.sheet.diagrams[0].title = "region I: here";
-  made->figure.sheet.diagrams[1].title = "region II: there";
-  panel->showComparedMethods({window->session().scene(), made});
-  ASSERT_TRUE(panel->comparedMethods());
-  window->setLanguage("de");
-  panel = window->findChild<AccuracyPanel*>("accuracyPanel");
-  ASSERT_TRUE(panel->comparedMethods());
-  EXPECT_EQ(panel->comparedMethods()->figure, made);
-  EXPECT_TRUE(panel->findChild<QToolButton*>("region:1"));
-  Scene other = window->session().scene();
-  other.load.normalForce *= 2;
-  window->editScene(other);
-  EXPECT_FALSE(panel->comparedMethods());
-}
-
-TEST(WindowLanguageMenu, TheChoiceCountsAtOnceAndIsRemembered) {
-  WindowIn window("en");
-  auto* german = window->findChild<QAction*>("language:de");
-  ASSERT_TRUE(german);
-  german->trigger();
-  EXPECT_EQ(windowLanguage(), "de");
-  ASSERT_TRUE(QTest::qWaitFor([] { return presentLanguage() == "de"; }, kWindowPatience));
-  EXPECT_TRUE(window->findChild<QAction*>("language:de")->isChecked());
-  EXPECT_EQ(window->findChild<QTabWidget*>("tabs")->tabText(0), "Reibungskurve");
-  window->findChild<QAction*>("language:en")->trigger();
-  EXPECT_EQ(windowLanguage(), "en");
-  ASSERT_TRUE(QTest::qWaitFor([] { return presentLanguage() == "en"; }, kWindowPatience));
-  window->findChild<QAction*>("language:")->trigger();
-  EXPECT_FALSE(QSettings().contains("language"));
 }
 
 }  // namespace

@@ -189,17 +189,6 @@ TEST_F(MainWindowTest, ASceneThatCannotRunIsExplainedAndTheWindowLives) {
   EXPECT_TRUE(waitFor([&] { return !window_.messages().isVisible(); }));
 }
 
-TEST_F(MainWindowTest, WhatIsSaidOfAFileStaysWhileTheSceneRuns) {
-  QSignalSpy runs(&session(), &Session::sceneRuns);
-  window_.messages().showMessage("said of a file");
-  press("elastomer.shear_modulus");
-  ASSERT_TRUE(waitForFrame());
-  EXPECT_TRUE(waitFor([&] { return !runs.isEmpty(); }));
-  EXPECT_TRUE(window_.messages().isVisible());
-  window_.showScene(smallScene());
-  EXPECT_FALSE(window_.messages().isVisible());
-}
-
 TEST_F(MainWindowTest, WhatMendsASceneTakesItsComplaintsAway) {
   ASSERT_TRUE(waitForFrame());
   Scene broken = smallScene();
@@ -230,20 +219,6 @@ TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
   EXPECT_LT(window_.messages().text().size(), 160) << window_.messages().text().toStdString();
 }
 
-TEST_F(MainWindowTest, AProfileWithoutAFileIsNeitherRunNorSaved) {
-  ASSERT_TRUE(waitForFrame());
-  const std::uint64_t before = session().sceneNumber();
-  auto& kind = control<QComboBox>("choice:surface.kind");
-  kind.setCurrentIndex(kind.findData("profile"));
-  emit kind.activated(kind.currentIndex());
-  QTest::qWait(100);
-  EXPECT_EQ(session().sceneNumber(), before);
-  EXPECT_FALSE(window_.messages().isVisible());
-  const QTemporaryDir folder;
-  EXPECT_FALSE(window_.saveScene(folder.filePath("scene.json")));
-  EXPECT_TRUE(window_.messages().text().contains("choose a profile file"));
-}
-
 TEST(Trouble, IsSaidOfFramesThatCannotBeBelieved) {
   Frame frame;
   frame.length = 1;
@@ -254,123 +229,6 @@ TEST(Trouble, IsSaidOfFramesThatCannotBeBelieved) {
   frame.surfaceHeight = {0, kNotApplicable};
   EXPECT_TRUE(troubleOf(frame).contains("numbers"));
   EXPECT_LT(troubleOf(frame).size(), 100);
-}
-
-TEST_F(MainWindowTest, ScenesAreSavedAndOpened) {
-  const QTemporaryDir folder;
-  const QString file = folder.filePath("scene.json");
-  QTest::keyClick(&control<ValueSlider>("slider:load.normal_force"), Qt::Key_Right);
-  const Scene changed = window_.panel().scene();
-  ASSERT_TRUE(window_.saveScene(file));
-  window_.showScene(Scene{});
-  ASSERT_TRUE(window_.openScene(file));
-  EXPECT_EQ(writeScene(window_.panel().scene()), writeScene(changed));
-  EXPECT_EQ(writeScene(session().scene()), writeScene(changed));
-}
-
-/// A picture dropped on the window brings its scene back, and is not saved over.
-TEST_F(MainWindowTest, APictureDroppedOnItOpensItsScene) {
-  QTemporaryDir folder;
-  const QString file = folder.filePath("picture.png");
-  Scene scene = smallScene();
-  scene.title = "from a picture";
-  QFile picture(file);
-  ASSERT_TRUE(picture.open(QIODevice::WriteOnly));
-  picture.write(("\x89PNG" + provenanceLine(provenance("render", scene))).c_str());
-  picture.close();
-
-  drop(file);
-  EXPECT_EQ(session().scene().title, "from a picture");
-  EXPECT_EQ(window_.windowTitle(), "from a picture[*] – Asperity");
-
-  drop(folder.filePath("gone.png"));
-  EXPECT_TRUE(window_.messages().text().contains("gone.png"));
-  EXPECT_EQ(session().scene().title, "from a picture");
-}
-
-TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
-  const QTemporaryDir folder;
-  ASSERT_TRUE(QDir(folder.path()).mkpath("a/b"));
-  QFile profile(folder.filePath("line.csv"));
-  ASSERT_TRUE(profile.open(QIODevice::WriteOnly));
-  profile.write("position,height\n");
-  for (int i = 0; i < 64; ++i)
-    profile.write(QStringLiteral("%1,%2\n").arg(i * 1e-4).arg(1e-6 * ((i * 7) % 13)).toUtf8());
-  profile.close();
-  Scene scene = smallScene();
-  scene.folder = folder.path().toStdString();
-  scene.surface.kind = SurfaceKind::Profile;
-  scene.surface.file = "line.csv";
-  scene.surface.length = 0;
-  scene.surface.elements = 0;
-  window_.showScene(scene);
-  ASSERT_TRUE(waitForFrame());
-  EXPECT_EQ(control<ValueEntry>("entry:surface.length").placeholderText(), "0.0064");
-  EXPECT_EQ(control<ValueEntry>("entry:surface.elements").placeholderText(), "64");
-  ASSERT_TRUE(window_.saveScene(folder.filePath("a/b/scene.json")));
-  ASSERT_TRUE(window_.openScene(folder.filePath("a/b/scene.json")));
-  EXPECT_EQ(window_.panel().scene().surface.file, "../../line.csv");
-  ASSERT_TRUE(waitForFrame());
-}
-
-TEST_F(MainWindowTest, FilesThatDoNotReadOrWriteAreExplained) {
-  const QTemporaryDir folder;
-  const Scene before = window_.panel().scene();
-  EXPECT_FALSE(window_.openScene(folder.filePath("missing.json")));
-  EXPECT_TRUE(window_.messages().isVisible());
-  EXPECT_TRUE(window_.messages().text().contains("missing.json"));
-  EXPECT_FALSE(window_.saveScene(folder.filePath("no/such/folder.json")));
-  EXPECT_EQ(window_.panel().scene(), before);
-}
-
-TEST_F(MainWindowTest, TheLibraryIsInTheMenu) {
-  for (const char* name : {"scene:figure_1", "scene:figure_2"}) {
-    auto* action = window_.findChild<QAction*>(name);
-    ASSERT_TRUE(action) << name;
-    const std::uint64_t before = session().sceneNumber();
-    action->trigger();
-    EXPECT_EQ(session().sceneNumber(), before + 1);
-    EXPECT_EQ(window_.panel().scene(), session().scene());
-  }
-}
-
-TEST_F(MainWindowTest, EveryChapterIsASubmenuWithEverySceneExplained) {
-  const auto* action = window_.findChild<QAction*>("scene:velocity_step");
-  ASSERT_TRUE(action);
-  const auto* chapter = qobject_cast<QMenu*>(action->associatedObjects().constFirst());
-  ASSERT_TRUE(chapter);
-  EXPECT_EQ(chapter->title(), "Transients");
-  EXPECT_TRUE(chapter->toolTipsVisible());
-  QStringList titles;
-  for (const LibraryScene& entry : libraryScenes()) {
-    const auto* item = window_.findChild<QAction*>("scene:" + entry.name);
-    ASSERT_TRUE(item) << entry.name.toStdString();
-    EXPECT_FALSE(item->toolTip().isEmpty()) << entry.name.toStdString();
-    const QString title = QString::fromStdString(entry.scene.chapter);
-    if (titles.isEmpty() || titles.last() != title) titles += title;
-  }
-  EXPECT_EQ(titles.first(), "Regions I to IV");
-  EXPECT_EQ(titles.removeDuplicates(), 0);  // each chapter in one piece
-  EXPECT_GE(titles.size(), 7);
-}
-
-TEST_F(MainWindowTest, AnOpenedSceneSaysWhatToLookFor) {
-  EXPECT_FALSE(window_.description().isVisible());  // the small scene has nothing to say
-  window_.findChild<QAction*>("scene:region_2")->trigger();
-  EXPECT_TRUE(window_.description().isVisible());
-  EXPECT_EQ(window_.description().text().toStdString(), session().scene().description);
-  window_.showScene(smallScene());
-  EXPECT_FALSE(window_.description().isVisible());
-}
-
-TEST_F(MainWindowTest, ADescriptionThatWasClosedStaysClosed) {
-  window_.findChild<QAction*>("scene:region_2")->trigger();
-  window_.description().hide();
-  type("load.normal_force", "5 mN");
-  window_.findChild<QAction*>("undo")->trigger();
-  EXPECT_FALSE(window_.description().isVisible());
-  window_.findChild<QAction*>("scene:region_2")->trigger();
-  EXPECT_TRUE(window_.description().isVisible());
 }
 
 TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {

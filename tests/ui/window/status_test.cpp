@@ -125,6 +125,33 @@ TEST(StatusLine, TheDimensionlessVelocityOfAMotionIsThatOfTheMoment) {
   EXPECT_EQ(dimensionlessVelocity(steady), 0);
 }
 
+/// Beside it where there is room, and always in the tooltip.
+TEST(StatusLine, ADimensionlessVelocityThatIsMissingHasItsReason) {
+  Frame frame = movingFrame(1);
+  Scene scene = *frame.scene;
+  scene.elastomer.rheology = Rheology::Prony;
+  frame.scene = std::make_shared<const Scene>(scene);
+  StatusLine line;
+  auto& velocity = *line.findChild<QLabel*>("factVelocity");
+  line.showFrame(movingFrame(1), {});
+  EXPECT_FALSE(velocity.toolTip().contains("None here"));
+  line.showDrawing(60, "software (OSMesa)");
+  for (const int width : {1280, 300, 1280}) {
+    line.setFixedWidth(width);
+    line.show();
+    for (int i = 0; i < 4; ++i) {
+      QTest::qWait(1);  // the layout is made with the first events
+      line.showFrame(frame, {});
+    }
+    EXPECT_EQ(velocity.text(), width > 1000 ? "velocity v̄ = – (arms)" : "velocity v̄ = –");
+    EXPECT_TRUE(velocity.toolTip().contains("arms have relaxation times of their own"));
+  }
+  scene.elastomer.rheology = Rheology::Elastic;
+  frame.scene = std::make_shared<const Scene>(scene);
+  line.showFrame(frame, {});
+  EXPECT_TRUE(velocity.toolTip().contains("an elastic body has no relaxation time"));
+}
+
 /// A confirmation has the room of the facts at the right, and where that is not enough it is
 /// shortened in the middle and stands whole in the tooltip.
 TEST(StatusLine, WhatIsSaidIsSeenWholeOrInItsTooltip) {

@@ -4,118 +4,22 @@
 
 #include <gtest/gtest.h>
 
-#include <QAction>
-#include <QDockWidget>
 #include <QFile>
-#include <QMenu>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
-#include <QTest>
-#include <algorithm>
-#include <condition_variable>
-#include <memory>
-#include <mutex>
-#include <set>
 #include <stdexcept>
 #include <vector>
 
-#include "core/friction/study.h"
-#include "core/scene/scene_file.h"
-#include "tests/core/small_scene.h"
+#include "tests/ui/window/gallery_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/panels/number_text.h"
-#include "ui/panels/parameter_panel.h"
-#include "ui/window/claim_text.h"
-#include "ui/window/claims_table.h"
 #include "ui/window/figure_list.h"
 #include "ui/window/figure_picture.h"
-#include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
-#include "ui/window/session.h"
 
 namespace asperity {
 namespace {
-
-constexpr int kPatience = 120000;  // ms, far more than anything here takes
-
-template <class Condition>
-bool waitFor(Condition condition) {
-  return QTest::qWaitFor(condition, kPatience);
-}
-
-Scene smallScene() {
-  Scene scene = sceneOfSize(256, 9, 3);
-  scene.title = "small";
-  return scene;
-}
-
-/// One diagram with one curve, and one claim.
-Figure quickFigure(FigureName name, const FigureOptions& options) {
-  Figure figure;
-  figure.name = name;
-  figure.scene = figureScene(name, options);
-  figure.sheet.title = "a figure";
-  DiagramSeries series{"a curve"};
-  series.stroke = SeriesStroke::Solid;
-  series.points = {{1, 1}, {10, 20}, {100, 30}};
-  figure.sheet.diagrams = {{"", {"x"}, {"y"}, {series}, {}, {}, {}}};
-  figure.csv = "x,y\n1,1\n";
-  Claim claim{"it_grows", "p. 1", "It grows", "growth"};
-  claim.measured = {1.234, 0.056};
-  claim.criterion = "above zero";
-  claim.holds = Verdict::Yes;
-  claim.note = "It does.";
-  figure.claims = {claim};
-  return figure;
-}
-
-/// Is a quarter done at once, and no more before it is stopped.
-Figure endlessFigure(FigureName, const FigureOptions& options) {
-  options.progress(0.25);
-  std::mutex mutex;
-  std::condition_variable_any changed;
-  std::unique_lock lock(mutex);
-  changed.wait(lock, options.stop, [] { return false; });
-  throw StudyStopped{};
-}
-
-std::size_t coloursOf(QWidget& widget) {
-  const QImage image = widget.grab().toImage();
-  std::set<QRgb> colours;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); x += 3) colours.insert(image.pixel(x, y));
-  return colours.size();
-}
-
-/// The page alone.
-class PageTest : public testing::Test {
- protected:
-  GalleryPage& show(FigureMaker maker) {
-    page_ = std::make_unique<GalleryPage>(std::move(maker));
-    page_->resize(1000, 640);
-    page_->show();
-    return *page_;
-  }
-
-  template <class Control>
-  Control& control(const char* name) {
-    return *page_->findChild<Control*>(name);
-  }
-  void click(const char* name) { QTest::mouseClick(&control<QPushButton>(name), Qt::LeftButton); }
-  const FigureStatus& status(FigureName name) { return page_->gallery().status(name); }
-  bool isComputing(FigureName name) {
-    return status(name).work == FigureStage::Computing && status(name).part > 0;
-  }
-  bool waitUntilMade(FigureName name) {
-    return waitFor([&] { return status(name).work == FigureStage::None && status(name).made; });
-  }
-  ClaimsTable& claims() { return *page_->findChild<ClaimsTable*>(); }
-
-  std::unique_ptr<GalleryPage> page_;
-};
 
 TEST_F(PageTest, AFigureIsComputedShownAndKept) {
   GalleryPage& page = show(makeFigure);
@@ -309,103 +213,6 @@ TEST_F(PageTest, ControlsHaveNames) {
       EXPECT_FALSE(widget->accessibleName().isEmpty()) << qPrintable(widget->objectName());
     }
   }
-}
-
-/// The page in the window.
-class FiguresInTheWindowTest : public testing::Test {
- protected:
-  FiguresInTheWindowTest() : window_(std::make_unique<MainWindow>(smallScene())) {
-    window_->show();
-    window_->activateWindow();
-  }
-
-  QAction& action(const QString& name) { return *window_->findChild<QAction*>(name); }
-  GalleryPage& page() { return window_->gallery(); }
-
-  std::unique_ptr<MainWindow> window_;
-};
-
-TEST_F(FiguresInTheWindowTest, TheMenuHasThemAllWithKeysOfTheirOwn) {
-  for (const FigureEntry& entry : figureEntries()) {
-    auto* action = window_->findChild<QAction*>("figure:" + fromUtf8(entry.word));
-    ASSERT_TRUE(action) << entry.word;
-    EXPECT_TRUE(action->text().contains(fromUtf8(entry.headline)));
-  }
-  ASSERT_TRUE(window_->findChild<QAction*>("figures"));
-  std::set<QString> keys;
-  for (const QAction* action : window_->findChildren<QAction*>()) {
-    const QString key = action->shortcut().toString();
-    EXPECT_TRUE(key.isEmpty() || keys.insert(key).second) << qPrintable(key);
-  }
-}
-
-TEST_F(FiguresInTheWindowTest, ThePageTakesThePlaceOfTheViewsAndGivesItBack) {
-  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
-  auto& dock = *window_->findChild<QDockWidget*>("parameterDock");
-  QTest::keyClick(window_.get(), Qt::Key_G, Qt::ControlModifier);
-  EXPECT_TRUE(page().isVisible());
-  EXPECT_FALSE(dock.isVisible());
-  EXPECT_FALSE(action("play").isEnabled());  // Space is for the page's buttons
-  QTest::keyClick(&page(), Qt::Key_Escape);
-  EXPECT_FALSE(page().isVisible());
-  EXPECT_TRUE(dock.isVisible());
-  EXPECT_TRUE(action("play").isEnabled());
-  EXPECT_FALSE(action("figures").isChecked());
-
-  dock.hide();
-  action("figures").trigger();
-  action("figures").trigger();
-  EXPECT_FALSE(page().isVisible());
-  EXPECT_FALSE(dock.isVisible());
-}
-
-TEST_F(FiguresInTheWindowTest, AFigureOpensAsASceneToPlayWith) {
-  action("figure:1").trigger();
-  EXPECT_TRUE(page().isVisible());
-  EXPECT_EQ(page().chosen(), FigureName::Contact);
-  ASSERT_TRUE(
-      waitFor([&] { return page().gallery().status(FigureName::Contact).made != nullptr; }));
-  const std::uint64_t before = window_->session().sceneNumber();
-  QTest::mouseClick(page().findChild<QPushButton*>("openAsScene"), Qt::LeftButton);
-  EXPECT_EQ(window_->session().sceneNumber(), before + 1);
-  EXPECT_EQ(window_->session().scene(),
-            page().gallery().status(FigureName::Contact).made->figure.scene);
-  EXPECT_EQ(window_->panel().scene(), window_->session().scene());
-  EXPECT_TRUE(window_->windowTitle().contains("Fig. 1"));
-  EXPECT_FALSE(page().isVisible());
-  ASSERT_TRUE(waitFor([&] {
-    const auto frame = window_->session().frame();
-    return frame && frame->sceneNumber == window_->session().sceneNumber();
-  }));
-}
-
-TEST_F(FiguresInTheWindowTest, TheContactGoesOnWhileAFigureIsComputed) {
-  page().findChild<QSpinBox*>("realizations")->setValue(1500);
-  action("figure:6").trigger();
-  const auto part = [&] { return page().gallery().status(FigureName::Plateau).part; };
-  ASSERT_TRUE(waitFor([&] { return part() > 0; }));
-  QSignalSpy frames(&window_->session(), &Session::frameArrived);
-  EXPECT_TRUE(waitFor([&] { return frames.count() >= 5; }));
-  EXPECT_EQ(page().gallery().computing(), FigureName::Plateau);
-}
-
-TEST_F(FiguresInTheWindowTest, TheWindowClosesInTheMiddleOfAComputation) {
-  page().findChild<QSpinBox*>("realizations")->setValue(1500);
-  action("figure:6").trigger();
-  ASSERT_TRUE(waitFor([&] { return page().gallery().status(FigureName::Plateau).part > 0; }));
-  EXPECT_TRUE(window_->close());
-  EXPECT_FALSE(window_->isVisible());
-  window_.reset();  // 1500 lines would outlast the test
-}
-
-TEST(EstimateText, HasTheDigitsThatTheUncertaintyLeaves) {
-  EXPECT_EQ(estimateText({1.2345, 0.056}), QStringLiteral("1.23 ± 0.06"));
-  EXPECT_EQ(estimateText({1.2345, 0.0123}), QStringLiteral("1.234 ± 0.012"));
-  EXPECT_EQ(estimateText({-0.4127, 0.003}), QStringLiteral("−0.413 ± 0.003"));
-  EXPECT_EQ(estimateText({123.4, 31}), QStringLiteral("123 ± 31"));
-  EXPECT_EQ(estimateText({0.5, kNotApplicable}), QStringLiteral("0.5"));
-  EXPECT_EQ(estimateText({2.5e-9, 1e-10}), QStringLiteral("2.5×10⁻⁹ ± 10⁻¹⁰"));
-  EXPECT_EQ(estimateText({}), QStringLiteral("–"));
 }
 
 }  // namespace

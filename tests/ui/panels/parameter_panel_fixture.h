@@ -1,0 +1,57 @@
+// The panel of parameters alone, and a person's hands on it. For tests on the GUI thread.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/scene/parameters.h"
+#include "ui/panels/number_text.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/panels/value_entry.h"
+#include "ui/panels/value_slider.h"
+
+namespace asperity {
+
+class ParameterPanelTest : public testing::Test {
+ protected:
+  ParameterPanelTest() : spy_(&panel_, &ParameterPanel::sceneEdited) {
+    panel_.resize(380, 700);
+    panel_.show();
+  }
+
+  template <class Control>
+  Control* control(const QString& name) {
+    return panel_.findChild<Control*>(name);
+  }
+  ValueSlider& slider(const QString& key) { return *control<ValueSlider>("slider:" + key); }
+  ValueEntry& entry(const QString& key) { return *control<ValueEntry>("entry:" + key); }
+  QString complaint(const QString& key) { return control<QLabel>("error:" + key)->text(); }
+
+  bool isShown(const QString& name) {
+    auto* widget = control<QWidget>(name);
+    return widget && widget->isVisibleTo(&panel_);
+  }
+
+  void type(const QString& key, const QString& text) {
+    entry(key).setFocus();
+    entry(key).selectAll();
+    QTest::keyClick(&entry(key), Qt::Key_Delete);
+    QTest::keyClicks(&entry(key), text);
+    QTest::keyClick(&entry(key), Qt::Key_Return);
+  }
+
+  void choose(const QString& key, const QString& word) {
+    auto* box = control<QComboBox>("choice:" + key);
+    box->setCurrentIndex(box->findData(word));
+    emit box->activated(box->currentIndex());
+  }
+
+  ParameterPanel panel_{Scene{}};
+  QSignalSpy spy_;
+};
+
+}  // namespace asperity

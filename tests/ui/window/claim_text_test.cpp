@@ -1,0 +1,19 @@
+#include "ui/window/claim_text.h"
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+TEST(EstimateText, HasTheDigitsThatTheUncertaintyLeaves) {
+  EXPECT_EQ(estimateText({1.2345, 0.056}), QStringLiteral("1.23 ± 0.06"));
+  EXPECT_EQ(estimateText({1.2345, 0.0123}), QStringLiteral("1.234 ± 0.012"));
+  EXPECT_EQ(estimateText({-0.4127, 0.003}), QStringLiteral("−0.413 ± 0.003"));
+  EXPECT_EQ(estimateText({123.4, 31}), QStringLiteral("123 ± 31"));
+  EXPECT_EQ(estimateText({0.5, kNotApplicable}), QStringLiteral("0.5"));
+  EXPECT_EQ(estimateText({2.5e-9, 1e-10}), QStringLiteral("2.5×10⁻⁹ ± 10⁻¹⁰"));
+  EXPECT_EQ(estimateText({}), QStringLiteral("–"));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,112 @@
+// The page of the paper's figures in the main window: its menu, and how it changes places with the
+// views.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QSpinBox>
+
+#include "core/scene/scene_file.h"
+#include "tests/ui/window/gallery_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/panels/number_text.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/window/figure_list.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/session.h"
+
+namespace asperity {
+namespace {
+
+/// The page in the window.
+class FiguresInTheWindowTest : public testing::Test {
+ protected:
+  FiguresInTheWindowTest() : window_(std::make_unique<MainWindow>(smallScene())) {
+    window_->show();
+    window_->activateWindow();
+  }
+
+  QAction& action(const QString& name) { return *window_->findChild<QAction*>(name); }
+  GalleryPage& page() { return window_->gallery(); }
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(FiguresInTheWindowTest, TheMenuHasThemAllWithKeysOfTheirOwn) {
+  for (const FigureEntry& entry : figureEntries()) {
+    auto* action = window_->findChild<QAction*>("figure:" + fromUtf8(entry.word));
+    ASSERT_TRUE(action) << entry.word;
+    EXPECT_TRUE(action->text().contains(fromUtf8(entry.headline)));
+  }
+  ASSERT_TRUE(window_->findChild<QAction*>("figures"));
+  std::set<QString> keys;
+  for (const QAction* action : window_->findChildren<QAction*>()) {
+    const QString key = action->shortcut().toString();
+    EXPECT_TRUE(key.isEmpty() || keys.insert(key).second) << qPrintable(key);
+  }
+}
+
+TEST_F(FiguresInTheWindowTest, ThePageTakesThePlaceOfTheViewsAndGivesItBack) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
+  auto& dock = *window_->findChild<QDockWidget*>("parameterDock");
+  QTest::keyClick(window_.get(), Qt::Key_G, Qt::ControlModifier);
+  EXPECT_TRUE(page().isVisible());
+  EXPECT_FALSE(dock.isVisible());
+  EXPECT_FALSE(action("play").isEnabled());  // Space is for the page's buttons
+  QTest::keyClick(&page(), Qt::Key_Escape);
+  EXPECT_FALSE(page().isVisible());
+  EXPECT_TRUE(dock.isVisible());
+  EXPECT_TRUE(action("play").isEnabled());
+  EXPECT_FALSE(action("figures").isChecked());
+
+  dock.hide();
+  action("figures").trigger();
+  action("figures").trigger();
+  EXPECT_FALSE(page().isVisible());
+  EXPECT_FALSE(dock.isVisible());
+}
+
+TEST_F(FiguresInTheWindowTest, AFigureOpensAsASceneToPlayWith) {
+  action("figure:1").trigger();
+  EXPECT_TRUE(page().isVisible());
+  EXPECT_EQ(page().chosen(), FigureName::Contact);
+  ASSERT_TRUE(
+      waitFor([&] { return page().gallery().status(FigureName::Contact).made != nullptr; }));
+  const std::uint64_t before = window_->session().sceneNumber();
+  QTest::mouseClick(page().findChild<QPushButton*>("openAsScene"), Qt::LeftButton);
+  EXPECT_EQ(window_->session().sceneNumber(), before + 1);
+  EXPECT_EQ(window_->session().scene(),
+            page().gallery().status(FigureName::Contact).made->figure.scene);
+  EXPECT_EQ(window_->panel().scene(), window_->session().scene());
+  EXPECT_TRUE(window_->windowTitle().contains("Fig. 1"));
+  EXPECT_FALSE(page().isVisible());
+  ASSERT_TRUE(waitFor([&] {
+    const auto frame = window_->session().frame();
+    return frame && frame->sceneNumber == window_->session().sceneNumber();
+  }));
+}
+
+TEST_F(FiguresInTheWindowTest, TheContactGoesOnWhileAFigureIsComputed) {
+  page().findChild<QSpinBox*>("realizations")->setValue(1500);
+  action("figure:6").trigger();
+  const auto part = [&] { return page().gallery().status(FigureName::Plateau).part; };
+  ASSERT_TRUE(waitFor([&] { return part() > 0; }));
+  QSignalSpy frames(&window_->session(), &Session::frameArrived);
+  EXPECT_TRUE(waitFor([&] { return frames.count() >= 5; }));
+  EXPECT_EQ(page().gallery().computing(), FigureName::Plateau);
+}
+
+TEST_F(FiguresInTheWindowTest, TheWindowClosesInTheMiddleOfAComputation) {
+  page().findChild<QSpinBox*>("realizations")->setValue(1500);
+  action("figure:6").trigger();
+  ASSERT_TRUE(waitFor([&] { return page().gallery().status(FigureName::Plateau).part > 0; }));
+  EXPECT_TRUE(window_->close());
+  EXPECT_FALSE(window_->isVisible());
+  window_.reset();  // 1500 lines would outlast the test
+}
+
+}  // namespace
+}  // namespace asperity

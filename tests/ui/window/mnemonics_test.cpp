@@ -1,0 +1,68 @@
+// Letters of menu entries: of lists of texts, and of every menu of the window in each language.
+#include "ui/window/mnemonics.h"
+
+#include <gtest/gtest.h>
+
+#include <QMenu>
+#include <QMenuBar>
+#include <map>
+
+#include "tests/ui/window/qt_application.h"
+#include "tests/ui/window/window_in.h"
+
+namespace asperity {
+namespace {
+
+/// In lower case; null where there is none.
+QChar letterOf(QString text) {
+  text.replace(QStringLiteral("&&"), QStringLiteral("  "));
+  const qsizetype mark = text.indexOf(u'&');
+  return mark < 0 ? QChar() : text[mark + 1].toLower();
+}
+
+TEST(Mnemonics, BeginningsOfWordsComeFirst) {
+  EXPECT_EQ(withMnemonics({"Save", "Save as", "Söhne && Töchter"}),
+            (QStringList{"&Save", "Save &as", "Söhne && &Töchter"}));
+}
+
+TEST(Mnemonics, EarlierEntriesGiveWayToThoseThatHaveNoOtherLetter) {
+  EXPECT_EQ(withMnemonics({"ab", "a"}), (QStringList{"a&b", "&a"}));
+  EXPECT_EQ(withMnemonics({"abc", "ab", "a"}), (QStringList{"ab&c", "a&b", "&a"}));
+}
+
+TEST(Mnemonics, OldMarksGoAndWhatHasNoLetterLeftHasNone) {
+  EXPECT_EQ(withMnemonics({"O&pen", "✓", "o", "o"}), (QStringList{"O&pen", "✓", "&o", "o"}));
+  EXPECT_EQ(withMnemonics(withMnemonics({"One", "Only"})), withMnemonics({"One", "Only"}));
+}
+
+class EachLanguage : public testing::TestWithParam<const char*> {};
+
+TEST_P(EachLanguage, EveryEntryOfEveryMenuHasALetterOfItsOwn) {
+  WindowIn window(GetParam());
+  ASSERT_TRUE(window.waitForCurve());
+  window->findChild<QAction*>("pinCurve")->trigger();
+  QList<QMenu*> menus = window->menuBar()->findChildren<QMenu*>();
+  EXPECT_GT(menus.size(), 12);
+  const auto expectOwnLetters = [](const QList<QAction*>& entries) {
+    std::map<QChar, QString> owners;
+    for (const QAction* entry : entries) {
+      if (entry->isSeparator() || !entry->isVisible()) continue;
+      const QChar letter = letterOf(entry->text());
+      EXPECT_FALSE(letter.isNull()) << entry->text().toStdString();
+      EXPECT_FALSE(owners.contains(letter))
+          << entry->text().toStdString() << " and " << owners[letter].toStdString();
+      owners[letter] = entry->text();
+    }
+  };
+  expectOwnLetters(window->menuBar()->actions());
+  for (QMenu* menu : menus) {
+    emit menu->aboutToShow();
+    expectOwnLetters(menu->actions());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Mnemonics, EachLanguage, testing::Values("en", "de"),
+                         [](const auto& each) { return std::string(each.param); });
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,70 @@
+// The shipped scenes in the menu, and what the window says of them.
+#include "ui/window/scene_library.h"
+
+#include <gtest/gtest.h>
+
+#include <QMenu>
+#include <QTest>
+#include <algorithm>
+#include <set>
+
+#include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/session.h"
+
+namespace asperity {
+namespace {
+
+TEST_F(MainWindowTest, TheLibraryIsInTheMenu) {
+  for (const char* name : {"scene:figure_1", "scene:figure_2"}) {
+    auto* action = window_.findChild<QAction*>(name);
+    ASSERT_TRUE(action) << name;
+    const std::uint64_t before = session().sceneNumber();
+    action->trigger();
+    EXPECT_EQ(session().sceneNumber(), before + 1);
+    EXPECT_EQ(window_.panel().scene(), session().scene());
+  }
+}
+
+TEST_F(MainWindowTest, EveryChapterIsASubmenuWithEverySceneExplained) {
+  const auto* action = window_.findChild<QAction*>("scene:velocity_step");
+  ASSERT_TRUE(action);
+  const auto* chapter = qobject_cast<QMenu*>(action->associatedObjects().constFirst());
+  ASSERT_TRUE(chapter);
+  EXPECT_EQ(chapter->title(), "Transients");
+  EXPECT_TRUE(chapter->toolTipsVisible());
+  QStringList titles;
+  for (const LibraryScene& entry : libraryScenes()) {
+    const auto* item = window_.findChild<QAction*>("scene:" + entry.name);
+    ASSERT_TRUE(item) << entry.name.toStdString();
+    EXPECT_FALSE(item->toolTip().isEmpty()) << entry.name.toStdString();
+    const QString title = QString::fromStdString(entry.scene.chapter);
+    if (titles.isEmpty() || titles.last() != title) titles += title;
+  }
+  EXPECT_EQ(titles.first(), "Regions I to IV");
+  EXPECT_EQ(titles.removeDuplicates(), 0);  // each chapter in one piece
+  EXPECT_GE(titles.size(), 7);
+}
+
+TEST_F(MainWindowTest, AnOpenedSceneSaysWhatToLookFor) {
+  EXPECT_FALSE(window_.description().isVisible());  // the small scene has nothing to say
+  window_.findChild<QAction*>("scene:region_2")->trigger();
+  EXPECT_TRUE(window_.description().isVisible());
+  EXPECT_EQ(window_.description().text().toStdString(), session().scene().description);
+  window_.showScene(smallScene());
+  EXPECT_FALSE(window_.description().isVisible());
+}
+
+TEST_F(MainWindowTest, ADescriptionThatWasClosedStaysClosed) {
+  window_.findChild<QAction*>("scene:region_2")->trigger();
+  window_.description().hide();
+  type("load.normal_force", "5 mN");
+  window_.findChild<QAction*>("undo")->trigger();
+  EXPECT_FALSE(window_.description().isVisible());
+  window_.findChild<QAction*>("scene:region_2")->trigger();
+  EXPECT_TRUE(window_.description().isVisible());
+}
+
+}  // namespace
+}  // namespace asperity
