@@ -61,8 +61,8 @@ void writePictures(const std::string& folder, const WorkPrecision& comparison) {
 }
 
 /// Below each other, with their ends in line.
-std::string column(double value) {
-  return fmt::format("{:>8}", shortNumber(value, 2));
+std::string column(const std::string& number) {
+  return fmt::format("{:>8}", number);
 }
 
 /// Filled up with blanks; counts letters, not bytes.
@@ -78,8 +78,9 @@ std::string methodLine(const WorkPrecisionPoint& point, bool isPresent, std::siz
   const std::string difference = Words::tr("difference"), error = Words::tr("error");
   const std::size_t width = std::max(lettersOf(difference), lettersOf(error));
   std::string text = fmt::format(
-      "  {} {} {}  {} s", padded(translated(nameOf(point.choice)), nameWidth), column(point.error),
-      padded(point.isDifference ? difference : error, width), column(point.seconds));
+      "  {} {} {}  {}", padded(translated(nameOf(point.choice)), nameWidth),
+      column(shortNumber(point.error, 2)), padded(point.isDifference ? difference : error, width),
+      column(quantity(point.seconds, "s", 2)));
   if (point.isExtrapolated) text += " " + Words::tr("(extrapolated)");
   if (point.isOnFront) text += "  " + Words::tr("best for its time");
   if (isPresent) text += "  " + Words::tr("<- this scene");
