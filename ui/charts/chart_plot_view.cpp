@@ -24,8 +24,9 @@ constexpr double kSpanDepth = 1, kGridDepth = 1.5;  // between background and gr
 constexpr double kOverlayDepth = 100;               // over everything in it
 constexpr double kLabelWidth = 44;                  // a label needs this much of its axis
 constexpr double kLabelHeight = 24;
-constexpr double kStripGap = 6;  // between the plot and the name of the strip below
-constexpr double kSlim = 0.32;   // height of the strip, of the whole
+constexpr double kStripGap = 6;   // between the plot and the name of the strip below
+constexpr double kSlim = 0.32;    // height of the strip, of the whole
+constexpr double kSlimmer = 0.4;  // and at most of the room for plot and strip
 
 }  // namespace
 
@@ -167,30 +168,29 @@ void ChartPlotView::focusOutEvent(QFocusEvent* event) {
 void ChartPlotView::showAll() {
   legend_->show(plot_, colours_);
   layout()->activate();  // what the legend takes is not the chart's any more
-  const double strip = plot_.strip ? std::round(kSlim * height()) : 0;
-  placeArea(strip);
+  placeArea();
   x_->setLabelsVisible(!plot_.strip);
   const PlotWindow shown = window();
   const double scale = markScale(font());
   showAxis(*x_, shown.x, (width() - 90.0 * scale) / (kLabelWidth * scale));
-  showAxis(*y_, shown.y, (height() - 90.0 * scale - strip) / (kLabelHeight * scale));
+  showAxis(*y_, shown.y, (height() - 90.0 * scale - stripHeight()) / (kLabelHeight * scale));
   showSeries();
   updateItems();
 }
 
 /// Fixed by the size of the texts that may come, so that the plot does not move while it is zoomed.
-void ChartPlotView::placeArea(double strip) {
+void ChartPlotView::placeArea() {
   const QFontMetricsF metrics(font());
   const double line = metrics.height();
   const double left = 12 + line + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
-  const double above = plot_.spans.empty() ? 9 : namesHeight() + 2;
   // The strip and the labels of the common axis stand below the chart.
-  const double below = 2 * line + 20 + (plot_.strip ? strip + stripGap() : 0);
+  const double below = alongHeight() + (plot_.strip ? stripHeight() + stripGap() : 0);
   // Half of the label at the end of the axis.
   const double right = std::max(18.0, metrics.horizontalAdvance(QStringLiteral("10⁻⁵")) / 2 + 4);
-  const QRectF area(left, above, view_->width() - left - right, view_->height() - above - below);
+  const QRectF area(left, aboveHeight(), view_->width() - left - right,
+                    view_->height() - aboveHeight() - below);
   const QRectF wanted =
-      area.width() > 20 && area.height() > 20 ? area : QRectF(left, above, 20, 20);
+      area.width() > 20 && area.height() > 20 ? area : QRectF(left, aboveHeight(), 20, 20);
   if (chart_->plotArea() == wanted) return;
   chart_->setPlotArea(wanted);
   // The library leaves its axes behind until something else makes it lay them out.
@@ -263,6 +263,21 @@ double ChartPlotView::namesHeight() const {
   return std::max(kSpanNames, std::ceil(QFontMetricsF(font()).height()));
 }
 
+double ChartPlotView::aboveHeight() const {
+  return plot_.spans.empty() ? 9 : namesHeight() + 2;
+}
+
+double ChartPlotView::alongHeight() const {
+  return 2 * QFontMetricsF(font()).height() + 20;
+}
+
+/// Less than the plot that it belongs to, however low both are.
+double ChartPlotView::stripHeight() const {
+  if (!plot_.strip) return 0;
+  const double room = view_->height() - aboveHeight() - alongHeight() - stripGap();
+  return std::max(1.0, std::round(std::min(kSlim * height(), kSlimmer * room)));
+}
+
 double ChartPlotView::stripGap() const {
   return kStripGap + std::ceil(QFontMetricsF(font()).height());
 }
@@ -271,8 +286,8 @@ PlotGeometry ChartPlotView::geometry() const {
   PlotGeometry map{chart_->plotArea(), window().x,       window().y, {},
                    namesHeight(),      markScale(font())};
   if (plot_.strip)
-    map.strip = QRectF(map.area.left(), map.area.bottom() + stripGap(), map.area.width(),
-                       std::round(kSlim * height()));
+    map.strip =
+        QRectF(map.area.left(), map.area.bottom() + stripGap(), map.area.width(), stripHeight());
   return map;
 }
 

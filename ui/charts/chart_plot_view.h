@@ -52,7 +52,7 @@ class ChartPlotView : public PlotView {
  private:
   QCategoryAxis* makeAxis(Qt::Alignment side);
   void showAxis(QCategoryAxis& axis, const DecadeRange& range, double room);
-  void placeArea(double strip);
+  void placeArea();
   void showSeries();
   QLineSeries* addLine();
   void showAll();
@@ -62,6 +62,9 @@ class ChartPlotView : public PlotView {
   void updateItems();
   void updateMarker();
   double namesHeight() const;
+  double aboveHeight() const;  // of what stands there, pixels
+  double alongHeight() const;  // of labels and title of the axis along
+  double stripHeight() const;
   double stripGap() const;
   PlotGeometry geometry() const;
   QPointF corner() const;

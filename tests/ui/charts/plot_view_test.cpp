@@ -206,6 +206,25 @@ TEST_F(PlotViewTest, AStripStandsBelowOverTheSameAxis) {
   EXPECT_TRUE(has(kColours.points, at(0.03, 0.02))) << "the curve is still there";
 }
 
+TEST_F(PlotViewTest, TheStripIsNeverTallerThanThePlot) {
+  Plot plot = samplePlot();
+  plot.strip = PlotStrip{"difference", "linear", "", -10, 10, false, {}};
+  view_->setPlot(plot);
+  for (const double letters : {1.0, 1.5}) {
+    QFont font = QApplication::font();
+    font.setPointSizeF(letters * font.pointSizeF());
+    view_->setFont(font);
+    for (const int height : {300, 400, 700}) {
+      view_->resize(800, height);
+      QTest::qWait(1);
+      const double strip = view_->stripPositionOf(1, -10).y() - view_->stripPositionOf(1, 10).y();
+      EXPECT_LT(strip, view_->positionOf(1, 1e-4).y() - view_->positionOf(1, 1).y())
+          << height << ' ' << letters;
+      EXPECT_GT(strip, 20);
+    }
+  }
+}
+
 /// In a presentation's large texts, too: a point at the upper left corner of its strip is seen
 /// whatever the strip is called.
 TEST_F(PlotViewTest, TheNameOfAStripHidesNoPoint) {
