@@ -155,6 +155,7 @@ void StatusLine::showWork(const Work& work) {
   simulations_->setText(work.simulationsPerSecond > 0
                             ? tr("%1 simulations/s").arg(rateText(work.simulationsPerSecond))
                             : QString());
+  fitFacts();
 }
 
 QString StatusLine::velocityTip() {
@@ -173,12 +174,40 @@ QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name, const QString& 
 
 void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   regime_->setText(reading.regime);
-  regime_->setHidden(reading.regime.isEmpty());
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
   mu_->setText(tr("friction μ = %1%2").arg(readingLabel(presentFriction(frame)), mean));
   force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
   showVelocity(frame);
+  fitFacts();
+}
+
+/// Whole or not at all: where the window is narrow, what matters least is left out. What is hidden
+/// comes back only with some air, so that it does not come and go with the digits of the rest.
+void StatusLine::fitFacts() {
+  constexpr int kAir = 40;  // pixels
+  const QMargins around = layout()->contentsMargins();
+  int room = width() - around.left() - around.right();
+  for (const QWidget* work : std::initializer_list<const QWidget*>{progress_, stop_})
+    if (!work->isHidden()) room -= work->sizeHint().width() + layout()->spacing();
+  bool fits = true;
+  for (QLabel* fact : {mu_, regime_, force_, velocity_, simulations_, rate_, backend_}) {
+    const bool isSaidOver =
+        silence_->isActive() && (fact == simulations_ || fact == rate_ || fact == backend_);
+    if (fact->text().isEmpty() || isSaidOver) {
+      fact->hide();
+      continue;
+    }
+    const int needed = fact->sizeHint().width() + layout()->spacing();
+    fits = fits && room >= needed + (fact->isHidden() ? kAir : 0);
+    fact->setVisible(fits || fact == mu_);
+    room -= needed;
+  }
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitFacts();
 }
 
 /// With the reason beside it where none can be said and nothing else needs the room.
@@ -194,23 +223,24 @@ void StatusLine::showVelocity(const Frame& frame) {
   const int more = fontMetrics().horizontalAdvance(whole) - fontMetrics().horizontalAdvance(plain);
   const bool isWhole = velocity_->text() == whole;
   const bool hasRoom = isWhole ? said_->width() >= kLeastLeft : said_->width() >= more + kAir;
-  velocity_->setText(hasRoom ? whole : plain);
+  velocity_->setText(hasRoom && !velocity_->isHidden() ? whole : plain);
 }
 
 void StatusLine::say(const QString& text) {
   said_->setText(text);
-  for (QLabel* fact : {simulations_, rate_, backend_}) fact->hide();
   silence_->start(kSaidFor);
+  fitFacts();
 }
 
 void StatusLine::fallSilent() {
   said_->clear();
-  for (QLabel* fact : {simulations_, rate_, backend_}) fact->show();
+  fitFacts();
 }
 
 void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {
   rate_->setText(tr("%1 frames/s").arg(framesPerSecond));
   backend_->setText(backend);
+  fitFacts();
 }
 
 }  // namespace asperity

@@ -47,6 +47,9 @@ class StatusLine : public QWidget {
   void againWanted();
   void backWanted();  // from waiting
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QLabel* addFact(QHBoxLayout& line, const char* name, const QString& tip);
   static QString velocityTip();
@@ -54,6 +57,7 @@ class StatusLine : public QWidget {
   void addWork(QHBoxLayout& line);
   void pressed();
   void fallSilent();
+  void fitFacts();
 
   Work::State state_ = Work::State::Idle;
   SaidLabel* said_;

@@ -152,6 +152,37 @@ TEST(StatusLine, ADimensionlessVelocityThatIsMissingHasItsReason) {
   EXPECT_TRUE(velocity.toolTip().contains("an elastic body has no relaxation time"));
 }
 
+TEST(StatusLine, FactsAreWholeOrLeftOutHoweverNarrowTheWindow) {
+  const Frame frame = movingFrame(1);
+  CurveReading reading;
+  reading.regime = "region II, transition";
+  reading.mu = 0.001199;
+  reading.error = 5e-6;
+  StatusLine line;
+  line.show();
+  int most = 0, least = 10;
+  for (const int width : {1400, 1100, 900, 700, 500, 900, 1400}) {
+    line.setFixedWidth(width);
+    line.showFrame(frame, reading);
+    line.showWork({Work::State::Idle, 1, 16000});
+    line.showDrawing(60, "software (OSMesa)");
+    QTest::qWait(1);  // the layout is made with the first events
+    int shown = 0;
+    for (const char* name : {"factMu", "factRegime", "factForce", "factVelocity", "factSimulations",
+                             "factRate", "factBackend"}) {
+      const auto& fact = *line.findChild<QLabel*>(name);
+      if (fact.isHidden()) continue;
+      ++shown;
+      EXPECT_GE(fact.width(), fact.sizeHint().width()) << name << ' ' << width;
+    }
+    EXPECT_FALSE(line.findChild<QLabel*>("factMu")->isHidden());
+    most = std::max(most, shown);
+    least = std::min(least, shown);
+  }
+  EXPECT_EQ(most, 7);
+  EXPECT_LT(least, 4);
+}
+
 /// A confirmation has the room of the facts at the right, and where that is not enough it is
 /// shortened in the middle and stands whole in the tooltip.
 TEST(StatusLine, WhatIsSaidIsSeenWholeOrInItsTooltip) {
