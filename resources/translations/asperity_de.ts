@@ -674,6 +674,10 @@
         <translation>jetzt</translation>
     </message>
     <message>
+        <source>before the change</source>
+        <translation>vor der Änderung</translation>
+    </message>
+    <message>
         <source>this line, now</source>
         <translation>diese Linie, jetzt</translation>
     </message>
@@ -946,6 +950,10 @@
 </context>
 <context>
     <name>asperity::MainWindow</name>
+    <message>
+        <source>This is the scene before; the changed one is being computed</source>
+        <translation>Dies ist die Szene davor; die geänderte wird noch berechnet</translation>
+    </message>
     <message>
         <source>close</source>
         <translation>schließen</translation>

@@ -210,7 +210,9 @@ std::optional<PlotMarker> FrictionPlot::marker() const {
     }
     marker.label = tr("v̄ = %1").arg(readingLabel(marker.x));
   }
-  marker.name = marker.isFixed                                 ? tr("this motion, now")
+  marker.faded = isMarkFaded_;
+  marker.name = isMarkFaded_                                   ? tr("before the change")
+                : marker.isFixed                               ? tr("this motion, now")
                 : curve_ && FrictionSeries::isOneLine(*curve_) ? tr("now")
                                                                : tr("this line, now");
   return marker;

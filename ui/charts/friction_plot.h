@@ -40,6 +40,8 @@ class FrictionPlot {
   /// The velocity of this frame and the steady friction of its line; of a motion the magnitude of
   /// its velocity at the moment, its friction then, and both since it began.
   void mark(const Frame& frame);
+  /// What is marked is of the scene before, as the present one takes its time.
+  void fadeMark(bool fades) { isMarkFaded_ = fades; }
 
   void setAxes(CurveAxes axes);
   CurveAxes axes() const { return axes_; }
@@ -87,6 +89,7 @@ class FrictionPlot {
   std::optional<PlotMarker> marker_;  // on physical axes
   AxesFactors markerFactors_{1, 1};   // of the frame's line, to dimensionless ones
   double fastest_ = 0;                // m/s, of the marked motion
+  bool isMarkFaded_ = false;
   DecadeRange velocities_, coefficients_;
 };
 

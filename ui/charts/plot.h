@@ -77,6 +77,7 @@ struct PlotMarker {
   double y = std::numeric_limits<double>::quiet_NaN();
   bool isFixed = false;            // moves by itself, not by hand
   std::vector<PlotPoint> trace{};  // in its order; interrupted where a point has no place
+  bool faded = false;              // of an older scene
 };
 
 struct PlotAxis {

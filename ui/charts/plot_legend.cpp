@@ -236,11 +236,13 @@ void PlotLegend::paintEntry(QPainter& painter, const Entry& entry) const {
   if (entry.series >= 0)
     paintSample(painter, plot_.series[static_cast<std::size_t>(entry.series)], centre);
   if (entry.isMarker) {
+    painter.setOpacity(plot_.marker->faded ? kFadedOpacity : 1);
     painter.setPen(QPen(colours_.marker, 1.4 * scale()));
     painter.drawLine(centre - QPointF(0, 8 * scale()), centre + QPointF(0, 8 * scale()));
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours_.marker);
     painter.drawEllipse(centre, 4.5 * scale(), 4.5 * scale());
+    painter.setOpacity(1);
   }
   painter.setPen(entry.series < 0 && !entry.isMarker ? colours_.faintText : colours_.text);
   for (qsizetype i = 0; i < entry.lines.size(); ++i)

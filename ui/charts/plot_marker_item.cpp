@@ -62,6 +62,7 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   const QRectF& area = geometry_.area;
   if (bounds_.isEmpty()) return;
   painter->setRenderHint(QPainter::Antialiasing);
+  painter->setOpacity(marker_->faded ? kFadedOpacity : 1);
   paintTrace(*painter);
   if (label_.isEmpty() || lineX_ < area.left() - 1 || lineX_ > area.right() + 1) return;
   painter->setFont(font_);

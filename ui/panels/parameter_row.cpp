@@ -209,8 +209,11 @@ void ParameterRow::setWidths() {
   label_->setFixedWidth(width);
   for (QLabel* remark : {note_, error_}) remark->setIndent(width + kGap);
   if (unit_) {
-    entry_->setFixedWidth(digits(kEntryWidth));
+    // What has no unit is counted, in many digits: it takes the unit's place.
+    const bool isCount = parameter_.unit.empty();
+    unit_->setHidden(isCount);
     unit_->setFixedWidth(digits(kUnitWidth));
+    entry_->setFixedWidth(digits(kEntryWidth) + (isCount ? kGap + unit_->width() : 0));
   }
   reset_->setFixedWidth(digits(kResetWidth));
 }

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "ui/picture/text_painter.h"
 #include "ui/window/canvas_backend.h"
 
 namespace asperity {
@@ -20,7 +21,8 @@ bool prefersOpenGl() {
 
 }  // namespace
 
-ContactCanvas::ContactCanvas(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
+ContactCanvas::ContactCanvas(QWidget* parent)
+    : QWidget(parent), layout_(new QVBoxLayout(this)), veil_(new QLabel(this)) {
   layout_->setContentsMargins(0, 0, 0, 0);
   setMinimumSize(320, 160);
   setAccessibleName(tr("contact view"));
@@ -28,6 +30,11 @@ ContactCanvas::ContactCanvas(QWidget* parent) : QWidget(parent), layout_(new QVB
   setFocusPolicy(Qt::StrongFocus);
   setContextMenuPolicy(Qt::ActionsContextMenu);
   grabGesture(Qt::PinchGesture);
+  veil_->setObjectName("contactVeil");
+  veil_->setAlignment(Qt::AlignCenter);
+  veil_->setWordWrap(true);
+  veil_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  veil_->hide();
   clock_.start();
   prefersOpenGl() ? useOpenGl() : useSoftware();
 }
@@ -39,7 +46,26 @@ void ContactCanvas::setFrame(std::shared_ptr<const Frame> frame) {
 
 void ContactCanvas::setTheme(const Theme& theme) {
   theme_ = theme;
+  paintVeil();
   refresh();
+}
+
+void ContactCanvas::setVeil(const QString& reason) {
+  veil_->setText(reason);
+  veil_->setVisible(!reason.isEmpty());
+}
+
+/// As the background, and half of the picture shines through.
+void ContactCanvas::paintVeil() {
+  QColor background = colourOf(theme_.background);
+  background.setAlphaF(0.7F);
+  veil_->setStyleSheet(QStringLiteral("QLabel { background: %1; color: %2; }")
+                           .arg(background.name(QColor::HexArgb), colourOf(theme_.text).name()));
+}
+
+void ContactCanvas::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  veil_->setGeometry(rect());
 }
 
 void ContactCanvas::setTextScale(double scale) {
@@ -78,6 +104,7 @@ void ContactCanvas::place(CanvasBackend* backend) {
   backend_ = backend;
   backend_->widget()->setAttribute(Qt::WA_TransparentForMouseEvents);  // they are this widget's
   layout_->addWidget(backend_->widget());
+  veil_->raise();
   refresh();
 }
 

@@ -21,6 +21,7 @@
 #include "ui/picture/contact_viewer.h"
 #include "ui/window/picture_request.h"
 
+class QLabel;
 class QVBoxLayout;
 
 namespace asperity {
@@ -39,6 +40,9 @@ class ContactCanvas : public QWidget {
   /// Larger texts and lines, for an audience.
   void setTextScale(double scale);
   double textScale() const { return textScale_; }
+
+  /// Veils the picture and says why; empty: it is seen as it is.
+  void setVeil(const QString& reason);
 
   /// "OpenGL" or "software (OSMesa)"; empty where neither works.
   QString backendName() const;
@@ -74,6 +78,7 @@ class ContactCanvas : public QWidget {
 
  protected:
   bool event(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -89,6 +94,7 @@ class ContactCanvas : public QWidget {
   void giveUp(const QString& reason);
   void countPicture();
   void refresh();
+  void paintVeil();
   PictureRequest request() const;
 
   // In contact_canvas_input.cpp.
@@ -102,6 +108,7 @@ class ContactCanvas : public QWidget {
 
   QVBoxLayout* layout_;
   CanvasBackend* backend_ = nullptr;  // a child widget
+  QLabel* veil_;                      // over it
   ContactViewer viewer_;
   FrameFields wanted_;
   Theme theme_ = lightTheme();

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/friction/curve_regions.h"
+#include "ui/charts/friction_series.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 
@@ -57,7 +58,8 @@ CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
     reading.regime = CurveReadingText::tr("full contact");
   else if (velocity == 0 && !frame.transient)
     reading.regime = CurveReadingText::tr("at rest");
-  if (!curve || velocity <= 0 || frame.transient) return reading;
+  const bool isOfThisScene = curve && haveSameCurve(*frame.scene, *curve->scene);
+  if (!isOfThisScene || velocity <= 0 || frame.transient) return reading;
   readMean(*curve, velocity, reading);
   if (reading.regime.isEmpty() && curve->realizationsDone == curve->realizationsTotal)
     reading.regime = regionAt(*curve, velocity);

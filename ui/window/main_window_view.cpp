@@ -22,6 +22,10 @@ void MainWindow::connectView() {
   connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
   connect(canvas_, &ContactCanvas::fieldsWanted, this, &MainWindow::wantFields);
   connect(statistics_, &DiagramView::visibilityChanged, this, &MainWindow::wantFields);
+  connect(session_, &Session::waitingChanged, this, [this](bool waits) {
+    canvas_->setVeil(waits ? tr("This is the scene before; the changed one is being computed")
+                           : QString());
+  });
   connect(session_, &Session::frameArrived, this, [this] {
     if (statistics_->isVisible())
       statistics_->show([frame = session_->frame()] { return statisticsSheet(*frame); });

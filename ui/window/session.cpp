@@ -130,6 +130,16 @@ void Session::poll() {
   takeMessages();
   takeCurves();
   takeFrame();
+  tellWaiting();
+}
+
+/// The diagram's marker is of the scene before until then.
+void Session::tellWaiting() {
+  const bool waits = isWaiting();
+  if (std::exchange(wasWaiting_, waits) == waits) return;
+  friction_.fadeMark(waits);
+  emit markChanged();
+  emit waitingChanged(waits);
 }
 
 void Session::takeMessages() {

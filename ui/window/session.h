@@ -73,6 +73,8 @@ class Session : public QObject {
   void plotChanged();
   /// Only the marker has: where the line is, and its ranges hold it.
   void markChanged();
+  /// As isWaiting() says: what is on the screen is of the scene before, for longer than a moment.
+  void waitingChanged(bool isWaiting);
   /// What is wrong with the present scene, by the runner's word or by its frame; key may be empty.
   void complained(const QString& key, const QString& text);
   /// A sound frame of the present scene is here and nothing was said against it: whatever was wrong
@@ -86,6 +88,7 @@ class Session : public QObject {
   void measureRate(const CurveUpdate& update);
   void takeFrame();
   void judgeFrame();
+  void tellWaiting();
 
   Scene scene_;
   std::atomic<bool> hasNews_ = false;  // told, but not taken yet
@@ -99,6 +102,7 @@ class Session : public QObject {
   std::optional<CurveUpdate> curve_;
   QElapsedTimer sceneTime_, curveTime_;  // since the scene came, and since its curve was begun
   bool isStopped_ = false;
+  bool wasWaiting_ = false;
   double rate_ = 0;  // 1/s
 };
 

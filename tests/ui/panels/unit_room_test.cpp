@@ -1,4 +1,4 @@
-// Units beside the entries of the panel are read whole, whatever the value.
+// Values and units in the panel are read whole, whatever they are.
 #include <gtest/gtest.h>
 
 #include <QLabel>
@@ -9,6 +9,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/panels/value_entry.h"
 
 namespace asperity {
 namespace {
@@ -33,6 +34,23 @@ TEST(UnitRoom, IsEnoughForEveryUnitThatIsShown) {
     }
   }
   EXPECT_GT(shown, 100);
+}
+
+TEST(UnitRoom, LeavesTheLargestWholeNumberItsLastDigit) {
+  Scene scene;
+  scene.surface.elements = 16777216;
+  ParameterPanel panel{scene};
+  panel.resize(380, 700);
+  panel.show();
+  auto& entry = *panel.findChild<ValueEntry*>("entry:surface.elements");
+  ASSERT_EQ(entry.text(), "16777216");
+  const auto cursorAt = [&entry](int place) {
+    entry.setCursorPosition(place);
+    entry.grab();  // it scrolls when it is painted
+    return entry.inputMethodQuery(Qt::ImCursorRectangle).toRectF().center().x();
+  };
+  const double seen = cursorAt(8);  // from where it scrolls to
+  EXPECT_NEAR(seen - cursorAt(0), entry.fontMetrics().horizontalAdvance("16777216"), 2);
 }
 
 }  // namespace

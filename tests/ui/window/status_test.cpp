@@ -207,6 +207,27 @@ TEST(StatusLine, WhatIsSaidIsSeenWholeOrInItsTooltip) {
   EXPECT_TRUE(QToolTip::text().contains("On the clipboard"));
 }
 
+/// A line of 2^24 elements takes its time on any machine, and leaving it does not.
+TEST_F(StatusTest, WhatIsOfTheSceneBeforeSaysSo) {
+  ASSERT_TRUE(waitFor([this] { return session().plot().progress >= 1; }));
+  ASSERT_TRUE(waitForFrame());
+  auto& veil = control<QLabel>("contactVeil");
+  EXPECT_FALSE(veil.isVisible());
+  const auto marker = [this] { return *session().plot().marker; };
+  EXPECT_FALSE(marker().faded);
+  Scene scene = session().scene();
+  scene.surface.elements = 16777216;
+  window_.editScene(scene);
+  ASSERT_TRUE(waitFor([&] { return veil.isVisible(); }));
+  EXPECT_EQ(veil.size(), window_.canvas().size());
+  EXPECT_TRUE(marker().faded);
+  EXPECT_EQ(marker().name, "before the change");
+  EXPECT_FALSE(control<QLabel>("factMu").text().contains("mean"));
+  action("undo").trigger();
+  ASSERT_TRUE(waitFor([&] { return !veil.isVisible(); }));
+  EXPECT_FALSE(marker().faded);
+}
+
 TEST(StatusLine, WaitingCanBeLeft) {
   StatusLine line;
   int back = 0;
