@@ -508,6 +508,10 @@
         <translation>Linien zum Vergleich</translation>
     </message>
     <message>
+        <source> line</source>
+        <translation> Linie</translation>
+    </message>
+    <message>
         <source> lines</source>
         <translation> Linien</translation>
     </message>

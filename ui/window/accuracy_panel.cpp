@@ -151,7 +151,7 @@ void AccuracyPanel::showScene(const Scene& scene) {
   scene_ = scene;
   const double target = scene.accuracy.targetRelativeError;
   const QSignalBlocker quiet(slider_);
-  if (target > 0) slider_->setValue(placeOf(target));
+  slider_->setValue(target > 0 ? placeOf(target) : 0);
   target_->setText(target > 0 ? tr("target: %1 of μ at every velocity").arg(percent(target))
                               : tr("no target: as scheme and realizations say"));
   free_->setEnabled(target > 0);

@@ -49,7 +49,11 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   oversampling_->setPrefix(QStringLiteral("×"));
   suggested_ = static_cast<int>(usual.realizations);
   lines_ = spin("comparisonLines", suggested_, kMostLines, tr("lines to compare with"));
-  lines_->setSuffix(tr(" lines"));
+  const auto count = [this](int lines) {
+    lines_->setSuffix(lines == 1 ? tr(" line") : tr(" lines"));
+  };
+  count(suggested_);
+  connect(lines_, &QSpinBox::valueChanged, this, count);
 
   for (QWidget* entry : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(oversampling_),
                          static_cast<QWidget*>(lines_)})

@@ -79,9 +79,12 @@ TEST_F(AccuracyPanelTest, TheBoxSaysWithWhatTheCurveIsCompared) {
   control<QComboBox>("comparisonScheme").setCurrentIndex(static_cast<int>(Scheme::Nodal));
   EXPECT_EQ(panel_.comparison()->oversampling, 1);
   EXPECT_FALSE(control<QSpinBox>("comparisonOversampling").isEnabled());
+  EXPECT_EQ(control<QSpinBox>("comparisonLines").suffix(), " lines");
+  control<QSpinBox>("comparisonLines").setValue(1);
+  EXPECT_EQ(control<QSpinBox>("comparisonLines").suffix(), " line");
   control<QSpinBox>("comparisonLines").setValue(7);
   EXPECT_EQ(panel_.comparison()->realizations, 7);
-  EXPECT_EQ(changed.count(), 3);
+  EXPECT_EQ(changed.count(), 4);
   Scene another = smallScene();
   another.ensemble.realizations += 5;
   panel_.showScene(another);
@@ -98,6 +101,7 @@ TEST_F(AccuracyPanelTest, TheSliderSetsTheTargetAndTheButtonTakesItAway) {
   QTest::mouseClick(&control<QPushButton>("accuracyFree"), Qt::LeftButton);
   EXPECT_EQ(edited.accuracy.targetRelativeError, 0);
   EXPECT_FALSE(control<QPushButton>("accuracyFree").isEnabled());
+  EXPECT_EQ(control<QSlider>("accuracySlider").value(), 0);
 }
 
 TEST_F(AccuracyPanelTest, WhatCannotBePredictedIsExplained) {
