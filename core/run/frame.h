@@ -63,6 +63,10 @@ struct Frame {
   double muSteady = kNotApplicable;
   double muInterface = 0;  // of local friction, beside either
 
+  /// The march, and with it the picture, is still on its way from the scene before to the steady
+  /// state that the facts are of.
+  bool isSettling = false;
+
   /// What happened since the motion began; null in steady sliding.
   std::shared_ptr<const std::vector<TransientSample>> transient;
 };

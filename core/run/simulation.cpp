@@ -68,6 +68,7 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   TimeMarch march(ready_->rigid->line, ready_->rigid->travel.lowestHeight, ready_->sliding->law());
   march.goOnFrom(*march_);
   march_ = std::move(march);
+  settlesUntil_ = time_ + longestMemory();
   recordFields();
   // Another line may stand in the present shape, or above it: the load presses it in before it
   // shows.
@@ -95,7 +96,7 @@ void Simulation::settle(double distance) {
   march_ = ready_->velocity() > 0 ? steadyMarch(*ready_->rigid, *ready_->sliding,
                                                 ready_->velocity(), ready_->steady, distance)
                                   : restingMarch(*ready_->rigid, *ready_->scene, distance);
-  timeScale_ = 0;
+  timeScale_ = settlesUntil_ = 0;
   recordFields();
   clearReading();
 }
@@ -266,6 +267,24 @@ void Simulation::addSteady(Frame& frame) const {
   frame.muSteady = steady.mu;
   frame.muInterface = steady.muInterface;
   if (resolves_ && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
+  frame.isSettling = isSettling();
+}
+
+/// s, after which an element knows nothing of what was before: ten of its longest times, and the
+/// line has come round.
+double Simulation::longestMemory() const {
+  const RetardationModes& modes = march_->modes();
+  const double element = modes.modes() == 0 ? 0 : 10 / modes.rate.front();
+  const double velocity = ready_->velocity();
+  return element + (velocity > 0 ? ready_->line().length / velocity : 0);
+}
+
+/// The march of a coarse line never meets the indentation of the resolved one: hence the limit in
+/// time.
+bool Simulation::isSettling() const {
+  constexpr double kFar = 0.1;  // of the indentation
+  const double wanted = ready_->steady.result.indentation;
+  return time_ < settlesUntil_ && std::abs(march_->indentation() - wanted) > kFar * wanted;
 }
 
 void Simulation::addMotion(Frame& frame) const {

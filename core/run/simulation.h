@@ -66,6 +66,8 @@ class Simulation {
   void addFields(Frame& frame) const;
   void addSteady(Frame& frame) const;
   void addMotion(Frame& frame) const;
+  double longestMemory() const;
+  bool isSettling() const;
   double naturalStep() const;
   double restingStep() const;
   const TimeMarch& march() const { return transient_ ? transient_->march() : *march_; }
@@ -79,6 +81,7 @@ class Simulation {
   std::uint64_t steps_ = 0;
   double stepsPerFrame_;
   double time_ = 0, timeScale_ = 0;
+  double settlesUntil_ = 0;               // s, at the latest, after a change of the scene
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
   bool resolves_ = false;                 // steps were short enough to read friction
 };

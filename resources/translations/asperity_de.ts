@@ -1685,6 +1685,14 @@
 <context>
     <name>asperity::StatusLine</name>
     <message>
+        <source>The picture is on its way from the scene before to the steady state, which the numbers are of. R shows that at once.</source>
+        <translation>Das Bild ist auf dem Weg von der Szene davor in den stationären Zustand, zu dem die Zahlen gehören. R zeigt ihn sofort.</translation>
+    </message>
+    <message>
+        <source>settling (R: at once)</source>
+        <translation>schwingt ein (R: sofort)</translation>
+    </message>
+    <message>
         <source>elastic</source>
         <translation>elastisch</translation>
     </message>

@@ -99,6 +99,9 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
       addFact(*line, "factForce",
               tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
   velocity_ = addFact(*line, "factVelocity", velocityTip());
+  settling_ = addFact(*line, "factSettling",
+                      tr("The picture is on its way from the scene before to the steady state, "
+                         "which the numbers are of. R shows that at once."));
   said_ = new SaidLabel;
   said_->setObjectName("said");
   line->addWidget(said_, 1);
@@ -179,6 +182,7 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   mu_->setText(tr("friction μ = %1%2").arg(readingLabel(presentFriction(frame)), mean));
   force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
   showVelocity(frame);
+  settling_->setText(frame.isSettling ? tr("settling (R: at once)") : QString());
   fitFacts();
 }
 
@@ -191,7 +195,7 @@ void StatusLine::fitFacts() {
   for (const QWidget* work : std::initializer_list<const QWidget*>{progress_, stop_})
     if (!work->isHidden()) room -= work->sizeHint().width() + layout()->spacing();
   bool fits = true;
-  for (QLabel* fact : {mu_, regime_, force_, velocity_, simulations_, rate_, backend_}) {
+  for (QLabel* fact : {mu_, settling_, regime_, force_, velocity_, simulations_, rate_, backend_}) {
     const bool isSaidOver =
         silence_->isActive() && (fact == simulations_ || fact == rate_ || fact == backend_);
     if (fact->text().isEmpty() || isSaidOver) {

@@ -66,6 +66,7 @@ class StatusLine : public QWidget {
   QLabel* mu_;
   QLabel* force_;
   QLabel* velocity_;
+  QLabel* settling_;
   QProgressBar* progress_;
   QToolButton* stop_;
   QLabel* simulations_;

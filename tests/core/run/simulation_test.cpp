@@ -29,6 +29,31 @@ TEST(Simulation, StartsInTheSteadyStateAndStaysThere) {
   EXPECT_NEAR(later.indentation / start.indentation, 1, 0.01);
 }
 
+/// What is pressed far less than before comes back with exp(-t/tau) (Eq. (1) without pressure).
+TEST(Simulation, AChangedSceneSettlesAndSaysSo) {
+  Simulation simulation(someScene(), 1);
+  EXPECT_FALSE(simulation.frame().isSettling);
+  auto lighter = someScene();
+  lighter->load.normalForce = 1e-5;
+  lighter->sliding.velocity = 1e-3;  // slowly: 20 s for a period, 1 ms for an element
+  simulation.update(lighter, 2);
+  EXPECT_TRUE(simulation.frame().isSettling);
+  int frames = 0;
+  for (; simulation.frame().isSettling; ++frames) {
+    ASSERT_LT(frames, 1000);
+    simulation.advance(1.0 / 600, 1.0 / 60);
+  }
+  EXPECT_GT(frames, 0);
+  const Frame settled = simulation.frame();
+  double lowest = 0;
+  for (const double height : settled.surfaceHeight) lowest = std::min(lowest, height);
+  EXPECT_LT(-lowest, 1.1 * settled.indentation);
+  simulation.update(someScene(), 3);
+  EXPECT_TRUE(simulation.frame().isSettling);
+  simulation.reset();
+  EXPECT_FALSE(simulation.frame().isSettling);
+}
+
 TEST(Simulation, TheSameCallsGiveTheSameFrames) {
   const auto run = [] {
     Simulation simulation(someScene(), 1);
