@@ -1519,6 +1519,14 @@
         <translation>Mittel über %1 Linien ± Standardfehler</translation>
     </message>
     <message>
+        <source>mean of %1 lines ± standard error, deformation alone</source>
+        <translation>Mittel über %1 Linien ± Standardfehler, nur Verformung</translation>
+    </message>
+    <message>
+        <source>this line, deformation alone</source>
+        <translation>diese Linie, nur Verformung</translation>
+    </message>
+    <message>
         <source>region I</source>
         <translation>Bereich I</translation>
     </message>
