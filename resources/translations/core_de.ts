@@ -1735,12 +1735,12 @@
         <translation>Kontaktdruck p</translation>
     </message>
     <message>
-        <source>elements in contact</source>
-        <translation>Elemente in Kontakt</translation>
+        <source>share of length</source>
+        <translation>Längenanteil</translation>
     </message>
     <message>
-        <source>mean</source>
-        <translation>Mittel</translation>
+        <source>mean: normal force over contact length</source>
+        <translation>Mittel: Normalkraft durch Kontaktlänge</translation>
     </message>
     <message>
         <source>slope z′ / rms slope</source>
