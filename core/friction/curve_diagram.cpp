@@ -9,6 +9,7 @@
 
 #include "core/friction/curve_regions.h"
 #include "core/friction/curve_words.h"
+#include "core/scene/effects.h"
 
 namespace asperity {
 namespace {
@@ -16,9 +17,14 @@ namespace {
 constexpr double kSlim = 0.42;  // height of the difference, of the curves'
 constexpr double kAir = 1.3;    // factor between the outermost points and the frame
 
-std::string nameOfMean(const std::vector<CurvePoint>& points) {
-  if (points.empty() || points.front().realizations <= 1) return "this line";
-  return fmt::format("mean of {} lines \u00B1 standard error", points.front().realizations);
+/// Curves are of the deformation, also where local friction stands beside it.
+std::string nameOfMean(const NamedCurve& curve) {
+  const std::vector<CurvePoint>& points = curve.points;
+  const bool isPart = hasLocalFriction(curve.scene);
+  if (points.empty() || points.front().realizations <= 1)
+    return isPart ? "this line, deformation alone" : "this line";
+  return fmt::format("mean of {} lines \u00B1 standard error{}", points.front().realizations,
+                     isPart ? ", deformation alone" : "");
 }
 
 DiagramSeries seriesOf(const NamedCurve& curve, CurveAxes axes) {
@@ -79,7 +85,7 @@ Diagram curvesDiagram(const CurveSet& set) {
   for (const NamedCurve& curve : set.pinned)
     diagram.series.push_back(pinnedSeries(curve, set.axes));
   DiagramSeries mean = seriesOf(set.present, set.axes);
-  mean.name = nameOfMean(set.present.points);
+  mean.name = nameOfMean(set.present);
   mean.mark = SeriesMark::Circle;
   mean.colour = 0;
   diagram.series.push_back(std::move(mean));

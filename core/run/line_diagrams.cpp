@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 #include "core/surface/fourier.h"
 #include "core/surface/line_source.h"
@@ -113,26 +114,64 @@ std::vector<double> slopesOf(const Frame& frame) {
   return slopes;
 }
 
+/// Contact ends inside the elements at its edges: those are covered in part, all alike, by what
+/// makes the sum the length in contact. In elements; 0 outside of contact.
+std::vector<double> coverOf(const Frame& frame) {
+  const std::size_t n = frame.pressure.size();
+  const auto touches = [&](std::size_t i) { return frame.pressure[i % n] > 0; };
+  std::vector<double> cover(n);
+  double touching = 0, edges = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!touches(i)) continue;
+    cover[i] = 1;
+    touching += 1;
+    edges += touches(i + 1) && touches(i + n - 1) ? 0 : 1;
+  }
+  const double wanted = frame.contactFraction * static_cast<double>(n);
+  const double inside = touching - edges;
+  if (!(touching > 0) || !(wanted > 0)) return cover;
+  const bool atEdges = edges > 0 && wanted > inside;
+  for (std::size_t i = 0; i < n; ++i)
+    if (touches(i) && !atEdges)
+      cover[i] = wanted / touching;
+    else if (touches(i) && !(touches(i + 1) && touches(i + n - 1)))
+      cover[i] = (wanted - inside) / edges;
+  return cover;
+}
+
+/// The few elements at the edges of contact that carry most stand apart by far: the value below
+/// which all but a hundredth lies, by weight.
+double belowWhichMostIs(const std::vector<double>& values, const std::vector<double>& weights) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
+  double left = 0.99 * std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (const std::size_t i : order)
+    if ((left -= weights[i]) <= 0) return values[i];
+  return values[order.back()];
+}
+
 Diagram pressureDiagram(const Frame& frame) {
-  std::vector<double> pressures;
-  for (const double p : frame.pressure)
-    if (p > 0) pressures.push_back(p);
   Diagram diagram;
   diagram.x = {"contact pressure p", "N/m", AxisScale::Linear};
-  diagram.y = {"share", "%", AxisScale::Linear};
+  diagram.y = {"share of length", "%", AxisScale::Linear};
+  const std::vector<double> cover = coverOf(frame);
+  std::vector<double> pressures, weights;
+  for (std::size_t i = 0; i < cover.size(); ++i) {
+    if (!(cover[i] > 0)) continue;
+    pressures.push_back(frame.pressure[i] / cover[i]);  // over the part that is covered
+    weights.push_back(cover[i]);
+  }
   if (pressures.empty()) return diagram;
-  // The few elements at the edges of contact that carry most stand apart by far.
-  std::vector<double> sorted = pressures;
-  std::sort(sorted.begin(), sorted.end());
-  const double most = sorted[(sorted.size() - 1) * 99 / 100];
-  diagram.series = {stepsOf(histogramOf(pressures, 0, 1.2 * most, binsFor(pressures.size())),
-                            "elements in contact", 0)};
-  double sum = 0;
-  for (const double p : pressures) sum += p;
-  const double mean = sum / static_cast<double>(pressures.size());
+  const double mean = frame.normalForce / (frame.contactFraction * frame.length);
+  const double most = std::isfinite(mean) ? std::max(mean, belowWhichMostIs(pressures, weights))
+                                          : belowWhichMostIs(pressures, weights);
+  diagram.series = {stepsOf(
+      histogramOf(pressures, 0, 1.2 * most, binsFor(pressures.size()), weights), "in contact", 0)};
+  if (!std::isfinite(mean)) return diagram;
   double highest = 0;
   for (const DiagramPoint& point : diagram.series[0].points) highest = std::max(highest, point.y);
-  diagram.series.push_back({.name = "mean", .isTheory = true});
+  diagram.series.push_back({.name = "mean: normal force over contact length", .isTheory = true});
   diagram.series.back().points = {{mean, 0}, {mean, highest}};
   return diagram;
 }
@@ -210,14 +249,17 @@ DiagramSheet spectrumSheet(const Scene& scene) {
   return sheet;
 }
 
-Histogram histogramOf(const std::vector<double>& values, double from, double to, std::size_t bins) {
+Histogram histogramOf(const std::vector<double>& values, double from, double to, std::size_t bins,
+                      std::span<const double> weights) {
   Histogram histogram{from, to, std::vector<double>(bins)};
   if (values.empty()) return histogram;
-  const double each = 1 / static_cast<double>(values.size());
-  for (const double value : values) {
-    const double place = (value - from) / histogram.width();
+  const double whole = weights.empty() ? static_cast<double>(values.size())
+                                       : std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double place = (values[i] - from) / histogram.width();
     if (place >= 0 && place < static_cast<double>(bins))
-      histogram.share[static_cast<std::size_t>(place)] += each;
+      histogram.share[static_cast<std::size_t>(place)] +=
+          (weights.empty() ? 1 : weights[i]) / whole;
   }
   return histogram;
 }

@@ -2,6 +2,7 @@
 // and how pressures and slopes are distributed where the bodies touch. Pure; any thread.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/friction/diagram.h"
@@ -36,8 +37,10 @@ struct Histogram {
   }
 };
 
-/// `bins` stretches; values outside are left out of the stretches but counted in the whole.
-Histogram histogramOf(const std::vector<double>& values, double from, double to, std::size_t bins);
+/// `bins` stretches; values outside are left out of the stretches but counted in the whole. Each
+/// counts by its weight, or all alike without weights.
+Histogram histogramOf(const std::vector<double>& values, double from, double to, std::size_t bins,
+                      std::span<const double> weights = {});
 
 /// Slopes of the line over the elements in contact and over all, in rms slopes; positive where the
 /// line climbs against the elastomer that it meets.
@@ -48,7 +51,7 @@ struct SlopeStatistics {
 };
 SlopeStatistics slopeStatistics(const Frame& frame);
 
-/// Pressures in contact, and slopes in contact against the whole line.
+/// Pressures by contact length, and slopes in contact against the whole line.
 DiagramSheet statisticsSheet(const Frame& frame);
 
 }  // namespace asperity

@@ -12,6 +12,14 @@
 namespace asperity {
 namespace {
 
+// A march's contact is as long as whole elements, at least one. Measured against the steady pass
+// on rough lines at 1e-6 to 10 N and 0.01 to 1000 m/s: the friction of contacts four elements long
+// is off by 5 %, of two by up to a third, of one by any factor. Waves as short as two elements,
+// which a rough line has without points between its elements, cost up to 17 % in long contacts,
+// too.
+constexpr double kLeastElements = 3.5;
+constexpr double kContactsKept = 0.99;  // of a step's weight, in the next: borders do not flicker
+
 std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
                                          const std::shared_ptr<const RigidLine>& known) {
   const bool same = last && last->surface == scene.surface && last->accuracy == scene.accuracy &&
@@ -96,7 +104,7 @@ void Simulation::settle(double distance) {
   march_ = ready_->velocity() > 0 ? steadyMarch(*ready_->rigid, *ready_->sliding,
                                                 ready_->velocity(), ready_->steady, distance)
                                   : restingMarch(*ready_->rigid, *ready_->scene, distance);
-  timeScale_ = settlesUntil_ = 0;
+  timeScale_ = settlesUntil_ = touching_ = stretches_ = 0;
   recordFields();
   clearReading();
 }
@@ -165,15 +173,22 @@ void Simulation::stepOnce(double dt, double distance) {
   resolves_ = distance > 0 && (instant || distance <= 2 * fastest);
   time_ += dt;
   ++steps_;
+  touching_ = kContactsKept * touching_ + last_.contactLength / ready_->line().spacing;
+  stretches_ = kContactsKept * stretches_ + static_cast<double>(last_.contacts);
+}
+
+bool Simulation::resolvesContacts() const {
+  const SurfaceKind kind = ready_->scene->surface.kind;
+  const bool isRough = kind == SurfaceKind::SelfAffine || kind == SurfaceKind::Profile;
+  if (isRough && pointsPerElement(*ready_->scene) < 2) return false;
+  return touching_ >= kLeastElements * stretches_;
 }
 
 void Simulation::advance(double part, double wallSeconds) {
   clearReading();
   const double before = time_;
-  if (transient_)
-    advanceMotion(part);
-  else
-    advanceSteadily(part);
+  if (transient_) return advanceMotion(part, wallSeconds, transient_->motion().duration());
+  advanceSteadily(part);
   timeScale_ = std::max(time_ - before, 0.0) / wallSeconds;
 }
 
@@ -196,8 +211,9 @@ void Simulation::advanceSteadily(double part) {
   }
 }
 
-/// Once over, the motion begins anew.
-void Simulation::advanceMotion(double part) {
+/// Once over, the motion begins anew. Frames are equally far apart in time through the whole
+/// motion, by as much as its fastest part can be marched in one: what is fast looks fast.
+void Simulation::advanceMotion(double part, double wallSeconds, double end) {
   if (transient_->isOver()) {
     begin();
     steps_ = 0;
@@ -205,18 +221,19 @@ void Simulation::advanceMotion(double part) {
     return;
   }
   const double duration = transient_->motion().duration();
-  const double most = mostSteps();
-  double stretch = part * duration;
-  const double steps = transient_->stepsTo(time_ + stretch);
-  if (steps > most) stretch *= most / steps;
-  samples_.push_back(transient_->marchTo(std::min(time_ + stretch, duration)));
+  const double stretch = std::min(part * duration, mostSteps() * transient_->shortestStep());
+  const double next = (std::round(time_ / stretch) + 1) * stretch;
+  samples_.push_back(transient_->marchTo(std::min(next, end)));
   time_ = transient_->time();
   steps_ = transient_->steps();
+  timeScale_ = stretch / wallSeconds;
 }
 
 void Simulation::advanceTo(double time, double part, double wallSeconds) {
-  while (transient_ && transient_->canReach(time))
-    advance(std::min(part, (time - time_) / transient_->motion().duration()), wallSeconds);
+  while (transient_ && transient_->canReach(time)) {
+    clearReading();
+    advanceMotion(part, wallSeconds, time);
+  }
 }
 
 void Simulation::singleStep() {
@@ -266,7 +283,7 @@ void Simulation::addSteady(Frame& frame) const {
   frame.contactFraction = steady.contactFraction;
   frame.muSteady = steady.mu;
   frame.muInterface = steady.muInterface;
-  if (resolves_ && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
+  if (resolves_ && resolvesContacts() && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
   frame.isSettling = isSettling();
 }
 

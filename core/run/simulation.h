@@ -58,7 +58,7 @@ class Simulation {
   void settle(double distance);
   void begin();
   void advanceSteadily(double part);
-  void advanceMotion(double part);
+  void advanceMotion(double part, double wallSeconds, double end);
   double mostSteps() const;
   void stepOnce(double dt, double distance);
   void clearReading();
@@ -70,6 +70,7 @@ class Simulation {
   bool isSettling() const;
   double naturalStep() const;
   double restingStep() const;
+  bool resolvesContacts() const;
   const TimeMarch& march() const { return transient_ ? transient_->march() : *march_; }
 
   std::shared_ptr<const Ready> ready_;
@@ -83,6 +84,7 @@ class Simulation {
   double time_ = 0, timeScale_ = 0;
   double settlesUntil_ = 0;               // s, at the latest, after a change of the scene
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
+  double touching_ = 0, stretches_ = 0;   // elements and stretches in contact, of the newest steps
   bool resolves_ = false;                 // steps were short enough to read friction
 };
 

@@ -26,11 +26,9 @@ TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
   return steadyMarch(rigid, sliding, scene.sliding.velocity, state);
 }
 
-/// Of elements whose free surface has one relaxation time.
+/// s; NaN of elements that have another law of relaxation than Kelvin's.
 double relaxationOf(const ElementLaw& law) {
-  const RetardationModes modes = retardationModes(law);
-  if (modes.modes() == 0) return 0;
-  return modes.modes() == 1 ? 1 / modes.rate[0] : kNotApplicable;
+  return law.kind() == ElementKind::Kelvin ? law.relaxationTime : kNotApplicable;
 }
 
 }  // namespace
@@ -117,8 +115,11 @@ double Transient::countSteps(double most) const {
   return steps;
 }
 
-double Transient::stepsTo(double time) const {
-  return std::ceil((time - time_) / stepAt(time_));
+double Transient::shortestStep() const {
+  if (!motion_.isSmooth()) return std::min(stepAt(0), stepAt(motion_.jump()));
+  const double fastest = motion_.fastest(0, motion_.duration());
+  if (!(fastest > 0)) return stepAt(0);
+  return std::min(longestStep_, rigid_->line->spacing / fastest) / division_;
 }
 
 void Transient::stepOnce(double dt, Means& means) {

@@ -28,8 +28,8 @@ class Transient {
 
   static constexpr std::int64_t kLeastSteps = 500;
 
-  /// Steps that marchTo would take.
-  double stepsTo(double time) const;
+  /// s, where the motion is fastest.
+  double shortestStep() const;
 
   /// s, of the next step: no moment before its end can be told from this one. 0 once it is over.
   double nextStep() const;
@@ -73,7 +73,7 @@ class Transient {
   std::shared_ptr<const RigidLine> rigid_;
   TimeMarch march_;
   MarchStep last_;
-  double relaxation_;  // s, of one relaxation time; NaN with more
+  double relaxation_;  // s, of Kelvin elements; NaN of others
   double time_ = 0;
   std::uint64_t steps_ = 0;
 };

@@ -18,8 +18,7 @@ struct TransientSample {
   double contactFraction = 0;
   double contactLength = 0;  // m, mean of one stretch in contact
   /// 1/s, at which friction is about to relax: 1 / tau + |v| / contactLength. Exact to about 1 %
-  /// for one contact of elements with one relaxation time at constant force; a guide on rough
-  /// lines.
+  /// for one contact of Kelvin elements at constant force; a guide on rough lines. NaN of others.
   double predictedRate = kNotApplicable;
 };
 

@@ -10,6 +10,11 @@ namespace asperity {
 /// Throws InputError naming the key where two effects exclude each other or one cannot be.
 void checkEffects(const Scene& scene);
 
+/// Whether local friction in contact stands beside that of the deformation.
+inline bool hasLocalFriction(const Scene& scene) {
+  return scene.interface.frictionCoefficient > 0 || scene.interface.shearStress > 0;
+}
+
 /// Throws InputError where the elastomer has no equilibrium. Over a steady period an arm's strain
 /// has the mean 0, for what it yields must come back, and so has the rate of the depth: what is
 /// left is F_N = 4G integral of y, nothing at G = 0, at any velocity. Under a force it sinks for

@@ -203,7 +203,7 @@ bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
     case Stage::TimeMarch:
       return !steady || purpose == Purpose::Window;
     case Stage::Interface:
-      return scene.interface.frictionCoefficient > 0 || scene.interface.shearStress > 0;
+      return hasLocalFriction(scene);
     case Stage::Sweep:
       return purpose == Purpose::Curve && scene.sweep.points > 1;
     case Stage::Averaging:

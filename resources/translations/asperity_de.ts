@@ -820,6 +820,14 @@
         <source>with %1</source>
         <translation>mit %1</translation>
     </message>
+    <message>
+        <source>this line, deformation alone</source>
+        <translation>diese Linie, nur Verformung</translation>
+    </message>
+    <message>
+        <source>mean of the lines ± standard error, deformation alone</source>
+        <translation>Mittel über die Linien ± Standardfehler, nur Verformung</translation>
+    </message>
 </context>
 <context>
     <name>asperity::GalleryPage</name>
@@ -1705,7 +1713,7 @@
         <translation>Arme</translation>
     </message>
     <message>
-        <source>None here: arms have relaxation times of their own, and Eq. (13) is made with the only one of the paper's elastomer.</source>
+        <source>None here: arms have relaxation times of their own, and Eq. (13) is made with the only one of the paper&apos;s elastomer.</source>
         <translation>Hier keine: Arme haben eigene Relaxationszeiten, und Gl. (13) ist mit der einzigen des Elastomers der Arbeit gebildet.</translation>
     </message>
     <message>
@@ -2309,6 +2317,30 @@
     <message>
         <source>the motion up to here</source>
         <translation>die Bewegung bis hierher</translation>
+    </message>
+    <message>
+        <source>μ of the interface</source>
+        <translation>μ der Grenzfläche</translation>
+    </message>
+    <message>
+        <source>Of local friction in contact, beside what the deformation costs; it does not change the contact.</source>
+        <translation>Aus lokaler Reibung im Kontakt, neben dem, was die Verformung kostet; sie ändert den Kontakt nicht.</translation>
+    </message>
+    <message>
+        <source>μ in total</source>
+        <translation>μ gesamt</translation>
+    </message>
+    <message>
+        <source>Of deformation and interface together: friction force over normal force.</source>
+        <translation>Aus Verformung und Grenzfläche zusammen: Reibungskraft durch Normalkraft.</translation>
+    </message>
+    <message>
+        <source>μ of the deformation</source>
+        <translation>μ der Verformung</translation>
+    </message>
+    <message>
+        <source>friction in total F</source>
+        <translation>Reibung gesamt F</translation>
     </message>
 </context>
 </TS>

@@ -1519,6 +1519,14 @@
         <translation>Mittel über %1 Linien ± Standardfehler</translation>
     </message>
     <message>
+        <source>mean of %1 lines ± standard error, deformation alone</source>
+        <translation>Mittel über %1 Linien ± Standardfehler, nur Verformung</translation>
+    </message>
+    <message>
+        <source>this line, deformation alone</source>
+        <translation>diese Linie, nur Verformung</translation>
+    </message>
+    <message>
         <source>region I</source>
         <translation>Bereich I</translation>
     </message>
@@ -1727,12 +1735,12 @@
         <translation>Kontaktdruck p</translation>
     </message>
     <message>
-        <source>elements in contact</source>
-        <translation>Elemente in Kontakt</translation>
+        <source>share of length</source>
+        <translation>Längenanteil</translation>
     </message>
     <message>
-        <source>mean</source>
-        <translation>Mittel</translation>
+        <source>mean: normal force over contact length</source>
+        <translation>Mittel: Normalkraft durch Kontaktlänge</translation>
     </message>
     <message>
         <source>slope z′ / rms slope</source>

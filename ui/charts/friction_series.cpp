@@ -6,6 +6,7 @@
 
 #include "core/friction/curve_regions.h"
 #include "core/friction/curve_words.h"
+#include "core/scene/effects.h"
 #include "ui/charts/decade_range.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -81,7 +82,12 @@ bool haveSameCurve(const Scene& a, const Scene& b) {
 
 PlotSeries FrictionSeries::measured(const CurveUpdate& curve, CurveAxes axes) {
   PlotSeries series = seriesOf(curve, axes);
-  series.name = isOneLine(curve) ? tr("this line") : tr("mean of the lines ± standard error");
+  const bool isPart = curve.scene && hasLocalFriction(*curve.scene);  // not the interface's
+  if (isOneLine(curve))
+    series.name = isPart ? tr("this line, deformation alone") : tr("this line");
+  else
+    series.name = isPart ? tr("mean of the lines ± standard error, deformation alone")
+                         : tr("mean of the lines ± standard error");
   return series;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/effects.h"
 #include "ui/picture/colours.h"
 #include "ui/picture/ticks.h"
 
@@ -36,13 +37,26 @@ double frictionOf(const Frame& frame) {
   return frame.transient ? frame.muMarch : frame.muSteady;
 }
 
+bool hasInterface(const Frame& frame) {
+  return frame.scene && hasLocalFriction(*frame.scene);
+}
+
+double totalFrictionOf(const Frame& frame) {
+  return frictionOf(frame) + frame.muInterface;
+}
+
+double frictionForceOf(const Frame& frame) {
+  if (!(frame.muInterface > 0)) return frame.tangentialForce;
+  return std::abs(totalFrictionOf(frame)) * frame.normalForce;
+}
+
 ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout) {
   ForceArrows arrows;
   const float u = layout.sizes.unit;
   if (!(frame.normalForce > 0) || layout.plot.height < kLeastPlot * u) return arrows;
   arrows.down = std::clamp(0.17F * layout.plot.height, 26 * u, 64 * u);
-  const double mu = frictionOf(frame);
-  if (!(mu > 0) || !(frame.tangentialForce > 0)) return arrows;
+  const double mu = totalFrictionOf(frame);
+  if (!(mu > 0) || !(frictionForceOf(frame) > 0)) return arrows;
   arrows.pointsRight = velocityOf(frame) < 0;
   arrows.enlarged = enlargementFor(frame.rmsSlope);
   const double room = 0.3 * layout.plot.width / arrows.down;  // in lengths of the normal force

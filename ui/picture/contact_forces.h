@@ -8,7 +8,8 @@ namespace asperity {
 /// Pixels. The normal force points down; friction points against the motion and is drawn
 /// `enlarged` times as long for its force: coefficients of friction are as small as the slopes, so
 /// that in one scale it would be a dot. The factor belongs to the line's slopes, not to the moment:
-/// while friction changes, so does its arrow. sideways / down = mu * enlarged.
+/// while friction changes, so does its arrow. sideways / down = mu * enlarged,
+/// with mu in total.
 struct ForceArrows {
   float down = 0;      // 0: no force, or no room for arrows
   float sideways = 0;  // 0: no friction
@@ -29,7 +30,16 @@ void addForceArrows(ForceLayers layers, const ForceArrows& arrows, Place from,
 /// m/s, now; 0 without a scene.
 double velocityOf(const Frame& frame);
 
-/// The friction coefficient that the frame stands for.
+/// The friction coefficient of the deformation that the frame stands for.
 double frictionOf(const Frame& frame);
+
+/// Whether local friction stands beside that of the deformation.
+bool hasInterface(const Frame& frame);
+
+/// The friction coefficient with the interface's part.
+double totalFrictionOf(const Frame& frame);
+
+/// N, magnitude; with the interface's part: what acts on the line.
+double frictionForceOf(const Frame& frame);
 
 }  // namespace asperity

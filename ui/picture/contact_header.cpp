@@ -4,6 +4,7 @@
 
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
+#include "ui/picture/contact_forces.h"
 #include "ui/picture/contact_parts.h"
 #include "ui/picture/text_metrics.h"
 
@@ -37,49 +38,66 @@ std::string percent(double fraction) {
   return std::isfinite(fraction) ? shortNumber(100 * fraction) + " %" : "\u2013";
 }
 
+/// Of the interface and in total, where the scene has local friction.
+void addInterfaceReadings(std::vector<Reading>& readings, const Frame& frame) {
+  if (!hasInterface(frame)) return;
+  readings.push_back({{{Words::tr("\u03BC of the interface")}},
+                      shortNumber(frame.muInterface, 3, Zeros::Keep),
+                      2,
+                      Words::tr("Of local friction in contact, beside what the deformation costs; "
+                                "it does not change the contact.")});
+  readings.push_back(
+      {{{Words::tr("\u03BC in total")}},
+       shortNumber(totalFrictionOf(frame), 3, Zeros::Keep),
+       1,
+       Words::tr("Of deformation and interface together: friction force over normal force.")});
+}
+
 std::vector<Reading> readingsOf(const Frame& frame) {
   std::vector<Reading> readings;
   // A motion that is not steady has only its march.
   const bool isSteady = !frame.transient;
-  const double mu = isSteady ? frame.muSteady : frame.muMarch;
+  const double mu = frictionOf(frame);
   readings.push_back(
-      {{{Words::tr("friction coefficient \u03BC")}},
+      {{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
+                             : Words::tr("friction coefficient \u03BC")}},
        shortNumber(mu, 3, Zeros::Keep),
        0,
        isSteady ? Words::tr("Tangential over normal force in steady sliding: of this line at this "
                             "velocity, computed without time steps.")
                 : Words::tr("Tangential over normal force at this moment of the motion, a mean "
                             "over the time since the last picture.")});
+  addInterfaceReadings(readings, frame);
   readings.push_back({{{Words::tr("normal force F")}, {"N", false, true}},
                       quantity(frame.normalForce, "N"),
-                      1,
+                      3,
                       Words::tr("Force that presses one period of the line into the elastomer.")});
   readings.push_back(
       {{{Words::tr("indentation d")}},
        quantity(frame.indentation, "m"),
-       3,
+       5,
        Words::tr("How deep the lowest point of the line lies below the undeformed surface.")});
   readings.push_back({{{Words::tr("in contact")}},
                       percent(frame.contactFraction),
-                      2,
+                      4,
                       Words::tr("Share of the line's length that touches the elastomer.")});
   if (frame.scene)
     readings.push_back({{{Words::tr("velocity v")}},
                         quantity(isSteady ? frame.scene->sliding.velocity : frame.velocity, "m/s"),
-                        4,
+                        6,
                         isSteady ? Words::tr("Velocity of the line, to the right.")
                                  : Words::tr("Velocity of the line at this moment; below 0 it goes "
                                              "back.")});
   if (frame.timeScale > 0)
     readings.push_back({{{Words::tr("1 s on screen")}},
                         "= " + quantity(frame.timeScale, "s"),
-                        6,
+                        8,
                         Words::tr("So much of the simulated time passes in one second here.")});
   if (isSteady && std::isfinite(frame.muMarch))
     readings.push_back(
         {{{Words::tr("\u03BC of the moving picture")}},
          shortNumber(frame.muMarch, 3, Zeros::Keep),
-         5,
+         7,
          Words::tr("The moving picture is a simulation of its own: it follows every element in "
                    "small steps of time. This is the friction of its last steps. It differs from "
                    "the steady \u03BC while the elastomer still relaxes after a change, and always "

@@ -30,9 +30,9 @@ std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
 /// The arrows in the tags only say which way; where there is room they are drawn in scale instead.
 Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
   const bool backwards = velocityOf(frame) < 0;
-  Tag tag{{{Words::tr("friction F")},
+  Tag tag{{{hasInterface(frame) ? Words::tr("friction in total F") : Words::tr("friction F")},
            {"x", false, true},
-           {" = " + quantity(frame.tangentialForce, "N")}},
+           {" = " + quantity(frictionForceOf(frame), "N")}},
           backwards ? ArrowWay::Right : ArrowWay::Left,
           {}};
   if (!(arrows.down > 0)) return tag;
@@ -53,7 +53,7 @@ std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows) {
   std::vector<Tag> tags;
   if (frame.normalForce > 0) tags.push_back(pressingTag(frame, arrows));
   // No steady friction (none at all, or a state that has none): no arrow for what rounding leaves.
-  if (frictionOf(frame) > 0 && frame.tangentialForce > 0)
+  if (totalFrictionOf(frame) > 0 && frictionForceOf(frame) > 0)
     tags.push_back(frictionTag(frame, arrows));
   return tags;
 }

@@ -23,16 +23,22 @@ struct AxisUnit {
   double size;
 };
 
-/// The unit that an axis up to `magnitude` counts in: with a prefix where it takes one, otherwise a
-/// power of ten where plain numbers would be long ("10⁻⁶", "10³ 1/m").
+/// Whether a unit without prefixes counts in a power of ten, where plain numbers would be long.
+bool takesPower(double magnitude, std::string_view unit) {
+  return !takesPrefix(unit) && magnitude > 0 && std::isfinite(magnitude) &&
+         !(magnitude >= 1e-2 && magnitude < 1e5);
+}
+
+/// The unit that an axis up to `magnitude` counts in, with a prefix where it takes one.
 AxisUnit axisUnit(double magnitude, std::string_view unit) {
-  if (takesPrefix(unit)) {
-    const UnitPrefix prefix = prefixFor(magnitude);
-    return {std::string(prefix.text) + std::string(unit), prefix.size};
-  }
-  if (!(magnitude > 0) || !std::isfinite(magnitude) || (magnitude >= 1e-2 && magnitude < 1e5))
-    return {std::string(unit), 1};
-  const int power = 3 * static_cast<int>(std::floor((std::log10(magnitude) + 1e-12) / 3));
+  if (!takesPrefix(unit)) return {std::string(unit), 1};
+  const UnitPrefix prefix = prefixFor(magnitude);
+  return {std::string(prefix.text) + std::string(unit), prefix.size};
+}
+
+/// "10⁻⁴", "10⁶ 1/m": so that the largest tick has one digit before its point.
+AxisUnit powerUnit(double largestTick, std::string_view unit) {
+  const int power = static_cast<int>(std::floor(std::log10(largestTick) + 1e-9));
   return {powerOfTen(power) + (unit.empty() ? "" : " ") + std::string(unit), std::pow(10.0, power)};
 }
 
@@ -54,7 +60,8 @@ double roundUp(double value) {
 }
 
 AxisTicks linearTicks(double from, double to, int most, std::string_view unit) {
-  const AxisUnit counted = axisUnit(std::max(std::abs(from), std::abs(to)), unit);
+  const double magnitude = std::max(std::abs(from), std::abs(to));
+  AxisUnit counted = axisUnit(magnitude, unit);
   AxisTicks axis{{}, counted.text, counted.size};
   if (!(from < to) || !std::isfinite(to - from) || most < 1) return axis;
   double step = roundUp125((to - from) / most);
@@ -64,9 +71,16 @@ AxisTicks linearTicks(double from, double to, int most, std::string_view unit) {
   };
   while (count() > most) step = roundUp125(step * 1.5);
   const double first = std::ceil(from / step - 1e-9);
-  if (std::abs(first) > 1e12 || std::abs(to / step) > 1e12) return axis;
+  const double last = std::floor(to / step + 1e-9);
+  if (std::abs(first) > 1e12 || std::abs(last) > 1e12) return axis;
+  const double largest = std::max(std::abs(first), std::abs(last)) * step;
+  if (first <= last && largest > 0 && takesPower(magnitude, unit)) {
+    counted = powerUnit(largest, unit);
+    axis.unit = counted.text;
+    axis.unitSize = counted.size;
+  }
   const int decimals = -static_cast<int>(std::floor(std::log10(step / counted.size) + 1e-9));
-  for (double k = first; k <= to / step + 1e-9; ++k)
+  for (double k = first; k <= last; ++k)
     axis.ticks.push_back(
         {k * step, inLanguage(printedDecimals(k * (step / counted.size), decimals))});
   return axis;

@@ -142,6 +142,38 @@ TEST(Statistics, NothingBreaksWithoutContactOrPoints) {
   EXPECT_EQ(statisticsSheet(frame).note, "No element is in contact.");
 }
 
+/// p L_c = F_N, whatever the scheme and however few elements are in contact; where they are enough
+/// the shares have that mean, too.
+TEST(Statistics, MeanPressureTimesContactLengthIsTheNormalForce) {
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
+    for (const double force : {1e-4, 0.2, 30.0})
+      for (const double velocity : {1e-3, 1.0, 100.0}) {
+        Scene scene;
+        scene.surface.elements = 2000;
+        scene.load.normalForce = force;
+        scene.sliding.velocity = velocity;
+        scene.accuracy.scheme = scheme;
+        const Frame frame = SteadyFrames(std::make_shared<const Scene>(scene), {}).frame(0, 1, 25);
+        const Diagram pressures = statisticsSheet(frame).diagrams[0];
+        if (pressures.series.empty()) {  // contact between two points
+          EXPECT_LT(frame.contactFraction, 1e-3);
+          continue;
+        }
+        const double mean = pressures.series[1].points[0].x;
+        EXPECT_NEAR(mean * frame.contactFraction * frame.length / force, 1, 1e-12);
+        const std::vector<DiagramPoint>& steps = pressures.series[0].points;
+        double sum = 0, shares = 0;
+        for (std::size_t i = 1; i + 1 < steps.size(); i += 2) {
+          sum += steps[i].y * 0.5 * (steps[i].x + steps[i + 1].x);
+          shares += steps[i].y;
+        }
+        if (frame.contactFraction < 0.02) continue;
+        // The hundredth of the length under the highest pressures is not shown.
+        EXPECT_LT(sum / shares / mean, 1.01);
+        EXPECT_GT(sum / shares / mean, 0.95) << force << " N, " << velocity << " m/s";
+      }
+}
+
 /// The curve of pressures encloses all elements but the last percent.
 TEST(Statistics, PressuresAddUp) {
   const DiagramSheet sheet = statisticsSheet(steadyFrame(1));

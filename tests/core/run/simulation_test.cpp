@@ -97,6 +97,28 @@ TEST(Simulation, AMomentOfAMotionIsFoundAgain) {
   }
 }
 
+/// Where the budget of steps binds, a line that becomes faster passes by faster.
+TEST(Simulation, AMotionHasOneTimeScale) {
+  auto scene = someScene();
+  scene->sliding.kind = SlidingKind::Step;
+  scene->sliding.velocity = 0.3;
+  scene->sliding.velocityAfter = 0.6;
+  scene->sliding.duration = 0.1;
+  const std::size_t nodes = Simulation(scene, 1).frame().lineHeight.size();
+  Simulation simulation(scene, 1, 8.0 * static_cast<double>(nodes));  // 8 steps a frame
+  const double node = simulation.frame().spacing / 0.6;
+  double before = 0;
+  while (simulation.frame().time < scene->sliding.duration) {
+    simulation.advance(1.0 / 50, 1.0 / 60);
+    const Frame frame = simulation.frame();
+    EXPECT_NEAR(frame.timeScale, 8 * node * 60, 1e-9 * frame.timeScale);
+    if (frame.time < scene->sliding.duration) {
+      EXPECT_NEAR(frame.time - before, 8 * node, 2 * node);  // whole steps
+    }
+    before = frame.time;
+  }
+}
+
 TEST(Simulation, ALiveChangeGoesOnFromThePresentShape) {
   Simulation simulation(someScene(), 1);
   simulation.advance(0.1, 1.0 / 60);
@@ -168,6 +190,36 @@ TEST(Simulation, FrictionIsNotReadFromStepsTooLongForIt) {
   simulation.advance(0.01, 1.0 / 60);
   EXPECT_TRUE(std::isnan(simulation.frame().muMarch));
   EXPECT_GT(simulation.frame().muSteady, 0);
+}
+
+/// On some lines, loads and velocities, settled: what is shown is the steady friction to 10 %, and
+/// nothing is where contacts are hardly an element long.
+TEST(Simulation, FrictionIsReadOnlyWhereContactsAreResolved) {
+  int read = 0, left = 0;
+  for (const double force : {1e-6, 0.0034, 0.2})
+    for (const double velocity : {0.1, 1.0, 10.0, 300.0})
+      for (const auto& [elements, finer] : {std::pair{2000, 2}, {2000, 8}}) {
+        auto scene = someScene();
+        scene->surface.elements = elements;
+        scene->surface.seed = 7;
+        scene->accuracy.oversampling = finer;
+        scene->load.normalForce = force;
+        scene->sliding.velocity = velocity;
+        Simulation simulation(scene, 1);
+        for (int i = 0; i < 60; ++i) {
+          simulation.advance(1.0 / 720, 1.0 / 60);
+          const Frame frame = simulation.frame();
+          if (!std::isfinite(frame.muMarch)) {
+            ++left;
+            continue;
+          }
+          ++read;
+          EXPECT_NEAR(frame.muMarch / frame.muSteady, 1, 0.1)
+              << force << " N, " << velocity << " m/s, " << finer;
+        }
+      }
+  EXPECT_GT(read, 6 * 60);
+  EXPECT_GT(left, 6 * 60);
 }
 
 TEST(Simulation, AtRestTimeGoesOn) {

@@ -69,6 +69,16 @@ TEST(Transient, FrictionRelaxesAtThePredictedRateOnAParabola) {
   EXPECT_NEAR(rate / last.predictedRate, 1, 0.02);
 }
 
+/// Others than Kelvin's have other laws: none is predicted.
+TEST(Transient, ARateIsPredictedForKelvinElementsAlone) {
+  for (const auto& [name, elastomer] : allElastomers()) {
+    Scene scene = parabola(SlidingKind::Step);
+    scene.elastomer = elastomer;
+    const bool isKelvin = lawOf(elastomer).kind() == ElementKind::Kelvin;
+    EXPECT_EQ(std::isfinite(run(scene, 4).back().predictedRate), isKelvin) << name;
+  }
+}
+
 /// At once by 4 eta L_c dv Var(z') / F_N where the line becomes slower.
 TEST(Transient, FrictionJumpsWithTheVelocity) {
   Scene scene = parabola(SlidingKind::Step);

@@ -195,6 +195,13 @@ TEST(ForceArrows, AreInScale) {
   EXPECT_NEAR(arrowsOf(frame).sideways, 0.5F * usual.sideways, 1e-4);
 }
 
+TEST(ForceArrows, ShowFrictionInTotal) {
+  Frame frame = *sampleFrame({});
+  const double deformation = arrowsOf(frame).sideways;
+  frame.muInterface = frame.muSteady;
+  EXPECT_NEAR(arrowsOf(frame).sideways, 2 * deformation, 1e-3);
+}
+
 TEST(ForceArrows, StayInThePlotWhateverTheForces) {
   Frame frame = *sampleFrame({});
   for (const double mu : {1e-9, 1e-3, 0.1, 7.0, 1e4}) {

@@ -103,6 +103,25 @@ TEST(ContactTexts, SayWhatIsShown) {
   EXPECT_EQ(words.find("on screen"), std::string::npos);
 }
 
+/// Local friction is a part of its own: each part and their sum are named, and F_x is the sum's.
+TEST(ContactTexts, SayWhichPartOfTheFriction) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  EXPECT_EQ(allTexts(frame).find("interface"), std::string::npos);
+  Scene scene = *frame.scene;
+  scene.interface.frictionCoefficient = 0.25;
+  frame.scene = std::make_shared<const Scene>(scene);
+  frame.muSteady = 0.125;
+  frame.muInterface = 0.25;
+  frame.normalForce = 2;
+  frame.tangentialForce = 0.25;
+  const std::string words = allTexts(frame);
+  for (const char* part : {"\u03BC of the deformation|0.125|", "\u03BC of the interface|0.250|",
+                           "\u03BC in total|0.375|", "friction in total F|x| = 750 mN"})
+    EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
+}
+
 TEST(ContactTexts, DefaultTitleFitsTheKindOfLine) {
   SampleOptions options;
   options.points = 100;

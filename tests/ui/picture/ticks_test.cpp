@@ -97,6 +97,10 @@ TEST(Ticks, UnitsThatTakeNoPrefixCountInPowersOfTen) {
   EXPECT_EQ(labels(linearTicks(0, 0.02, 3, "")), "0.00 0.01 0.02 ");
   EXPECT_EQ(labels(linearTicks(0, 3e-6, 4, "")), "0 1 2 3 10\u207B\u2076");
   EXPECT_EQ(labels(linearTicks(0, 4e6, 3, "1/m")), "0 2 4 10\u2076 1/m");
+  EXPECT_EQ(labels(linearTicks(0, 9e-4, 5, "")), "0 2 4 6 8 10\u207B\u2074");
+  EXPECT_EQ(labels(linearTicks(4e-4, 1.1e-3, 4, "")), "0.4 0.6 0.8 1.0 10\u207B\u00B3");
+  EXPECT_EQ(labels(linearTicks(-6e-5, 2e-5, 5, "")), "\u22126 \u22124 \u22122 0 2 10\u207B\u2075");
+  EXPECT_EQ(labels(linearTicks(0, 6e7, 4, "1/m")), "0 2 4 6 10\u2077 1/m");
   EXPECT_EQ(labels(linearTicks(0, 60, 4, "%")), "0 20 40 60 %");
   EXPECT_EQ(labels(linearTicks(0, 0.04, 3, "m\u00B2")), "0.00 0.02 0.04 m\u00B2");
   EXPECT_EQ(labels(linearTicks(0, 4000, 3, "m/s\u00B2")), "0 2 4 km/s\u00B2");
