@@ -171,7 +171,7 @@ Diagram pressureDiagram(const Frame& frame) {
   if (!std::isfinite(mean)) return diagram;
   double highest = 0;
   for (const DiagramPoint& point : diagram.series[0].points) highest = std::max(highest, point.y);
-  diagram.series.push_back({.name = "mean: normal force over contact length", .isTheory = true});
+  diagram.series.push_back({.name = "mean, force / length", .isTheory = true});
   diagram.series.back().points = {{mean, 0}, {mean, highest}};
   return diagram;
 }

@@ -1739,8 +1739,8 @@
         <translation>Längenanteil</translation>
     </message>
     <message>
-        <source>mean: normal force over contact length</source>
-        <translation>Mittel: Normalkraft durch Kontaktlänge</translation>
+        <source>mean, force / length</source>
+        <translation>Mittel, Kraft / Länge</translation>
     </message>
     <message>
         <source>slope z′ / rms slope</source>
