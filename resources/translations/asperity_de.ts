@@ -832,6 +832,10 @@
 <context>
     <name>asperity::GalleryPage</name>
     <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Das Bild ist in der Zwischenablage</translation>
+    </message>
+    <message>
         <source>Figures of the paper, computed here and now</source>
         <translation>Abbildungen der Arbeit, hier und jetzt berechnet</translation>
     </message>
@@ -865,7 +869,7 @@
     </message>
     <message>
         <source>Pap&amp;er</source>
-        <translation>Arb&amp;eit</translation>
+        <translation>Wie im Ar&amp;tikel</translation>
     </message>
     <message>
         <source>%1 realizations, as in the paper</source>
@@ -1079,8 +1083,8 @@
         <translation>Szene öffnen</translation>
     </message>
     <message>
-        <source>Scenes (*.json);;Pictures and tables (*.png *.svg *.pdf *.csv *.mp4 *.webm *.gif *.webp)</source>
-        <translation>Szenen (*.json);;Bilder und Tabellen (*.png *.svg *.pdf *.csv *.mp4 *.webm *.gif *.webp)</translation>
+        <source>Scenes, and what was made from one (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif *.webp);;Scenes (*.json);;All files (*)</source>
+        <translation>Szenen und was aus einer entstand (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif *.webp);;Szenen (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save scene</source>

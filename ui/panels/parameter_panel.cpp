@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -22,6 +23,8 @@
 namespace asperity {
 
 namespace {
+
+constexpr int kLeastWidth = 350;  // pixels
 
 /// The key's, but what the curve is averaged over stands with the curve.
 QString sectionOf(const Parameter& parameter) {
@@ -100,7 +103,8 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(scroll_);
-  setMinimumWidth(350);
+  setMinimumWidth(kLeastWidth);
+  content->installEventFilter(this);
   applyStyle();
   showRows(nullptr);
 }
@@ -243,6 +247,14 @@ void ParameterPanel::showMissing() {
 void ParameterPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) applyStyle();
+}
+
+/// Rows are never cut at the side, in large letters neither.
+bool ParameterPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest)
+    setMinimumWidth(std::max(kLeastWidth, scroll_->widget()->layout()->minimumSize().width() +
+                                              scroll_->verticalScrollBar()->sizeHint().width()));
+  return QWidget::eventFilter(watched, event);
 }
 
 void ParameterPanel::applyStyle() {

@@ -66,6 +66,7 @@ class ParameterPanel : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void addSection(QVBoxLayout& column, const QString& section);

@@ -37,6 +37,10 @@ QSize ValueSlider::sizeHint() const {
   return {110, 22};
 }
 
+QSize ValueSlider::minimumSizeHint() const {
+  return {40, 22};  // less is a dot
+}
+
 double ValueSlider::handleX() const {
   const double room = width() - 2 * kHandleRadius - 2;
   return kHandleRadius + 1 + room * sliderPosition() / std::max(1, maximum());

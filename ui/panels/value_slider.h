@@ -18,6 +18,7 @@ class ValueSlider : public QSlider {
   /// Moves the handle to the nearest position without saying valuePicked.
   void showValue(double value);
   QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
 
  signals:
   /// The person moved the handle.

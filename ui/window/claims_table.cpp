@@ -1,10 +1,12 @@
 #include "ui/window/claims_table.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/charts/decade_range.h"
 #include "ui/language/translated.h"
@@ -98,12 +100,28 @@ ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
         if (column == kClaim) resizeRowsToContents();
       },
       Qt::QueuedConnection);
-  const int letter = fontMetrics().averageCharWidth();
-  header.resizeSection(kHolds, 17 * letter);
-  header.resizeSection(kMeasured, 20 * letter);
-  header.resizeSection(kExpected, 13 * letter);
-  header.resizeSection(kWhere, 24 * letter);
+  setWidths();
   connect(this, &QTableWidget::itemSelectionChanged, this, [this] { unfold(unfolded()); });
+}
+
+/// As much as the texts need, within limits: what remains is the claim's.
+void ClaimsTable::setWidths() {
+  ensurePolished();
+  const int letter = fontMetrics().averageCharWidth();
+  for (const auto& [column, letters] :
+       {std::pair{kHolds, 17}, {kMeasured, 20}, {kExpected, 13}, {kWhere, 18}}) {
+    const int needed = std::max(sizeHintForColumn(column),
+                                horizontalHeader()->sectionSizeHint(column) + 2 * letter);
+    horizontalHeader()->resizeSection(column, std::min(needed, letters * letter));
+  }
+}
+
+void ClaimsTable::changeEvent(QEvent* event) {
+  QTableWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  const int row = unfolded();
+  fill();
+  if (row >= 0) selectRow(row);
 }
 
 int ClaimsTable::unfolded() const {
@@ -141,6 +159,7 @@ void ClaimsTable::fill() {
     bold.setBold(true);
     item(row, kHolds)->setFont(bold);
   }
+  setWidths();
   resizeRowsToContents();
 }
 

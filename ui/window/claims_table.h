@@ -21,8 +21,12 @@ class ClaimsTable : public QTableWidget {
   /// The selected row; -1: none.
   int unfolded() const;
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void fill();
+  void setWidths();
   void unfold(int row);
 
   std::vector<Claim> claims_;

@@ -2,13 +2,13 @@
 
 #include <QAction>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QMenu>
 #include <memory>
 #include <utility>
 
 #include "ui/charts/plot_view.h"
+#include "ui/window/ask_file.h"
 #include "ui/window/curve_files.h"
 #include "ui/window/session.h"
 
@@ -105,8 +105,8 @@ std::optional<CurveSet> CurveCommands::shown() const {
 }
 
 void CurveCommands::askSave() {
-  const QString file = QFileDialog::getSaveFileName(
-      nullptr, tr("Save curve"), "curve.png", tr("Pictures (*.png *.svg *.pdf);;Table (*.csv)"));
+  const QString file = askSaveFile(nullptr, tr("Save curve"), "curve.png",
+                                   tr("Pictures (*.png *.svg *.pdf);;Table (*.csv)"));
   if (!file.isEmpty()) save(file);
 }
 

@@ -1,7 +1,10 @@
 #include "ui/window/figure_list.h"
 
 #include <QPainter>
+#include <QRegularExpression>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
+#include <algorithm>
 
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
@@ -135,6 +138,24 @@ void FigureList::showStatus(FigureName name, const FigureStatus& status) {
   item.setData(Qt::AccessibleTextRole,
                QStringLiteral("%1, %2, %3")
                    .arg(figureLabel(name), translatedText(entryOf(name).headline), state));
+  updateGeometry();
+}
+
+QSize FigureList::minimumSizeHint() const {
+  QFont bold = font();
+  bold.setBold(true);
+  const QFontMetrics metrics(font());
+  int width = 0;
+  for (int row = 0; row < count(); ++row) {
+    const int label = QFontMetrics(bold).horizontalAdvance(item(row)->data(kLabel).toString());
+    const int state = std::max(metrics.horizontalAdvance(tr("not computed")),
+                               metrics.horizontalAdvance(item(row)->data(kState).toString()));
+    width = std::max(width, label + metrics.averageCharWidth() + state);
+    for (const QString& word :
+         item(row)->data(kHeadline).toString().split(QRegularExpression("[ -]")))
+      width = std::max(width, metrics.horizontalAdvance(word) + 1);
+  }
+  return {width + 2 * kPadding + verticalScrollBar()->sizeHint().width(), 80};
 }
 
 void FigureList::resizeEvent(QResizeEvent* event) {

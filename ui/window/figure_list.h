@@ -18,6 +18,9 @@ class FigureList : public QListWidget {
   void choose(FigureName name);
   void showStatus(FigureName name, const FigureStatus& status);
 
+  /// Label and state stand beside each other, and no word is broken.
+  QSize minimumSizeHint() const override;
+
  signals:
   void chosenChanged(asperity::FigureName name);
   /// By Enter or a double click.

@@ -1,7 +1,9 @@
 #include "ui/window/figure_picture.h"
 
+#include <QEvent>
 #include <QPainter>
 
+#include "ui/charts/plot_marks.h"
 #include "ui/language/translated.h"
 #include "ui/picture/figure_drawing.h"
 #include "ui/window/appearance.h"
@@ -51,8 +53,8 @@ void FigurePicture::requestPicture() {
   if (!made_ || size().isEmpty()) return;
   const double scale = devicePixelRatioF();
   const QSize pixels = size() * scale;
-  DiagramOptions options{pixels.width(), pixels.height(), static_cast<float>(scale), theme_,
-                         leastText_};
+  DiagramOptions options{pixels.width(), pixels.height(),
+                         static_cast<float>(scale * markScale(font())), theme_, leastText_};
   ++asked_;
   worker().request({[this, number = asked_, made = made_, options] {
                       composed_ = number;
@@ -83,6 +85,12 @@ void FigurePicture::take(std::uint64_t number, const QImage& image) {
   image_ = image;
   update();
   emit painted();
+}
+
+/// Its texts follow those of the window.
+void FigurePicture::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) requestPicture();
 }
 
 void FigurePicture::resizeEvent(QResizeEvent* event) {

@@ -28,6 +28,7 @@ class FigurePicture : public QWidget {
 
   /// Whether the picture is of the figure last shown, at this size and in this theme.
   bool isPainted() const;
+  const QImage& image() const { return image_; }
 
   QSize sizeHint() const override { return {900, 560}; }
   QSize minimumSizeHint() const override { return {320, 200}; }
@@ -37,6 +38,7 @@ class FigurePicture : public QWidget {
   void failed(const QString& reason);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 

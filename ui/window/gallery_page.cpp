@@ -106,7 +106,6 @@ QWidget* GalleryPage::makeHeading() {
 
 QWidget* GalleryPage::makeLeft() {
   auto* left = new QWidget;
-  left->setMinimumWidth(200);
   auto* column = new QVBoxLayout(left);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -244,6 +243,7 @@ void GalleryPage::showMade(std::shared_ptr<const MadeFigure> made) {
   shown_ = std::move(made);
   claims_->setClaims(shown_ ? shown_->figure.claims : std::vector<Claim>());
   if (shown_) picture_->showFigure(shown_);
+  emit figureShown();
 }
 
 /// Which of the commands make sense now.

@@ -60,8 +60,15 @@ class GalleryPage : public QWidget {
   /// background; saved() or a complaint follows.
   void savePicture(const QString& file);
   void saveData(const QString& file);
+  void askPicture();
+  /// As it is on the screen, to the clipboard.
+  void copyPicture();
+  /// Whether the figure chosen is there.
+  bool hasFigure() const { return shown_ != nullptr; }
 
  signals:
+  /// Another one, or none.
+  void figureShown();
   void closed();
   void sceneWanted(const asperity::Scene& scene);
   void saved(const QString& file);
@@ -84,7 +91,6 @@ class GalleryPage : public QWidget {
   void computeAll();
   void cancel() { gallery_->cancel(); }
   void openScene();
-  void askPicture();
   void askData();
   void save(const QString& file, void (*write)(const std::filesystem::path&, const MadeFigure&));
   void take(FigureName name);

@@ -1,14 +1,17 @@
 // The commands of the page of figures: computing, playing with a figure's scene, saving.
+#include <QClipboard>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QSpinBox>
 #include <exception>
 
 #include "ui/language/translated.h"
+#include "ui/window/ask_file.h"
 #include "ui/window/figure_files.h"
 #include "ui/window/figure_list.h"
+#include "ui/window/figure_picture.h"
 #include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
 
@@ -47,15 +50,21 @@ void GalleryPage::openScene() {
 }
 
 void GalleryPage::askPicture() {
-  const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save picture"), figureFile(chosen(), ".png"), tr("Pictures (*.png *.svg *.pdf)"));
+  const QString file = askSaveFile(this, tr("Save picture"), figureFile(chosen(), ".png"),
+                                   tr("Pictures (*.png *.svg *.pdf)"));
   if (!file.isEmpty()) savePicture(file);
 }
 
 void GalleryPage::askData() {
-  const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save data"), figureFile(chosen(), ".csv"), tr("Table (*.csv);;Claims (*.json)"));
+  const QString file = askSaveFile(this, tr("Save data"), figureFile(chosen(), ".csv"),
+                                   tr("Table (*.csv);;Claims (*.json)"));
   if (!file.isEmpty()) saveData(file);
+}
+
+void GalleryPage::copyPicture() {
+  if (!picture_->isPainted()) return;
+  QGuiApplication::clipboard()->setImage(picture_->image());
+  note_->setText(tr("The picture is on the clipboard"));
 }
 
 void GalleryPage::savePicture(const QString& file) {

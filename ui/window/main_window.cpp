@@ -34,6 +34,10 @@ namespace {
 
 constexpr int kPollInterval = 16;  // ms, 60 times a second
 
+/// Said outright: otherwise what the contents need for a moment, in large letters or under a
+/// comparison, would push the window over the edge of the screen for good.
+constexpr QSize kLeastSize{900, 560};
+
 /// A dock's title in the window's own look.
 QWidget* dockTitle(QDockWidget& dock) {
   auto* title = new QWidget;
@@ -81,6 +85,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   showAboutScene();
   showDescription();
   showHistory();
+  setMinimumSize(kLeastSize);
   resize(1280, 800);
   defaultLayout_ = saveState();
 
@@ -113,6 +118,7 @@ void MainWindow::buildViews() {
   plot_->setMinimumHeight(170);
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
   splitter_ = new QSplitter(Qt::Vertical);
+  splitter_->setObjectName("viewSplitter");
   splitter_->setHandleWidth(1);
   splitter_->setChildrenCollapsible(false);
   splitter_->addWidget(canvas_);

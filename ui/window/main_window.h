@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QFont>
 #include <QMainWindow>
+#include <QPointer>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -181,6 +182,8 @@ class MainWindow : public QMainWindow {
   void fillTabs(QMenu& menu);
   void fillColours(QMenu& menu);
   void showTab(int index);
+  void beginPresentation();
+  void endPresentation();
   void setFullScreen(bool full);
   void leaveFullScreen();
   void showScreenMode();
@@ -189,6 +192,7 @@ class MainWindow : public QMainWindow {
   // In main_window_copy.cpp: what leaves the window.
   void buildCopyCommands();
   std::optional<ContactShot> shot() const;
+  void showExports();
   void copyPicture();
   void askPicture();
   CurveWish shownCurves() const;
@@ -277,11 +281,14 @@ class MainWindow : public QMainWindow {
   /// What comes back when the presentation ends.
   struct Presentation {
     QFont font;
-    bool isFullScreen, hasDock, hasTools, hasStatus;
+    QByteArray geometry, docks;
+    QSize dock;
+    QList<std::pair<QPointer<QSplitter>, QByteArray>> splits;
+    bool hasStatus;
   };
   std::optional<Presentation> presentation_;
-  bool hadDock_ = true;  // before the figures were opened
-  std::jthread export_;  // last: ends before anything else here goes
+  bool hadDock_ = true, hadStatus_ = true;  // before the figures were opened
+  std::jthread export_;                     // last: ends before anything else here goes
 };
 
 }  // namespace asperity

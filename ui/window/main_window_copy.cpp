@@ -1,7 +1,6 @@
 // What leaves the main window: its picture, and the calls of `asperity` that make it without one.
 #include <QAction>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QTabWidget>
@@ -14,9 +13,11 @@
 #include "ui/language/translated.h"
 #include "ui/window/accuracy_panel.h"
 #include "ui/window/appearance.h"
+#include "ui/window/ask_file.h"
 #include "ui/window/command_text.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/curve_commands.h"
+#include "ui/window/gallery_page.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/picture_files.h"
@@ -76,7 +77,16 @@ void MainWindow::runExport(std::function<void()> work, std::function<void()> don
   });
 }
 
+/// Of what is in sight: the contact, or the figure that is shown instead.
+void MainWindow::showExports() {
+  const bool figures = isShowingFigures();
+  for (QAction* action : {copyPicture_, savePicture_})
+    action->setEnabled(!figures || gallery_->hasFigure());
+  for (QAction* action : {copyRender_, copyCurve_}) action->setEnabled(!figures);
+}
+
 void MainWindow::copyPicture() {
+  if (isShowingFigures()) return gallery_->copyPicture();
   const std::optional<ContactShot> present = shot();
   if (!present) return;
   const auto image = std::make_shared<QImage>();
@@ -89,8 +99,9 @@ void MainWindow::copyPicture() {
 }
 
 void MainWindow::askPicture() {
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save picture"), "contact.png",
-                                                    tr("Pictures (*.png *.svg *.pdf)"));
+  if (isShowingFigures()) return gallery_->askPicture();
+  const QString file =
+      askSaveFile(this, tr("Save picture"), "contact.png", tr("Pictures (*.png *.svg *.pdf)"));
   if (!file.isEmpty()) savePicture(file);
 }
 

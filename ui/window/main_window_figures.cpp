@@ -18,6 +18,9 @@ namespace asperity {
 
 namespace {
 
+/// Of a page behind the other one, which otherwise takes the width that it would need in front.
+constexpr QSizePolicy::Policy kNoRoom = QSizePolicy::Ignored;
+
 /// As it stands in the menu: "Figure 2: Typical dependence …"; the two others by their headlines.
 QString menuText(const FigureEntry& entry) {
   const QString headline = translatedText(entry.headline);
@@ -47,8 +50,10 @@ GalleryPage& MainWindow::gallery() {
 void MainWindow::makeGallery(std::unique_ptr<FigureGallery> figures) {
   gallery_ = new GalleryPage(std::move(figures));
   gallery_->setTheme(dark_ ? darkTheme() : lightTheme());
+  gallery_->setSizePolicy(kNoRoom, kNoRoom);
   pages_->addWidget(gallery_);
   connect(gallery_, &GalleryPage::closed, this, &MainWindow::closeFigures);
+  connect(gallery_, &GalleryPage::figureShown, this, &MainWindow::showExports);
   connect(gallery_, &GalleryPage::sceneWanted, this, [this](const Scene& scene) {
     closeFigures();
     replaceScene({{}, {}, scene});
@@ -80,19 +85,26 @@ void MainWindow::openFigures() {
   figures_->setChecked(true);
   if (isShowingFigures()) return;
   hadDock_ = !dock_->isHidden();
+  hadStatus_ = !statusBar()->isHidden();
   dock_->hide();
   statusBar()->hide();
   for (QAction* action : {play_, step_, reset_}) action->setEnabled(false);
-  pages_->setCurrentWidget(&gallery());
+  gallery().setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  pages_->setCurrentWidget(gallery_);
+  showScreenMode();  // Escape is the page's
+  showExports();
 }
 
 void MainWindow::closeFigures() {
   figures_->setChecked(false);
   if (!isShowingFigures()) return;
   if (hadDock_) dock_->show();
-  statusBar()->show();
+  statusBar()->setVisible(hadStatus_);
   for (QAction* action : {play_, step_, reset_}) action->setEnabled(true);
+  gallery_->setSizePolicy(kNoRoom, kNoRoom);
   pages_->setCurrentIndex(0);
+  showScreenMode();
+  showExports();
   if (session_->frame()) canvas_->setFrame(session_->frame());
   canvas_->setFocus();
 }

@@ -16,6 +16,7 @@
 #include "core/scene/scene_file.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/window/ask_file.h"
 #include "ui/window/command_words.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
@@ -124,8 +125,7 @@ bool MainWindow::save() {
 
 bool MainWindow::askSave() {
   const QString name = document_->file().isEmpty() ? document_->proposedFile() : document_->file();
-  const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save scene"), name, tr("Scenes (*.json)"));
+  const QString file = askSaveFile(this, tr("Save scene"), name, tr("Scenes (*.json)"));
   return !file.isEmpty() && saveScene(file);
 }
 
@@ -133,8 +133,8 @@ void MainWindow::askOpen() {
   if (!mayLeaveScene()) return;
   const QString file = QFileDialog::getOpenFileName(
       this, tr("Open scene"), document_->file(),
-      tr("Scenes (*.json);;Pictures and tables (*.png *.svg *.pdf *.csv *.mp4 "
-         "*.webm *.gif *.webp)"));
+      tr("Scenes, and what was made from one (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif "
+         "*.webp);;Scenes (*.json);;All files (*)"));
   if (!file.isEmpty()) openScene(file);
 }
 

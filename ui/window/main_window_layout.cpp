@@ -12,6 +12,7 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTimer>
 #include <QToolBar>
 #include <algorithm>
 #include <utility>
@@ -126,31 +127,54 @@ void MainWindow::leaveFullScreen() {
 void MainWindow::showScreenMode() {
   fullScreen_->setChecked(isFullScreen());
   present_->setChecked(isPresenting());
-  leave_->setEnabled(isFullScreen() || isPresenting());
+  leave_->setEnabled((isFullScreen() || isPresenting()) && !isShowingFigures());
 }
 
+/// The page of figures stays: what stands around it is of the views, and changes behind it.
 void MainWindow::setPresenting(bool presenting) {
   if (presenting == isPresenting()) return showScreenMode();
-  const double scale = presenting ? presentedScale(screen()->size()) : 1;
-  if (presenting) {
-    closeFigures();
-    presentation_ = {QApplication::font(), isFullScreen(), !dock_->isHidden(), !tools_->isHidden(),
-                     !statusBar()->isHidden()};
-    QFont large = presentation_->font;
-    large.setPointSizeF(large.pointSizeF() * scale);
-    QApplication::setFont(large);
-  } else {
-    QApplication::setFont(presentation_->font);
-  }
+  const bool hadFigures = isShowingFigures();
+  closeFigures();
+  presenting ? beginPresentation() : endPresentation();
+  if (hadFigures) openFigures();
+  showScreenMode();
+}
+
+void MainWindow::beginPresentation() {
+  presentation_ = {
+      QApplication::font(),    saveGeometry(), saveState(kLayoutVersion), dock_->size(), {},
+      !statusBar()->isHidden()};
+  for (QSplitter* splitter : findChildren<QSplitter*>())
+    presentation_->splits.emplaceBack(splitter, splitter->saveState());
+  const double scale = presentedScale(screen()->size());
+  QFont large = presentation_->font;
+  large.setPointSizeF(large.pointSizeF() * scale);
+  QApplication::setFont(large);
   canvas_->setTextScale(scale);
-  menuBar()->setVisible(!presenting);
-  tools_->setVisible(!presenting && presentation_->hasTools);
-  statusBar()->setVisible(!presenting && presentation_->hasStatus);
-  dock_->setVisible(!presenting && presentation_->hasDock);
-  const bool full = presenting || presentation_->isFullScreen;
-  if (!presenting) presentation_.reset();
+  for (QWidget* around : std::initializer_list<QWidget*>{menuBar(), tools_, statusBar(), dock_})
+    around->hide();
   setDark(dark_);  // what was painted with the other font
-  setFullScreen(full);
+  setFullScreen(true);
+}
+
+void MainWindow::endPresentation() {
+  const Presentation before = *std::exchange(presentation_, std::nullopt);
+  QApplication::setFont(before.font);
+  canvas_->setTextScale(1);
+  menuBar()->show();
+  statusBar()->setVisible(before.hasStatus);
+  setDark(dark_);
+  restoreGeometry(before.geometry);
+  restoreState(before.docks, kLayoutVersion);
+  for (const auto& [splitter, sizes] : before.splits)
+    if (splitter) splitter->restoreState(sizes);
+  // Again, when the layouts have seen that the letters are small: until then what they need at
+  // least squeezes the dock.
+  QTimer::singleShot(0, parts_, [this, size = before.dock] {
+    if (isPresenting()) return;
+    resizeDocks({dock_}, {size.width()}, Qt::Horizontal);
+    resizeDocks({dock_}, {size.height()}, Qt::Vertical);
+  });
 }
 
 void MainWindow::restoreDefaultLayout() {
@@ -175,6 +199,7 @@ void MainWindow::rememberLayout() {
 
 /// As it is without the figures and without an audience.
 void MainWindow::saveLayout() {
+  const std::optional<Presentation> before = presentation_;
   setPresenting(false);
   closeFigures();
   QStringList hidden;
@@ -182,8 +207,8 @@ void MainWindow::saveLayout() {
     if (!tabActions_[i]->isChecked()) hidden += tabName(*tabs_, i);
   QSettings settings;
   settings.beginGroup("window");
-  settings.setValue("geometry", saveGeometry());
-  settings.setValue("docks", saveState(kLayoutVersion));
+  settings.setValue("geometry", before ? before->geometry : saveGeometry());
+  settings.setValue("docks", before ? before->docks : saveState(kLayoutVersion));
   settings.setValue("split", splitter_->saveState());
   settings.setValue("hiddenTabs", hidden);
   settings.setValue("colours", static_cast<int>(colours_));

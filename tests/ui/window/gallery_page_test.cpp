@@ -76,6 +76,37 @@ TEST_F(PageTest, ThePictureFollowsSizeAndTheme) {
   ASSERT_TRUE(waitFor([&] { return page.picture().isPainted(); }));
 }
 
+/// The letters of a presentation come and go.
+TEST_F(PageTest, PictureAndClaimsFollowTheLetters) {
+  GalleryPage& page = show(makeFigure);
+  page.resize(1280, 720);
+  page.choose(FigureName::Contact, true);
+  ASSERT_TRUE(waitFor([&] { return page.picture().isPainted(); }));
+  const auto widths = [&] {
+    QCoreApplication::processEvents();
+    QList<int> all;
+    for (int i = 0; i < claims().columnCount(); ++i) all += claims().columnWidth(i);
+    for (int i = 0; i < claims().rowCount(); ++i) all += claims().rowHeight(i);
+    return all;
+  };
+  const QList<int> before = widths();
+  const QImage picture = page.picture().image();
+  const QFont font = QApplication::font();
+  QFont large = font;
+  large.setPointSizeF(1.5 * font.pointSizeF());
+  for (const QFont& letters : {large, font}) {
+    QApplication::setFont(letters);
+    QCoreApplication::processEvents();
+    ASSERT_TRUE(waitFor([&] { return page.picture().isPainted(); }));
+    EXPECT_EQ(widths() == before, letters == font);
+    EXPECT_GT(claims().columnWidth(1), claims().width() / 4);
+  }
+  page.picture().setFixedSize(picture.size());
+  page.picture().setFont(large);
+  ASSERT_TRUE(waitFor([&] { return page.picture().isPainted(); }));
+  EXPECT_NE(page.picture().image(), picture);
+}
+
 TEST_F(PageTest, CancelEndsWhatIsComputedAndWhatWaits) {
   bool isEndless = true;
   GalleryPage& page = show([&](FigureName name, const FigureOptions& options) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QDialog>
+#include <QDockWidget>
 #include <QScrollBar>
 #include <QTabWidget>
 #include <algorithm>
@@ -10,7 +11,11 @@
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/window_in.h"
 #include "ui/panels/text_box.h"
+#include "ui/panels/value_slider.h"
 #include "ui/window/accuracy_panel.h"
+#include "ui/window/figure_list.h"
+#include "ui/window/figure_picture.h"
+#include "ui/window/gallery_page.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/scene_library.h"
 #include "ui/window/shortcut_sheet.h"
@@ -72,6 +77,33 @@ TEST_P(EachLanguage, NothingOfTheFiguresPageIsCutOff) {
   WindowIn window(GetParam());
   window->openFigures();
   EXPECT_EQ(cutOffIn(*window), "");
+}
+
+/// With the parameters called back, and on the page of figures.
+TEST_P(EachLanguage, NothingIsCutOffInAPresentation) {
+  WindowIn window(GetParam());
+  ASSERT_TRUE(window.waitForCurve());
+  window->setPresenting(true);
+  window->showNormal();  // the screen here may be smaller
+  window->resize(1280, 720);
+  auto& dock = *window->findChild<QDockWidget*>("parameterDock");
+  dock.show();
+  EXPECT_EQ(cutOffIn(dock), "");
+  EXPECT_LE(dock.geometry().right(), 1280);
+  EXPECT_LE(dock.width(), 1280 / 2);
+  auto& rows = *dock.findChild<QWidget*>("parameterRows");
+  EXPECT_LE(rows.width(), rows.parentWidget()->width());
+  for (const ValueSlider* slider : dock.findChildren<ValueSlider*>())
+    EXPECT_TRUE(!slider->isVisible() || slider->width() >= 40)
+        << slider->objectName().toStdString();
+
+  ASSERT_EQ(window->width(), 1280);
+
+  window->openFigures();
+  EXPECT_EQ(cutOffIn(window->gallery()), "");
+  const auto& list = *window->gallery().findChild<FigureList*>();
+  EXPECT_GE(list.width(), list.minimumSizeHint().width());
+  EXPECT_GE(window->gallery().picture().width(), 1280 / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Window, EachLanguage, testing::Values("en", "de"),

@@ -5,11 +5,13 @@
 #include <QMenuBar>
 #include <QScreen>
 #include <QSettings>
+#include <QSplitter>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QToolBar>
 #include <QTreeWidget>
 #include <memory>
+#include <tuple>
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
@@ -143,6 +145,57 @@ TEST_F(LayoutTest, WhatEndsAPresentationIsAsItWasBefore) {
   window_.setPresenting(true);
   window_.setPresenting(false);
   EXPECT_FALSE(dock().isVisible());
+}
+
+/// Whatever was opened and needed room meanwhile.
+TEST_F(LayoutTest, APresentationGivesBackSizesToThePixel) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  ASSERT_TRUE(waitFor([&] { return session().plot().progress >= 1; }));
+  window_.resize(1000, 640);
+  QCoreApplication::processEvents();
+  auto& splitter = control<QSplitter>("viewSplitter");
+  const auto sizes = [&] {
+    QCoreApplication::processEvents();
+    return std::tuple(window_.size(), dock().geometry(), window_.centralWidget()->geometry(),
+                      splitter.sizes(), window_.statusBar()->isVisible());
+  };
+  const auto before = sizes();
+  for (const char* opened : {"parameters", "figures", "go:accuracyPanel"}) {
+    QTest::keyClick(&window_, Qt::Key_F5);
+    action(opened).trigger();
+    QCoreApplication::processEvents();
+    QTest::keyClick(&window_, Qt::Key_F5);
+    EXPECT_EQ(window_.gallery().isVisible(), QString(opened) == "figures");
+    if (window_.gallery().isVisible()) {
+      EXPECT_FALSE(dock().isVisible());
+      EXPECT_FALSE(window_.statusBar()->isVisible());
+      window_.closeFigures();
+    }
+    EXPECT_TRUE(QTest::qWaitFor([&] { return sizes() == before; }, 2000)) << opened;
+    EXPECT_EQ(sizes(), before) << opened;
+  }
+}
+
+TEST_F(LayoutTest, ContentsNeverPushTheWindowBeyondItsSize) {
+  window_.resize(1000, 640);
+  window_.centralWidget()->setMinimumWidth(2000);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(window_.size(), QSize(1000, 640));
+  EXPECT_LE(window_.minimumWidth(), 1000);
+}
+
+TEST_F(LayoutTest, EscapeClosesTheFiguresAndThenEndsThePresentation) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  QTest::keyClick(&window_, Qt::Key_F5);
+  QTest::keyClick(&window_, Qt::Key_G, Qt::ControlModifier);
+  ASSERT_TRUE(window_.gallery().isVisible());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+  EXPECT_FALSE(window_.gallery().isVisible());
+  EXPECT_TRUE(window_.isPresenting());
+  for (const QWidget* hidden : std::initializer_list<QWidget*>{&dock(), window_.statusBar()})
+    EXPECT_FALSE(hidden->isVisible());
+  QTest::keyClick(&window_, Qt::Key_Escape);
+  EXPECT_FALSE(window_.isPresenting());
 }
 
 TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {

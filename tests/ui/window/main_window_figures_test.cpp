@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QClipboard>
 #include <QDockWidget>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -14,6 +17,7 @@
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/figure_list.h"
+#include "ui/window/figure_picture.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/session.h"
@@ -87,6 +91,31 @@ TEST_F(FiguresInTheWindowTest, AFigureOpensAsASceneToPlayWith) {
     const auto frame = window_->session().frame();
     return frame && frame->sceneNumber == window_->session().sceneNumber();
   }));
+}
+
+/// Of what is in sight: never the contact behind the page.
+TEST_F(FiguresInTheWindowTest, PicturesAreOfTheFigureThatIsShown) {
+  window_->openFigures();
+  page().choose(FigureName::Forces, false);
+  for (const char* name : {"savePicture", "copyPicture", "copyCommand", "copyCurveCommand"})
+    EXPECT_FALSE(action(name).isEnabled()) << name;
+  page().choose(FigureName::Contact, true);
+  ASSERT_TRUE(waitFor([&] { return page().picture().isPainted(); }));
+  QGuiApplication::clipboard()->clear();
+  action("copyPicture").trigger();
+  EXPECT_EQ(QGuiApplication::clipboard()->image().size(), page().picture().image().size());
+  EXPECT_FALSE(action("copyCommand").isEnabled());
+  QString proposed;
+  QTimer::singleShot(0, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    proposed = dialog->findChild<QLineEdit*>("fileNameEdit")->text();
+    dialog->reject();
+  });
+  action("savePicture").trigger();
+  EXPECT_EQ(proposed, "figure_1.png");
+  window_->closeFigures();
+  for (const char* name : {"savePicture", "copyPicture", "copyCommand", "copyCurveCommand"})
+    EXPECT_TRUE(action(name).isEnabled()) << name;
 }
 
 TEST_F(FiguresInTheWindowTest, TheContactGoesOnWhileAFigureIsComputed) {

@@ -4,9 +4,13 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
+#include <utility>
 
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
@@ -100,6 +104,36 @@ TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
   ASSERT_TRUE(window_.openScene(folder.filePath("a/b/scene.json")));
   EXPECT_EQ(window_.panel().scene().surface.file, "../../line.csv");
   ASSERT_TRUE(waitForFrame());
+}
+
+TEST_F(MainWindowTest, ANameWithoutAnEndingGetsTheOneOfItsKind) {
+  const QTemporaryDir folder;
+  for (const auto& [typed, written] :
+       {std::pair{"plain", "plain.json"}, {"a.json", "a.json"}, {"b.scene", "b.scene"}}) {
+    QTimer::singleShot(0, [&, typed] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      ASSERT_TRUE(dialog);
+      dialog->findChild<QLineEdit*>("fileNameEdit")->setText(folder.filePath(typed));
+      QMetaObject::invokeMethod(dialog, "accept");
+    });
+    action("saveAs").trigger();
+    EXPECT_TRUE(QFile::exists(folder.filePath(written))) << written;
+  }
+  EXPECT_FALSE(QFile::exists(folder.filePath("plain")));
+}
+
+/// All that `asperity open` takes, without choosing a filter.
+TEST_F(MainWindowTest, WhatCarriesASceneIsOffered) {
+  QStringList offered;
+  QTimer::singleShot(0, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    ASSERT_TRUE(dialog);
+    offered = dialog->nameFilters().constFirst().section('(', 1).chopped(1).split(' ');
+    dialog->reject();
+  });
+  action("open").trigger();
+  for (const char* ending : {"json", "png", "svg", "pdf", "csv", "mp4", "webm", "gif", "webp"})
+    EXPECT_TRUE(offered.contains(QStringLiteral("*.") + ending)) << ending;
 }
 
 TEST_F(MainWindowTest, FilesThatDoNotReadOrWriteAreExplained) {
