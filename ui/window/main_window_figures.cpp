@@ -22,11 +22,10 @@ namespace {
 constexpr QSizePolicy::Policy kNoRoom = QSizePolicy::Ignored;
 
 /// As it stands in the menu: "Figure 2: Typical dependence …"; the two others by their headlines.
-QString menuText(const FigureEntry& entry) {
+QString menuText(const FigureEntry& entry, const QString& numbered) {
   const QString headline = translatedText(entry.headline);
-  return entry.name < FigureName::Master
-             ? MainWindow::tr("%1: %2").arg(figureLabel(entry.name), headline)
-             : headline;
+  return entry.name < FigureName::Master ? numbered.arg(figureLabel(entry.name), headline)
+                                         : headline;
 }
 
 }  // namespace
@@ -63,10 +62,11 @@ void MainWindow::makeGallery(std::unique_ptr<FigureGallery> figures) {
 void MainWindow::fillFigures(QMenu& menu) {
   int key = Qt::Key_1;
   for (const FigureEntry& entry : figureEntries()) {
-    QAction* action = menu.addAction(menuText(entry), this, [this, name = entry.name] {
-      openFigures();
-      gallery().choose(name, true);
-    });
+    QAction* action =
+        menu.addAction(menuText(entry, tr("%1: %2")), this, [this, name = entry.name] {
+          openFigures();
+          gallery().choose(name, true);
+        });
     action->setObjectName("figure:" + fromUtf8(entry.word));
     if (entry.name < FigureName::Master) action->setProperty("shortText", figureLabel(entry.name));
     action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(key++)));
