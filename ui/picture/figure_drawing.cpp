@@ -1,11 +1,22 @@
 #include "ui/picture/figure_drawing.h"
 
+#include <utility>
+
 #include "core/run/steady_frames.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 namespace {
 
 constexpr double kFramesPerSecond = 25;  // of the film whose first frame a contact is
+
+/// Its title is the figure's own, not a person's.
+Frame inPresentLanguage(Frame contact) {
+  Scene scene = *contact.scene;
+  scene.title = translated(scene.title);
+  contact.scene = std::make_shared<const Scene>(std::move(scene));
+  return contact;
+}
 
 }  // namespace
 
@@ -24,7 +35,7 @@ DrawList composeFigure(const Figure& figure, const Frame* contact, const Diagram
   picture.height = options.height;
   picture.scale = options.scale;
   picture.theme = options.theme;
-  return composeContact(*contact, picture);
+  return composeContact(inPresentLanguage(*contact), picture);
 }
 
 }  // namespace asperity
