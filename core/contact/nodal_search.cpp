@@ -140,7 +140,8 @@ void NodalSearch::takeAbove(const NodalLook& look) {
       return halve();
     }
     reach_ *= 8;
-    return ask(Stage::Above, edge_ * (1 + reach_));
+    // At an edge of 0, of an element that touches without any depth, all its multiples are 0.
+    return ask(Stage::Above, edge_ > 0 ? edge_ * (1 + reach_) : reach_ * upperBound_);
   }
   if (edge_ <= 0) return finishBetween({}, above_);
   ask(Stage::Below, edge_ * (1 - reach_));
