@@ -1,5 +1,4 @@
 #include "core/surface/profile_file.h"
-#include "core/scene/read_number.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +6,7 @@
 
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/read_number.h"
 
 namespace asperity {
 namespace {

@@ -8,6 +8,7 @@
 #include <QTabWidget>
 #include <algorithm>
 
+#include "tests/core/elastomers.h"
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/window_in.h"
 #include "ui/panels/text_box.h"
@@ -153,9 +154,7 @@ TEST(GermanWindow, ShippedScenesSpeakGermanAndOthersAsTheyWereWritten) {
 TEST(GermanWindow, AComplaintAboutTheSceneIsGerman) {
   WindowIn window("de");
   Scene empty = smallScene();
-  empty.elastomer.rheology = Rheology::Prony;
-  empty.elastomer.equilibriumModulus = 0;
-  empty.elastomer.arms.clear();
+  empty.elastomer = prony(0, {});
   window->editScene(empty);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window->messages().isVisible(); }, kWindowPatience));
   EXPECT_EQ(window->messages().text(),

@@ -14,6 +14,7 @@
 #include <QUndoStack>
 #include <vector>
 
+#include "tests/core/elastomers.h"
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/window_in.h"
 #include "ui/charts/plot_view.h"
@@ -210,9 +211,7 @@ TEST(LanguageSwitch, KeepsComplaintsComparisonsAndFigures) {
   EXPECT_TRUE(window->findChild<QCheckBox*>("comparisonWanted")->isChecked());
 
   Scene empty = smallScene();
-  empty.elastomer.rheology = Rheology::Prony;
-  empty.elastomer.equilibriumModulus = 0;
-  empty.elastomer.arms.clear();
+  empty.elastomer = prony(0, {});
   window->editScene(empty);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window->messages().isVisible(); }, kWindowPatience));
   const QString key = window->messages().text().section(':', 0, 0);
