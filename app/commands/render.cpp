@@ -188,6 +188,7 @@ class Rendering {
   /// Of the whole run: scene, verb, version, seed and how it is shown.
   Json origin() const {
     Json origin = provenance("render", scene_);
+    if (showsCurve()) addCurveOversampling(origin, scene_);
     Json& picture = origin["picture"] = style_.json();
     picture["layout"] = command_.layout;
     if (overlay_ != ContactOverlay::Pressure) picture["overlay"] = command_.overlay;

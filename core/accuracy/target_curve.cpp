@@ -257,7 +257,7 @@ class Targeting {
     point.muLow = achieved.low;
     point.muHigh = achieved.high;
     point.realizations = achieved.lines;
-    columns_.addTo(point, state.facts.normalForce.mean());
+    columns_.addTo(point, state.facts);
     return point;
   }
 

@@ -29,14 +29,20 @@ constexpr std::array<Column, 10> kColumns{{
 }};
 constexpr const char* kRealizations = "realizations";
 
-/// Further columns, each where its first row applies: local friction, a target accuracy.
+/// Further columns, each where its first row applies: local friction, a constant indentation, a
+/// target accuracy.
 struct ExtraColumn {
   const char* name;
   double (*value)(const CurvePoint& point);
 };
-constexpr std::array<ExtraColumn, 4> kExtraColumns{{
+constexpr std::array<ExtraColumn, 6> kExtraColumns{{
     {"mu_interface", [](const CurvePoint& point) { return point.muInterface; }},
     {"mu_total", [](const CurvePoint& point) { return point.mu + point.muInterface; }},
+    {"mu_mean_of_ratios",
+     [](const CurvePoint& point) {
+       return std::isfinite(point.muRatioOfMeans) ? point.mu : kNotApplicable;
+     }},
+    {"mu_ratio_of_means", [](const CurvePoint& point) { return point.muRatioOfMeans; }},
     {"mu_low", [](const CurvePoint& point) { return point.muLow; }},
     {"mu_high", [](const CurvePoint& point) { return point.muHigh; }},
 }};

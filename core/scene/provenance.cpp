@@ -57,7 +57,19 @@ std::string sceneOf(const std::string& json, const std::string& file) {
   return scene != root.end() && scene->is_object() ? scene->dump() : json;
 }
 
+/// Null where a curve to a target accuracy has another number at each velocity.
+Json oversamplingOf(std::string_view verb, const Scene& scene) {
+  if (verb == "curve" && choosesAccuracy(scene)) return {};
+  const bool isOfCurve = verb == "curve" || verb == "figure" || verb == "accuracy";
+  return isOfCurve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
+}
+
 }  // namespace
+
+void addCurveOversampling(Json& provenance, const Scene& scene) {
+  const std::int64_t ofCurve = pointsPerElementOfCurve(scene);
+  if (provenance["oversampling_used"] != ofCurve) provenance["curve_oversampling_used"] = ofCurve;
+}
 
 Json provenance(const std::string& verb, const Scene& scene) {
   Json root;
@@ -65,6 +77,8 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["verb"] = verb;
   root["version"] = ASPERITY_VERSION;
   root["seed"] = scene.surface.kind == SurfaceKind::SelfAffine ? Json(scene.surface.seed) : Json();
+  root["oversampling_used"] = oversamplingOf(verb, scene);
+  if (verb == "batch") addCurveOversampling(root, scene);
   root["scene"] = Json::parse(writeScene(scene));
   return root;
 }

@@ -14,8 +14,14 @@
 namespace asperity {
 
 /// {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random),
-/// "scene"}.
+/// "oversampling_used", "scene"}. The number used is that of a friction curve for the verbs that
+/// compute one, else that of a single line; null where a curve to a target accuracy chooses at each
+/// velocity.
 nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);
+
+/// For what shows a curve beside a single line, as a batch always may: "curve_oversampling_used",
+/// where that is another number.
+void addCurveOversampling(nlohmann::ordered_json& provenance, const Scene& scene);
 
 /// A provenance as it stands inside pictures and films: one line of ASCII in which XML has nothing
 /// to escape but quotes.

@@ -128,12 +128,12 @@ void refuseOtherKind(const Parameter& row, const Scene& scene) {
                                std::get<std::string>(valueOf(choice, scene)), row.applies.words));
 }
 
-/// One point per element is what the paper's elements have anyway.
+/// One point per element is what the paper's elements have anyway, chosen or stated.
 bool isHarmless(const Assignment& assignment) {
   if (assignment.key != "accuracy.oversampling") return false;
   Scene ignored;
   apply(assignment, ignored);
-  return ignored.accuracy.oversampling == 1;
+  return ignored.accuracy.oversampling <= 1;
 }
 
 bool isResolution(const Assignment& assignment) {

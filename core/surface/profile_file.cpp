@@ -122,4 +122,11 @@ Profile readProfile(const std::filesystem::path& file) {
   return parseProfile(readWholeFile(file, kLargestProfile), file.string());
 }
 
+std::int64_t expectedRows(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kBytesOfRow = 24;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return error ? 0 : static_cast<std::int64_t>(size / kBytesOfRow);
+}
+
 }  // namespace asperity

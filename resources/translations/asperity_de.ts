@@ -1377,6 +1377,14 @@
         <translation>wie Datei</translation>
     </message>
     <message>
+        <source>chosen: %1</source>
+        <translation>gewählt: %1</translation>
+    </message>
+    <message>
+        <source>chosen: %1 / %2</source>
+        <translation>gewählt: %1 / %2</translation>
+    </message>
+    <message>
         <source>choose a profile file</source>
         <translation>Profildatei wählen</translation>
     </message>
@@ -1402,6 +1410,10 @@
     <message>
         <source>As the file says</source>
         <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>Back to the default, chosen by the scene</source>
+        <translation>Zurück zur Vorgabe, von der Szene gewählt</translation>
     </message>
     <message>
         <source>no file</source>

@@ -87,8 +87,8 @@
         <translation>Bestimmt die Zufallsphasen der Linie.</translation>
     </message>
     <message>
-        <source>Points that resolve the line per element.</source>
-        <translation>Stützpunkte der Linie je Element.</translation>
+        <source>Points that resolve the line per element; 0: chosen, for a single line and for the mean over many, and files name the number used.</source>
+        <translation>Stützpunkte der Linie je Element; 0: gewählt, für eine einzelne Linie und für das Mittel über viele; Dateien nennen die verwendete Zahl.</translation>
     </message>
     <message>
         <source>Radius of curvature at the parabola's vertex.</source>

@@ -22,7 +22,7 @@ struct Contact {
 };
 
 Contact contactOf(const Scene& scene) {
-  const LineSource source(scene, pointsPerElement(scene));
+  const LineSource source(scene, pointsPerElementOfCurve(scene));  // as all figures
   Contact contact{source.make(0), {}, {}, {}, {}};
   contact.travel = prepareTravel(contact.line, scene.accuracy.scheme);
   const SlidingConditions conditions = conditionsOf(scene, scene.sliding.velocity);
