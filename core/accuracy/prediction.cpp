@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <thread>
 
 #include "core/accuracy/processor_time.h"
@@ -10,7 +11,6 @@
 #include "core/friction/ensemble.h"
 #include "core/friction/running_mean.h"
 #include "core/friction/study.h"
-#include "core/scene/element_law.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -20,6 +20,7 @@ constexpr std::int64_t kErrorLines = 24;  // the spread of so many is known to 1
 constexpr std::int64_t kTimedLines = 3;
 constexpr std::int64_t kRefinedLines = 12;
 constexpr std::int64_t kErrorVelocities = 9;
+constexpr std::int64_t kMostMeasuredNodes = std::int64_t{1} << 26;  // of the line measured against
 
 /// One resolution of a scene's lines: slides them and takes the time.
 class Pilot {
@@ -87,12 +88,6 @@ double remainder(const Scene& scene, std::int64_t factor) {
   return 1 / (1 - std::pow(static_cast<double>(factor), -order));
 }
 
-/// An elastic body dissipates nothing: its friction is rounding, and an error relative to it has no
-/// meaning.
-bool isFrictionless(const Scene& scene) {
-  return lawOf(scene.elastomer).kind() == ElementKind::Elastic;
-}
-
 double rms(const std::vector<double>& values) {
   double squares = 0;
   for (const double value : values) squares += value * value;
@@ -122,6 +117,13 @@ double resolutionDifference(const Scene& scene, const std::vector<double>& veloc
     if (high[i].mean() != 0)
       differences.push_back((low[i].mean() / high[i].mean() - 1) * remainder(scene, factor));
   return differences.empty() ? 0 : rms(differences);
+}
+
+/// How many times finer the line is that an error is measured against: 4, or what memory allows; 1:
+/// nothing finer.
+std::int64_t measuringFactor(const Scene& scene) {
+  const std::int64_t nodes = LineSource(scene, 1).elements() * pointsPerElement(scene);
+  return std::clamp<std::int64_t>(kMostMeasuredNodes / nodes, 1, 4);
 }
 
 struct LineSeconds {
@@ -223,30 +225,40 @@ ErrorBudget measureError(const Scene& scene, std::int64_t lines, int threads) {
   CurveOptions options;
   options.threads = threads;
   ErrorBudget error;
+  std::vector<CurvePoint> points;
+  std::map<std::int64_t, std::vector<double>> velocities;  // by the points per element used
   if (choosesAccuracy(scene)) {
     const TargetCurve result = targetCurve(scene, options);
-    std::vector<double> standard, resolution;
-    for (std::size_t i = 0; i < result.achieved.size(); ++i) {
-      standard.push_back(result.achieved[i].standardError / result.curve.points[i].mu);
-      resolution.push_back(result.achieved[i].resolutionError / result.curve.points[i].mu);
-    }
-    error.standardError = rms(standard);
-    error.resolution = rms(resolution);
     error.forceBalance = result.curve.largestResidual;
-    return error;
+    points = result.curve.points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      velocities[result.achieved[i].oversampling].push_back(points[i].velocity);
+  } else {
+    const Curve curve = frictionCurve(scene, options);
+    error.forceBalance = curve.largestResidual;
+    points = curve.points;
+    velocities[pointsPerElement(scene)] = sweepVelocities(scene.sweep);
   }
-  const Curve curve = frictionCurve(scene, options);
-  error.forceBalance = curve.largestResidual;
   if (isFrictionless(scene)) return error;
-  std::vector<double> standard;
-  for (const CurvePoint& point : curve.points)
+  std::vector<double> standard, differences;
+  std::int64_t least = lines;
+  for (const CurvePoint& point : points) {
+    least = std::min(least, point.realizations);
     if (std::isfinite(point.muStandardError) && point.mu != 0)
       standard.push_back(point.muStandardError / point.mu);
+  }
   if (!standard.empty()) error.standardError = rms(standard);
-  const double difference =
-      resolutionDifference(scene, sweepVelocities(scene.sweep),
-                           std::min(lines, curve.points.front().realizations), 4, {});
-  (scene.accuracy.scheme == Scheme::Nodal ? error.modelDifference : error.resolution) = difference;
+  for (const auto& [oversampling, some] : velocities) {
+    Scene used = scene;
+    if (choosesAccuracy(scene)) used.accuracy = {Scheme::Cubic, oversampling, 0};
+    const std::int64_t factor = measuringFactor(used);
+    if (factor == 1) continue;
+    const double difference = resolutionDifference(used, some, least, factor, {});
+    differences.insert(differences.end(), some.size(), difference);
+  }
+  if (differences.empty()) return error;
+  (scene.accuracy.scheme == Scheme::Nodal ? error.modelDifference : error.resolution) =
+      rms(differences);
   return error;
 }
 
