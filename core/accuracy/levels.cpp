@@ -13,11 +13,6 @@ constexpr double kResolutionShare = 0.3;
 /// Lines that differ by so much may agree on the average by chance.
 constexpr double kChance = 0.25;
 
-/// Single lines converge irregularly: on random lines of every H with contacts of 3e-5 to 1 of
-/// their length the error lies above the estimate without this factor in up to 4 % of all cases,
-/// with it in less than 1 %.
-constexpr double kLineSafety = 2;
-
 const LevelSums& sumsOf(const Halves& halves, std::size_t half, int level) {
   return halves[half][static_cast<std::size_t>(level)];
 }
@@ -128,7 +123,7 @@ double lineError(std::span<const double> friction) {
   const std::size_t l = friction.size() - 1;
   const double last = std::abs(friction[l] - friction[l - 1]);
   const double before = std::abs(friction[l - 1] - friction[l - 2]);
-  return kLineSafety * std::max(last, before / 4) / 3;
+  return std::max(last, before / 4);
 }
 
 std::optional<LevelPlan> planLevels(const Halves& halves, int known, double relative) {
@@ -163,6 +158,13 @@ LevelEstimate estimateOf(const Halves& halves, const LevelPlan& plan) {
   estimate.standardError = std::sqrt(squares);
   estimate.freedom = spread > 0 ? squares * squares / spread : 1e9;
   return estimate;
+}
+
+double excessVariance(const Halves& halves, const LevelPlan& plan, double relative) {
+  const LevelEstimate estimate = estimateOf(halves, plan);
+  const double error = relative * std::abs(estimate.mean);
+  const double random = estimate.standardError / error, resolution = plan.resolutionError / error;
+  return random * random / (1 - resolution * resolution);
 }
 
 double studentQuantile(double freedom) {

@@ -54,7 +54,6 @@ class Targeting {
     plan.secondsOfPilot = threadSeconds() - start;
     plan.secondsOfOperation = plan.secondsOfPilot / std::max(1.0, sampler_.cost().operations);
     plan.largestResidual = sampler_.cost().largestResidual;
-    const double target = scene_.accuracy.targetRelativeError;
     double standard = 0, resolution = 0;
     for (const VelocityState& state : states_) {
       plan.operations += state.plan.operations;
@@ -66,7 +65,7 @@ class Targeting {
       if (isFrictionless_) continue;
       const double relative = state.plan.resolutionError / std::abs(sampledValue(state));
       resolution += relative * relative;
-      standard += isRandom_ ? std::max(0.0, target * target - relative * relative) : 0;
+      standard += isRandom_ ? std::max(0.0, target() * target() - relative * relative) : 0;
     }
     const auto count = static_cast<double>(states_.size());
     if (isRandom_ && !isFrictionless_) plan.standardError = std::sqrt(standard / count);
@@ -81,6 +80,7 @@ class Targeting {
   }
 
   bool stopped() const { return options_.stop.stop_requested(); }
+  double target() const { return scene_.accuracy.targetRelativeError; }
 
   States allStates() {
     States all;
@@ -99,18 +99,23 @@ class Targeting {
     States all = allStates();
     if (!sampleBoth(0, true, all, kFewestDirect)) return false;
     if (!sampleBoth(1, false, all, kFewestCorrections)) return false;
-    for (VelocityState* state : all) state->known = 2;
+    for (VelocityState* state : all) {
+      state->known = 2;
+      state->plan.lines = {{{kFewestDirect}, {kFewestDirect}}};
+    }
     return true;
   }
 
   bool runRandom() {
     if (!runPilot()) return false;
-    for (;;) {
-      if (!planAll()) return false;
-      report();
-      if (stopped()) return false;
-      if (!sampleWanted()) return !stopped();
+    report();
+    while (!stopped() && planAll()) {
+      const bool isDone = std::all_of(states_.begin(), states_.end(), isComplete);
+      report(isDone);
+      if (isDone) return true;
+      if (!sampleWanted()) return false;
     }
+    return false;
   }
 
   /// A plan for every velocity, sampling finer levels where the resolution asks for it.
@@ -120,8 +125,7 @@ class Targeting {
       int level = kMostLevels;
       for (VelocityState& state : states_) {
         if (state.isExhausted) continue;
-        const std::optional<LevelPlan> plan =
-            planLevels(state.halves, state.known, scene_.accuracy.targetRelativeError);
+        const std::optional<LevelPlan> plan = planLevels(state.halves, state.known, target());
         if (plan) {
           adopt(state, *plan);
         } else if (state.known < sampler_.levelsAllowed()) {
@@ -150,20 +154,15 @@ class Targeting {
     state.plan = plan;
     state.isPlanned = true;
     addLeast(state);
-    if (isComplete(state)) {
-      const LevelEstimate estimate = estimateOf(state.halves, plan);
-      const double error = scene_.accuracy.targetRelativeError * std::abs(estimate.mean);
-      const double allowed = error * error - plan.resolutionError * plan.resolutionError;
-      const double tooLarge = estimate.standardError * estimate.standardError / allowed;
-      if (tooLarge > 1) {
-        for (const std::size_t half : {0U, 1U})
-          for (int level = plan.first; level <= plan.last; ++level) {
-            const auto lines = static_cast<double>(state.sampled(half, level).count());
-            state.least[half][static_cast<std::size_t>(level - plan.first)] =
-                static_cast<std::int64_t>(std::min(std::ceil(kSurplus * tooLarge * lines), 1e15));
-          }
-        addLeast(state);
-      }
+    const double excess = isComplete(state) ? excessVariance(state.halves, plan, target()) : 1;
+    if (excess > 1) {
+      for (const std::size_t half : {0U, 1U})
+        for (int level = plan.first; level <= plan.last; ++level) {
+          const auto lines = static_cast<double>(state.sampled(half, level).count());
+          state.least[half][static_cast<std::size_t>(level - plan.first)] =
+              static_cast<std::int64_t>(std::min(std::ceil(kSurplus * excess * lines), 1e15));
+        }
+      addLeast(state);
     }
     for (auto& half : state.plan.lines)
       for (std::int64_t& lines : half)
@@ -194,8 +193,7 @@ class Targeting {
   }
 
   static std::int64_t missing(const VelocityState& state, std::size_t half, int level) {
-    if (state.plan.lines[half].empty() || level < state.plan.first || level > state.plan.last)
-      return 0;
+    if (level < state.plan.first || level > state.plan.last) return 0;
     const auto place = static_cast<std::size_t>(level - state.plan.first);
     return std::max<std::int64_t>(
         0, state.plan.lines[half][place] - state.sampled(half, level).count());
@@ -209,10 +207,8 @@ class Targeting {
   }
 
   /// One batch for each level, purpose and half, as many lines as the velocity next to its goal
-  /// needs; at most twice what is there, because variances are known better then. False: nothing is
-  /// wanted, or stopped.
+  /// needs; at most twice what is there, because variances are known better then. False: stopped.
   bool sampleWanted() {
-    bool any = false;
     for (int level = 0; level < sampler_.levelsAllowed(); ++level)
       for (const bool isDirect : {true, false})
         for (const std::size_t half : {0U, 1U}) {
@@ -227,12 +223,11 @@ class Targeting {
             lines = std::min(lines, std::min(still, twice));
           }
           if (wanting.empty()) continue;
-          any = true;
           // Not a round for every single line.
           if (!sampler_.sample({level, isDirect, half}, wanting, std::max(lines, kFewestAtOnce)))
             return false;
         }
-    return any;
+    return true;
   }
 
   // ---- A single line: finer and finer ---------------------------------------------------------
@@ -245,12 +240,10 @@ class Targeting {
       for (std::size_t i = 0; i < open.size(); ++i) setLevel(*open[i], level, results[0][i]);
       if (level >= kFirstAccepted)
         std::erase_if(open, [&](const VelocityState* state) {
-          return state->plan.resolutionError <=
-                 scene_.accuracy.targetRelativeError * std::abs(state->friction.back());
+          return state->plan.resolutionError <= target() * std::abs(state->friction.back());
         });
-      if (!open.empty() && level + 1 < sampler_.levelsAllowed()) report();
+      report();
     }
-    for (VelocityState* state : open) state->isExhausted = true;
     report(true);
     return true;
   }
@@ -347,7 +340,7 @@ class Targeting {
       const CurvePoint& point = result.curve.points.emplace_back(pointOf(state, achieved));
       const double error = relativeError(achieved, point.mu);
       result.worst = std::max(result.worst, error);
-      result.isReached &= error <= scene_.accuracy.targetRelativeError;
+      result.isReached &= error <= target();
       // Two levels of a line may agree by chance: too few nodes are allowed for a third.
       result.isReached &= isRandom_ || isFrictionless_ || state.plan.last >= kFirstAccepted;
       result.plainOperations += state.plan.plainOperations;
@@ -363,21 +356,22 @@ class Targeting {
     return result;
   }
 
-  /// Lines drawn so far, and those that the plans still ask for: none in the last report. A line
-  /// that is given is one line, done with the last level.
+  /// Lines drawn so far, and those that the plans still ask for: none in the last report, else one
+  /// at least. A line that is given is one line, done with the last level.
   void report(bool isLast = false) {
     if (!options_.progress) return;
     std::vector<CurvePoint> points;
-    std::int64_t most = 0;
+    std::int64_t still = isLast ? 0 : 1;
     for (const VelocityState& state : states_) {
       points.push_back(pointOf(state, achievedBy(state)));
-      std::int64_t still = 0;
+      if (!isRandom_) continue;
+      std::int64_t lines = 0;
       for (const std::size_t half : {0U, 1U})
-        for (int l = state.plan.first; l <= state.plan.last; ++l) still += missing(state, half, l);
-      most = std::max(most, still);
+        for (int l = state.plan.first; l <= state.plan.last; ++l) lines += missing(state, half, l);
+      still = std::max(still, lines);
     }
-    const std::int64_t done = isRandom_ ? sampler_.lines() : isLast ? 1 : 0;
-    options_.progress({done, isRandom_ ? done + most : 1, points});
+    const std::int64_t done = isRandom_ ? sampler_.lines() : 1 - still;
+    options_.progress({done, done + still, points});
   }
 
   Scene scene_;
