@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <thread>
 
 #include "core/accuracy/pilot.h"
@@ -11,7 +12,6 @@
 #include "core/friction/ensemble.h"
 #include "core/friction/running_mean.h"
 #include "core/friction/study.h"
-#include "core/scene/element_law.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -20,6 +20,7 @@ namespace {
 /// A line so much longer no longer lies in the caches, and a transform has more steps.
 constexpr double kSlowdownOfDoubling = 0.08;
 constexpr std::int64_t kTargetVelocities = 9;
+constexpr std::int64_t kMostMeasuredNodes = std::int64_t{1} << 26;  // of the line measured against
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -93,12 +94,6 @@ double remainder(const Scene& scene, std::int64_t factor) {
   return 1 / (1 - std::pow(static_cast<double>(factor), -order));
 }
 
-/// An elastic body dissipates nothing: its friction is rounding, and an error relative to it has no
-/// meaning.
-bool isFrictionless(const Scene& scene) {
-  return lawOf(scene.elastomer).kind() == ElementKind::Elastic;
-}
-
 double rms(const std::vector<double>& values) {
   double squares = 0;
   for (const double value : values) squares += value * value;
@@ -134,6 +129,13 @@ double resolutionDifference(const Scene& scene, const std::vector<double>& veloc
   const auto low = meansOver(coarse, velocities.size(), lines, stop);
   const auto high = meansOver(fine, velocities.size(), lines, stop);
   return differenceOf(low, high, remainder(scene, factor));
+}
+
+/// How many times finer the line is that an error is measured against: 4, or what memory allows; 1:
+/// nothing finer.
+std::int64_t measuringFactor(const Scene& scene) {
+  const std::int64_t nodes = LineSource(scene, 1).elements() * pointsPerElementOfCurve(scene);
+  return std::clamp<std::int64_t>(kMostMeasuredNodes / nodes, 1, 4);
 }
 
 int threadsOf(int threads) {
@@ -234,30 +236,40 @@ ErrorBudget measureError(const Scene& scene, std::int64_t lines, int threads) {
   CurveOptions options;
   options.threads = threads;
   ErrorBudget error;
+  std::vector<CurvePoint> points;
+  std::map<std::int64_t, std::vector<double>> velocities;  // by the points per element used
   if (choosesAccuracy(scene)) {
     const TargetCurve result = targetCurve(scene, options);
-    std::vector<double> standard, resolution;
-    for (std::size_t i = 0; i < result.achieved.size(); ++i) {
-      standard.push_back(result.achieved[i].standardError / result.curve.points[i].mu);
-      resolution.push_back(result.achieved[i].resolutionError / result.curve.points[i].mu);
-    }
-    error.standardError = rms(standard);
-    error.resolution = rms(resolution);
     error.forceBalance = result.curve.largestResidual;
-    return error;
+    points = result.curve.points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      velocities[result.achieved[i].oversampling].push_back(points[i].velocity);
+  } else {
+    const Curve curve = frictionCurve(scene, options);
+    error.forceBalance = curve.largestResidual;
+    points = curve.points;
+    velocities[pointsPerElementOfCurve(scene)] = sweepVelocities(scene.sweep);
   }
-  const Curve curve = frictionCurve(scene, options);
-  error.forceBalance = curve.largestResidual;
   if (isFrictionless(scene)) return error;
-  std::vector<double> standard;
-  for (const CurvePoint& point : curve.points)
+  std::vector<double> standard, differences;
+  std::int64_t least = lines;
+  for (const CurvePoint& point : points) {
+    least = std::min(least, point.realizations);
     if (std::isfinite(point.muStandardError) && point.mu != 0)
       standard.push_back(point.muStandardError / point.mu);
+  }
   if (!standard.empty()) error.standardError = rms(standard);
-  const double difference =
-      resolutionDifference(scene, sweepVelocities(scene.sweep),
-                           std::min(lines, curve.points.front().realizations), 4, {});
-  (scene.accuracy.scheme == Scheme::Nodal ? error.modelDifference : error.resolution) = difference;
+  for (const auto& [oversampling, some] : velocities) {
+    Scene used = scene;
+    if (choosesAccuracy(scene)) used.accuracy = {Scheme::Cubic, oversampling, 0};
+    const std::int64_t factor = measuringFactor(used);
+    if (factor == 1) continue;
+    const double difference = resolutionDifference(used, some, least, factor, {});
+    differences.insert(differences.end(), some.size(), difference);
+  }
+  if (differences.empty()) return error;
+  (scene.accuracy.scheme == Scheme::Nodal ? error.modelDifference : error.resolution) =
+      rms(differences);
   return error;
 }
 

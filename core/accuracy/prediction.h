@@ -43,8 +43,10 @@ struct Prediction {
 /// For `curve` of this scene. threads: 0 for as many as the machine has.
 Prediction predictCurve(const Scene& scene, int threads = 0, const std::stop_token& stop = {});
 
-/// The same numbers read from a finished run: its time and memory are the caller's; the resolution
-/// is measured on `lines` of its lines at four times the points.
+/// The same numbers of a finished run: its time and memory are the caller's. The standard error is
+/// read from the run. The resolution, of curves to a target as well, is measured: the difference to
+/// a line of four times the points that the run used, on at most `lines` lines; NaN where so fine a
+/// line needs too much memory.
 ErrorBudget measureError(const Scene& scene, std::int64_t lines, int threads = 0);
 
 }  // namespace asperity
