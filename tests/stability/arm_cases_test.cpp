@@ -104,10 +104,9 @@ TEST(ArmCases, ASearchAmongNoNumbersEnds) {
   ::fedisableexcept(FE_INVALID | FE_DIVBYZERO);  // what the other tests end at is wanted here
   const Scene scene = sceneOf({"", "", {{1e7, 1e-3}, {1e6, 1}}}, Scheme::Cubic);
   const TravelLine line = prepareTravel(LineSource(scene, 2).make(0), Scheme::Cubic);
-  ElementLaw law = SceneSliding(scene).law();
+  const ElementLaw law = SceneSliding(scene).law();
   RetardationModes modes = retardationModes(law);
-  for (double& rate : modes.rate) rate = std::numeric_limits<double>::quiet_NaN();
-  law.arms[1].relaxationTime = std::numeric_limits<double>::quiet_NaN();
+  for (double& fluidity : modes.fluidity) fluidity = std::numeric_limits<double>::quiet_NaN();
   for (const LoadKind kind : {LoadKind::Force, LoadKind::Indentation}) {
     Load load;
     load.kind = kind;
