@@ -19,7 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSchema = "asperity-scene/1";
-constexpr std::size_t kLargestScene = 1 << 20;
 constexpr int kDeepestScene = 8;
 
 /// A value of the file or of --set, on its way to its row.

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
 #include "core/scene/read_number.h"
+#include "core/scene/regular_file.h"
 
 namespace asperity {
 namespace {
@@ -55,6 +55,7 @@ class Reader {
   }
 
  private:
+  /// Messages name places, not what stands there: a scene may name any file.
   [[noreturn]] void fail(const std::string& message) const { throw InputError(name_, "", message); }
 
   void takeLine() {
@@ -69,11 +70,12 @@ class Reader {
     std::vector<double> numbers;
     for (const std::string_view field : fields) {
       double number = 0;
-      if (!readField(field, number)) return takeHeader(field);
+      const std::size_t column = numbers.size() + 1;
+      if (!readField(field, number)) return takeHeader(column);
       if (!std::isfinite(number))
-        fail(fmt::format("row {}: {} is not a finite number", row_, field.substr(0, 40)));
+        fail(fmt::format("row {}: column {} is not a finite number", row_, column));
       if (std::abs(number) > kFarthest)
-        fail(fmt::format("row {}: {} is beyond {} m", row_, field.substr(0, 40), kFarthest));
+        fail(fmt::format("row {}: column {} is beyond {} m", row_, column, kFarthest));
       numbers.push_back(number);
     }
     if (height_.empty()) columns_ = numbers.size();
@@ -85,9 +87,9 @@ class Reader {
     height_.push_back(numbers.back());
   }
 
-  void takeHeader(std::string_view field) {
+  void takeHeader(std::size_t column) {
     if (!height_.empty() || sawHeader_)
-      fail(fmt::format("row {}: '{}' is not a number", row_, field.substr(0, 40)));
+      fail(fmt::format("row {}: column {} is not a number", row_, column));
     sawHeader_ = true;
   }
 
@@ -119,7 +121,7 @@ Profile parseProfile(std::string_view text, const std::string& name) {
 }
 
 Profile readProfile(const std::filesystem::path& file) {
-  return parseProfile(readWholeFile(file, kLargestProfile), file.string());
+  return parseProfile(readRegularFile(file, kLargestProfile), file.string());
 }
 
 std::int64_t expectedRows(const std::filesystem::path& file) {

@@ -1943,6 +1943,10 @@
         <translation>steht zweimal in demselben Objekt</translation>
     </message>
     <message>
+        <source>an object has more than %1 keys</source>
+        <translation>ein Objekt hat mehr als %1 Schlüssel</translation>
+    </message>
+    <message>
         <source>is nested too deeply</source>
         <translation>ist zu tief verschachtelt</translation>
     </message>
@@ -1999,24 +2003,16 @@
         <translation>hat mehr als %1 Zeilen</translation>
     </message>
     <message>
-        <source>row %1: %2 is not a number</source>
-        <translation>Zeile %1: %2 ist keine Zahl</translation>
+        <source>row %1: column %2 is not a number</source>
+        <translation>Zeile %1: in Spalte %2 steht keine Zahl</translation>
     </message>
     <message>
-        <source>row %1: %2 is not a finite number</source>
-        <translation>Zeile %1: %2 ist keine endliche Zahl</translation>
+        <source>row %1: column %2 is not a finite number</source>
+        <translation>Zeile %1: in Spalte %2 steht keine endliche Zahl</translation>
     </message>
     <message>
-        <source>row %1: inf is not a finite number</source>
-        <translation>Zeile %1: inf ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>row %1: nan is not a finite number</source>
-        <translation>Zeile %1: nan ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>row %1: %2 is beyond %3</source>
-        <translation>Zeile %1: %2 liegt jenseits von %3</translation>
+        <source>row %1: column %2 is beyond %3</source>
+        <translation>Zeile %1: Spalte %2 liegt jenseits von %3</translation>
     </message>
     <message>
         <source>row %1: has %2 columns; position and height, or height alone, are needed</source>
@@ -2053,6 +2049,14 @@
     <message>
         <source>is a folder, not a file</source>
         <translation>ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>is a pipe or a device; only regular files are read here</source>
+        <translation>ist eine Pipe oder ein Gerät; hier werden nur gewöhnliche Dateien gelesen</translation>
+    </message>
+    <message>
+        <source>is larger than a scene may be</source>
+        <translation>ist größer, als eine Szene sein darf</translation>
     </message>
     <message>
         <source>is a folder; a file name is needed</source>

@@ -10,6 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 std::string errorOf(const std::string& text) {
   try {
@@ -40,13 +41,22 @@ TEST(ProfileFile, OtherSeparators) {
 TEST(ProfileFile, BadFilesAreRefusedWithTheirRow) {
   EXPECT_THAT(errorOf("x,z\n0,1\n"), HasSubstr("p.csv: has 1 rows"));
   EXPECT_THAT(errorOf(""), HasSubstr("has 0 rows"));
-  EXPECT_THAT(errorOf("1\n2\nthree\n"), HasSubstr("row 3: 'three' is not a number"));
-  EXPECT_THAT(errorOf("1\n2\nnan\n"), HasSubstr("row 3: nan is not a finite number"));
+  EXPECT_THAT(errorOf("1\n2\nthree\n"), HasSubstr("row 3: column 1 is not a number"));
+  EXPECT_THAT(errorOf("1\n2\nnan\n"), HasSubstr("row 3: column 1 is not a finite number"));
   EXPECT_THAT(errorOf("0,1\n1\n2,3\n"), HasSubstr("row 2: has 1 columns"));
   EXPECT_THAT(errorOf("0,1,2\n1,1,2\n2,1,2\n"), HasSubstr("3 columns"));
   EXPECT_THAT(errorOf("0,1\n1,1\n2.1,1\n3.1,1\n"), HasSubstr("uniform"));
   EXPECT_THAT(errorOf("2,1\n1,1\n0,1\n"), HasSubstr("must increase"));
-  EXPECT_THAT(errorOf("a\nb\n1\n2\n3\n"), HasSubstr("'b' is not a number"));
+  EXPECT_THAT(errorOf("a\nb\n1\n2\n3\n"), HasSubstr("row 2: column 1 is not a number"));
+}
+
+/// A scene may name any file: what stands in it is nobody's business but its owner's.
+TEST(ProfileFile, MessagesHoldNothingOfTheFile) {
+  for (const char* text :
+       {"root:secret:19000:0\nbin:secret\n", "1\n2\nsecret\n", "0,1\n1,secret\n2,3\n"})
+    EXPECT_THAT(errorOf(text), Not(HasSubstr("secret")));
+  for (const char* text : {"1\n2\n7e77\n", "0,1\n1,7e77\n2,3\n"})
+    EXPECT_THAT(errorOf(text), Not(HasSubstr("7e77")));
 }
 
 /// Four gigabytes of nothing on the disk: refused by their size, unread.
