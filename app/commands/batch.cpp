@@ -183,7 +183,9 @@ class BatchRun {
     result.lineContactFraction = frame.contactFraction;
 
     const std::string& name = result.item.name;
-    pictures.write(fileIn(name + ".png"), PictureComposer(style_, content).compose(frame),
+    PictureComposer composer(style_, content);
+    composer.checkRoom(scene);
+    pictures.write(fileIn(name + ".png"), composer.compose(frame),
                    {translated(scene.title), pictureOrigin("batch", scene), style_.scale});
     result.files = {name + ".png"};
     const std::vector<CurvePoint>& curve = content.curves.present.points;

@@ -72,7 +72,7 @@ class Rendering {
       if (showsCurve()) computeCurves();
     });
     composer_.emplace(style_, content());
-    composer_->checkRoom();
+    composer_->checkRoom(scene_);
   }
 
   void run() {

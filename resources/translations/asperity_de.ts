@@ -344,6 +344,10 @@
         <translation>keine Farben: nichts berührt sich</translation>
     </message>
     <message>
+        <source>no colours: contact lies between two points</source>
+        <translation>keine Farben: Kontakt liegt zwischen zwei Punkten</translation>
+    </message>
+    <message>
         <source>no colours: nothing is dissipated at rest</source>
         <translation>keine Farben: in Ruhe wird nichts dissipiert</translation>
     </message>
