@@ -42,7 +42,15 @@ void checkNoInput(const std::string& output, const std::vector<std::filesystem::
       throw InputError("", "--output", output + " is what is read, and would be replaced");
 }
 
+void checkFolderName(const std::string& folder) {
+  if (folder == "-")
+    throw InputError("", "--output",
+                     "'-' is no folder, and standard output takes no pictures; name a file or a "
+                     "folder (./- where it is called so)");
+}
+
 void makeFolder(const std::string& folder) {
+  checkFolderName(folder);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))

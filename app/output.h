@@ -20,6 +20,10 @@ void checkOutputs(const std::vector<std::string>& files,
 /// Throws InputError where an output would replace a file that was read.
 void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs);
 
+/// Throws InputError where the folder's name is "-": pictures and tables do not go to standard
+/// output together, and a folder of that name is hardly ever meant.
+void checkFolderName(const std::string& folder);
+
 /// Makes the folder, with those above it, where it is not there. Throws InputError.
 void makeFolder(const std::string& folder);
 

@@ -88,8 +88,32 @@
         <translation>%1 Szenen.</translation>
     </message>
     <message>
+        <source>One scene.</source>
+        <translation>Eine Szene.</translation>
+    </message>
+    <message>
+        <source>One scene, and it failed.</source>
+        <translation>Eine Szene, und sie ist fehlgeschlagen.</translation>
+    </message>
+    <message>
         <source>All on one sheet</source>
         <translation>Alle auf einem Blatt</translation>
+    </message>
+    <message>
+        <source>Sheet %1</source>
+        <translation>Blatt %1</translation>
+    </message>
+    <message>
+        <source>coefficient of friction at the end, of the line shown</source>
+        <translation>Reibungskoeffizient am Ende, der gezeigten Linie</translation>
+    </message>
+    <message>
+        <source>coefficient of friction, mean of %1 lines</source>
+        <translation>Reibungskoeffizient, Mittel über %1 Linien</translation>
+    </message>
+    <message>
+        <source>%1 (line shown: %2)</source>
+        <translation>%1 (gezeigte Linie: %2)</translation>
     </message>
     <message>
         <source>all results as a table</source>
@@ -160,6 +184,10 @@
         <translation>%1 Geschwindigkeiten</translation>
     </message>
     <message>
+        <source>one velocity</source>
+        <translation>eine Geschwindigkeit</translation>
+    </message>
+    <message>
         <source>one realization</source>
         <translation>eine Realisierung</translation>
     </message>
@@ -194,6 +222,26 @@
     <message>
         <source>wrote %1 frames in %2</source>
         <translation>%1 Bilder geschrieben nach %2</translation>
+    </message>
+    <message>
+        <source>wrote one frame to %1</source>
+        <translation>Ein Bild geschrieben in %1</translation>
+    </message>
+    <message>
+        <source>wrote one frame in %1</source>
+        <translation>Ein Bild geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>one was there already</source>
+        <translation>eines war schon da</translation>
+    </message>
+    <message>
+        <source>removed one frame that an earlier, longer sequence left</source>
+        <translation>ein Bild entfernt, das von einer früheren, längeren Folge übrig war</translation>
+    </message>
+    <message>
+        <source>removed %1 frames that an earlier, longer sequence left</source>
+        <translation>%1 Bilder entfernt, die von einer früheren, längeren Folge übrig waren</translation>
     </message>
     <message>
         <source>%1 were there already</source>
@@ -294,6 +342,10 @@
     <message>
         <source>no colours: nothing touches</source>
         <translation>keine Farben: nichts berührt sich</translation>
+    </message>
+    <message>
+        <source>no colours: contact lies between two points</source>
+        <translation>keine Farben: Kontakt liegt zwischen zwei Punkten</translation>
     </message>
     <message>
         <source>no colours: nothing is dissipated at rest</source>
