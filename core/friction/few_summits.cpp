@@ -1,5 +1,6 @@
 #include "core/friction/few_summits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -33,8 +34,21 @@ double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points
   return kNotApplicable;
 }
 
-void addFewSummits(Diagram& diagram, double velocity, double last) {
-  if (velocity < last) diagram.shades.push_back({velocity, last, "few summits carry the load"});
+std::optional<VelocityRange> fewSummitsWithin(double velocity, double first, double last) {
+  if (!(velocity < last)) return std::nullopt;
+  return VelocityRange{std::max(velocity, first), last};
+}
+
+std::optional<VelocityRange> fewSummitsOf(const Scene& scene, std::span<const CurvePoint> points) {
+  if (points.empty()) return std::nullopt;
+  const auto [first, last] = std::ranges::minmax(points, {}, &CurvePoint::velocity);
+  return fewSummitsWithin(fewSummitsVelocity(scene, points), first.velocity, last.velocity);
+}
+
+void addFewSummits(Diagram& diagram, const std::optional<VelocityRange>& range, double factor) {
+  if (range)
+    diagram.shades.push_back(
+        {range->from * factor, range->to * factor, "few summits carry the load"});
 }
 
 }  // namespace asperity

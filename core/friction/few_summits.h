@@ -9,6 +9,7 @@
 // Pure; any thread.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/friction/curve_point.h"
@@ -17,8 +18,18 @@
 
 namespace asperity {
 
+struct VelocityRange {
+  double from = 0, to = 0;  // m/s
+};
+
 /// Part of the rms height that counts as few summits.
 inline constexpr double kFewSummits = 0.1;
+
+/// What the tint of a diagram says.
+inline constexpr const char* kFewSummitsSentence =
+    "Tinted: F\u2099/(4\u03B7v), the height that the contacts of one period climb together, is "
+    "below "
+    "0.1 h; the border moves with the period L.";
 
 /// F_N / (4 eta v) in m.
 double climbedHeight(double normalForce, double viscosity, double velocity);
@@ -31,8 +42,13 @@ double fewSummitsVelocity(const Scene& scene, double rmsHeight);
 /// The same for a computed curve, whose dimensionless columns hold the rms height of its lines.
 double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points);
 
-/// Tints the diagram from `velocity` to `last`, its largest one, in the units of its axis. Nothing
-/// where there is no such range.
-void addFewSummits(Diagram& diagram, double velocity, double last);
+/// Where it is so between two velocities; nothing where it is nowhere so.
+std::optional<VelocityRange> fewSummitsWithin(double velocity, double first, double last);
+
+/// The same of all velocities of a curve.
+std::optional<VelocityRange> fewSummitsOf(const Scene& scene, std::span<const CurvePoint> points);
+
+/// Tints the diagram there, whose axis along is velocity times `factor`.
+void addFewSummits(Diagram& diagram, const std::optional<VelocityRange>& range, double factor = 1);
 
 }  // namespace asperity

@@ -81,7 +81,8 @@ Diagram diagramOf(const Curves& curves) {
   const std::vector<double>& v = study.velocities();
   for (const CurveRegion& region : regionsWithin(regionBorders(study, 0), v.front(), v.back()))
     diagram.spans.push_back({region.from, region.to, region.name});
-  addFewSummits(diagram, fewSummitsVelocity(study.scene(), study.line().rmsHeight), v.back());
+  const double few = fewSummitsVelocity(study.scene(), study.line().rmsHeight);
+  addFewSummits(diagram, fewSummitsWithin(few, v.front(), v.back()));
   return diagram;
 }
 
@@ -201,18 +202,19 @@ std::string fineStepsNote(const Curves& curves) {
                        FineSteps{}.most);
   // A decade is longer than the fall that they show.
   const double end = curves.fine.back().velocity, from = end / std::sqrt(10.0);
-  const Estimate fitted = exponentFrom(curves.fine, from);
-  std::string note;
-  if (std::isfinite(fitted.value))
-    note = fmt::format(
-        "The same N elements in fine steps give n = {:.2f} between {:.2g} and {:.2g} m/s.",
-        fitted.value, from, end);
-  if (curves.isFineCut)
-    note += fmt::format(
-        " Above {:.2g} m/s {} steps per spacing are too few for 1 %, and any fixed number of them "
-        "has a floor of its own.",
-        end, FineSteps{}.most);
-  return note;
+  const double exponent = exponentFrom(curves.fine, from).value;
+  const std::string measured =
+      std::isfinite(exponent)
+          ? fmt::format(
+                "Fine steps of the same N elements give n = {:.2f} between {:.2g} and "
+                "{:.2g} m/s",
+                exponent, from, end)
+          : fmt::format("Fine steps of the same N elements are resolved up to {:.2g} m/s", end);
+  if (!curves.isFineCut) return measured + ".";
+  return measured + fmt::format(
+                        "; beyond, {} of them per spacing are too few for 1 %, and any fixed "
+                        "number has a floor of its own.",
+                        FineSteps{}.most);
 }
 
 Claim constantLevelClaim(const Curves& curves) {
@@ -280,6 +282,8 @@ void addVelocityFigure(Figure& figure, const FigureOptions& options) {
         " The curve of fine steps ends at {:.2g} m/s, above which {} steps per spacing are too few "
         "for 1 %.",
         curves.fine.back().velocity, FineSteps{}.most);
+  if (!figure.sheet.diagrams.front().shades.empty())
+    figure.sheet.note += std::string(" ") + kFewSummitsSentence;
   figure.csv = tableOf(curves);
   const Study& study = curves.resolved;
   figure.claims = {linearClaim(study),  widthClaim(study),          factorClaim(study),
