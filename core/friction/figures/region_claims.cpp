@@ -58,9 +58,10 @@ Claim followClaim(const Study& study, const LoadShares& shares) {
   decide(claim, jackknife(shares.groups(), ratio), within(1, 0.1));
   const std::size_t last = study.velocities().size() - 1;
   claim.note = fmt::format(
-      "mu itself falls to {:.2g} of its maximum. mu / slope in contact goes from {:.3f} to {:.3f}; "
-      "on a smooth summit, where the slope in contact is evenly distributed from 0 to its largest, "
-      "it is 2/sqrt(3) = {:.3f}.",
+      "Friction itself falls to {:.2g} of its maximum. Over the slope in contact it goes from "
+      "{:.3f} "
+      "to {:.3f}. On a smooth summit, where the slope in contact is evenly distributed, it is "
+      "2/sqrt(3) = {:.3f}.",
       study.normalizedMu(0, last) / plateauOf(study, 0).normalizedMu,
       shares.frictionOverSlope(0, kAtMaximum), shares.frictionOverSlope(0, kAtTheEnd),
       2 / std::numbers::sqrt3);
