@@ -189,7 +189,8 @@ class CommandLine {
     std::string words;
     for (const FigureEntry& entry : figureEntries())
       words += fmt::format("  {:8} {}\n", entry.word, entry.headline);
-    verb->add_option("NAME", figure_.names, "One or more of the figures below, or all for 1 to 6")
+    verb->add_option("NAME", figure_.names,
+                     "One or more of the figures below, paper for 1 to 6, or all")
         ->required();
     verb->add_option("-o,--output", figure_.output, "Folder for CSV, PNG, SVG and claims.json")
         ->required();

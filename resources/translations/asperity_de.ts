@@ -4,6 +4,10 @@
 <context>
     <name>Words</name>
     <message>
+        <source>above %1 few summits carry the load (region IV): F_N / (4 eta v), the height that the contacts of one period climb together, is below 0.1 h; the border belongs to the finite period and moves with it</source>
+        <translation>über %1 tragen wenige Gipfel die Last (Bereich IV): F_N / (4 eta v), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h; die Grenze gehört zur endlichen Periode und wandert mit ihr</translation>
+    </message>
+    <message>
         <source>A rough rigid line</source>
         <translation>Eine raue starre Linie</translation>
     </message>
@@ -505,6 +509,10 @@
 <context>
     <name>asperity::ClaimsTable</name>
     <message>
+        <source>Undecided: within two standard errors of that border, or without a standard error.</source>
+        <translation>Unentschieden: höchstens zwei Standardfehler neben dieser Grenze oder ohne Standardfehler.</translation>
+    </message>
+    <message>
         <source>Measured: %1.</source>
         <translation>Gemessen: %1.</translation>
     </message>
@@ -789,6 +797,14 @@
 <context>
     <name>asperity::FrictionSeries</name>
     <message>
+        <source>few summits carry the load</source>
+        <translation>wenige Gipfel tragen die Last</translation>
+    </message>
+    <message>
+        <source>Region IV: few summits of the finite period carry the load, and the slope in contact falls, Eq. (15). It begins below 95 % of the maximum.</source>
+        <translation>Bereich IV: Wenige Gipfel der endlichen Periode tragen die Last, und die Steigung im Kontakt fällt, Gl. (15). Er beginnt unter 95 % des Maximums.</translation>
+    </message>
+    <message>
         <source>%1 of %2 lines</source>
         <translation>%1 von %2 Linien</translation>
     </message>
@@ -831,10 +847,6 @@
     <message>
         <source>decrease</source>
         <translation>Abfall</translation>
-    </message>
-    <message>
-        <source>Region IV: the contact is so small that the slope in it falls, Eq. (15). It begins below 95 % of the maximum.</source>
-        <translation>Bereich IV: Der Kontakt ist so klein, dass die Steigung in ihm fällt, Gl. (15). Er beginnt unter 95 % des Maximums.</translation>
     </message>
     <message>
         <source>Borders are read from this curve, not from theory.</source>
@@ -2106,6 +2118,10 @@
 </context>
 <context>
     <name>asperity::Words</name>
+    <message>
+        <source>undecided</source>
+        <translation>unentschieden</translation>
+    </message>
     <message>
         <source>lines compared</source>
         <translation>verglichene Linien</translation>

@@ -59,6 +59,7 @@ void add(Texts& texts, const DiagramSheet& sheet) {
     texts.insert({diagram.title, diagram.x.title, diagram.y.title});
     for (const DiagramSeries& series : diagram.series) texts.insert(series.name);
     for (const DiagramSpan& span : diagram.spans) texts.insert(span.label);
+    for (const DiagramSpan& shade : diagram.shades) texts.insert(shade.label);
     for (const DiagramLabel& label : diagram.labels) texts.insert(label.text);
     if (diagram.ramp) texts.insert({diagram.ramp->title, diagram.ramp->from, diagram.ramp->to});
   }
