@@ -7,6 +7,7 @@
 
 #include "core/friction/curve_file.h"
 #include "core/friction/curve_words.h"
+#include "core/scene/columns.h"
 #include "core/scene/parameters.h"
 #include "core/scene/read_number.h"
 #include "ui/language/language.h"
@@ -166,11 +167,11 @@ std::string batchTable(const std::vector<BatchResult>& results) {
   for (const BatchResult& result : results)
     for (const auto& [key, value] : result.item.varied)
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
-  std::string text = "name,";
+  std::string text = joinedColumns({"name"}) + ",";
   for (const std::string& key : keys) text += quoted(key) + ",";
-  text +=
-      "mu,indentation,contact_fraction,mu_standard_error,realizations,line_mu,line_indentation,"
-      "line_contact_fraction,error\n";
+  text += joinedColumns({"mu", "indentation", "contact_fraction", "mu_standard_error", "realizations",
+                         "line_mu", "line_indentation", "line_contact_fraction", "error"}) +
+          "\n";
   for (const BatchResult& result : results) {
     text += result.item.name + ",";
     for (const std::string& key : keys) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/friction/curve_file.h"
+#include "core/scene/columns.h"
 #include "core/scene/printed_number.h"
 #include "core/scene/provenance.h"
 
@@ -149,9 +150,11 @@ std::string sentenceOf(const WorkPrecision& comparison) {
 
 std::string workPrecisionCsv(const WorkPrecision& comparison) {
   std::string text =
-      "region,velocity_from,velocity_to,method,oversampling,relative_error,largest_error,"
-      "is_model_difference,seconds,seconds_lower_quartile,seconds_upper_quartile,line_seconds,"
-      "is_extrapolated,is_on_front,is_present_choice,reference_error\n";
+      joinedColumns({"region", "velocity_from", "velocity_to", "method", "oversampling",
+                     "relative_error", "largest_error", "is_model_difference", "seconds",
+                     "seconds_lower_quartile", "seconds_upper_quartile", "line_seconds",
+                     "is_extrapolated", "is_on_front", "is_present_choice", "reference_error"}) +
+      "\n";
   for (const RegionPrecision& region : comparison.regions)
     for (const WorkPrecisionPoint& point : region.points) {
       std::string name = nameOf(point.choice);

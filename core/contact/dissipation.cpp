@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/interface.h"
+
 namespace asperity {
 
 double pressureRounding(std::span<const double> pressure) {
@@ -22,6 +24,12 @@ std::vector<double> dissipatedPower(const RetardationModes& modes, std::span<con
     }
   }
   return power;
+}
+
+void addLocalFriction(std::span<double> power, std::span<const double> pressure,
+                      const Interface& interface, double velocity) {
+  for (std::size_t i = 0; i < power.size(); ++i)
+    power[i] += localFrictionLoad(interface, pressure[i]) * std::abs(velocity);
 }
 
 }  // namespace asperity

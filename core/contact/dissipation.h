@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/contact/retardation.h"
+#include "core/scene/scene.h"
 
 namespace asperity {
 
@@ -22,5 +23,10 @@ double pressureRounding(std::span<const double> pressure);
 /// F_x v. Zeros for elastic elements, and where what is left to creep is rounding: at rest.
 std::vector<double> dissipatedPower(const RetardationModes& modes, std::span<const double> pressure,
                                     std::span<const double> amplitudes);
+
+/// Adds to the power (W/m) of each element what local friction turns into heat where p (N/m) is
+/// above 0, at this velocity (m/s, either sign).
+void addLocalFriction(std::span<double> power, std::span<const double> pressure,
+                      const Interface& interface, double velocity);
 
 }  // namespace asperity

@@ -14,4 +14,12 @@ inline double localFriction(const Interface& interface, double normalForce, doub
   return interface.shearStress * contactLength / normalForce;
 }
 
+/// N/m, the tangential load on a place in contact under the line load p (N/m), while sliding; 0
+/// where nothing touches.
+inline double localFrictionLoad(const Interface& interface, double pressure) {
+  if (!(pressure > 0)) return 0;
+  if (interface.frictionCoefficient > 0) return interface.frictionCoefficient * pressure;
+  return interface.shearStress;
+}
+
 }  // namespace asperity

@@ -6,6 +6,13 @@
 #include "core/contact/decay_moments.h"
 
 namespace asperity {
+namespace {
+
+// Nodes in a step. A shorter way leaves only rounding of the differences of heights; over it no
+// slope changes.
+constexpr double kLeastMove = 1e-6;
+
+}  // namespace
 
 TimeMarch::TimeMarch(std::shared_ptr<const Line> line, double lowest, ElementLaw law)
     : line_(std::move(line)),
@@ -259,6 +266,13 @@ void TimeMarch::countContacts(MarchStep& step) const {
   if (step.contacts == 0 && last) step.contacts = 1;  // all around
 }
 
+double TimeMarch::slopeForce() const {
+  const std::vector<double> slope = lineSlope();
+  double force = 0;
+  for (std::size_t i = 0; i < slope.size(); ++i) force += pressure_[i] * slope[i];
+  return force * line_->spacing;
+}
+
 MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
   prepareSteps(dt);
   keepBegin();
@@ -274,6 +288,8 @@ MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
   MarchStep result =
       modes_.glassyCompliance == 0 ? finishStep<true>(climb) : finishStep<false>(climb);
   countContacts(result);
+  const bool moves = std::abs(distance) > kLeastMove * line_->spacing;
+  result.slopeForce = moves ? result.lineWork / distance : slopeForce();
   recordStep(dt);
   return result;
 }

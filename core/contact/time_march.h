@@ -46,6 +46,8 @@ struct MarchStep {
                              // order in dx everywhere; slidingWork is first order where elements
                              // enter, because p acts on them before the line has reached them
   double gapWork = 0;        // J, that difference: pressure times the gap it closed in the step
+  double slopeForce = 0;     // N, integral of p dz/dx, which is -F_x: the slopes are means over the
+                             // way of the step (lineWork over distance), at rest those of the place
   double contactLength = 0;  // m
   std::size_t contacts = 0;  // stretches in contact
 };
@@ -90,11 +92,15 @@ class TimeMarch {
   /// not recorded.
   const std::vector<double>& sinceContact() const { return sinceContact_; }
   /// W/m, dissipated in each element: mean over the last step, of which the sum is
-  /// MarchStep::dissipated / dt, or before the first one what its state says (dissipation.h); 0
-  /// where what is left to creep is rounding. Empty where not recorded.
+  /// (MarchStep::dissipated + gapWork) / dt, or before the first one what its state says
+  /// (dissipation.h); 0 where what is left to creep is rounding. An element that the line meets
+  /// within the step takes the work done on its way over the gap, too: so the sum balances lineWork
+  /// and is of second order in dx as well. Empty where not recorded.
   const std::vector<double>& power() const { return power_; }
-  /// dz/dx of the line over each element, from its cubics.
+  /// dz/dx of the line over each element, from its cubics; under a corner the mean of both sides.
   std::vector<double> lineSlope() const;
+  /// N, integral of p dz/dx with the slopes of the line where it is: -F_x, at rest too.
+  double slopeForce() const;
 
   double distance() const { return distance_; }                      // m, slid so far
   double indentation() const { return indentation_; }                // m
@@ -158,8 +164,8 @@ class TimeMarch {
   std::vector<Creep> creep_;
   MarchRecords records_;
   std::vector<double> sinceContact_, power_;
-  std::vector<double> beginPressure_, beginAmplitude_;  // of the step, to record power
-  double preparedFor_ = -1;                             // s, dt of creep_
+  std::vector<double> beginDepth_, beginPressure_, beginAmplitude_;  // of the step, for power
+  double preparedFor_ = -1;                                          // s, dt of creep_
   double compliance_ = 0;  // m / Pa, y over p/4 pressed on at the end of the step
 };
 

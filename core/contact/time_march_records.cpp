@@ -37,7 +37,7 @@ std::vector<double> TimeMarch::lineSlope() const {
   for (double& here : slope) {
     const std::size_t to = from + 1 == count ? 0 : from + 1;
     const double rise = (line_->height[to] - line_->height[from]) / h;
-    here = t == 0 ? line_->slopeAfter[from]
+    here = t == 0 ? 0.5 * (line_->slopeAfter[from] + line_->slopeLeftOf(from))
                   : 6 * t * (1 - t) * rise + (1 - t) * (1 - 3 * t) * line_->slopeAfter[from] +
                         t * (3 * t - 2) * line_->slopeLeftOf(to);
     from = to;
@@ -47,6 +47,7 @@ std::vector<double> TimeMarch::lineSlope() const {
 
 void TimeMarch::keepBegin() {
   if (!records_.power) return;
+  beginDepth_ = depth_;
   beginPressure_ = pressure_;
   beginAmplitude_ = amplitude_;
 }
@@ -58,7 +59,7 @@ void TimeMarch::recordStep(double dt) {
   if (records_.power) recordPower(dt);
 }
 
-/// Element by element what finishStep sums up as MarchStep::dissipated.
+/// Element by element what finishStep sums up as MarchStep::dissipated and gapWork.
 void TimeMarch::recordPower(double dt) {
   const std::size_t count = depth_.size();
   const bool hasDashpot = modes_.glassyCompliance == 0;
@@ -77,6 +78,10 @@ void TimeMarch::recordPower(double dt) {
                                unlessRounding(now - last));
     }
   }
+  if (hasDashpot)
+    for (std::size_t i = 0; i < count; ++i)
+      if (pressure_[i] > 0)
+        power_[i] += 0.25 * pressure_[i] * (beginDepth_[i] - (before_ - lastRise_[i]));
   for (double& power : power_) power *= 4 / dt;
 }
 

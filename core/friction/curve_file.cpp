@@ -5,17 +5,18 @@
 #include <array>
 #include <cmath>
 
+#include "core/scene/columns.h"
 #include "core/scene/provenance.h"
 
 namespace asperity {
 namespace {
 
-struct Column {
-  const char* name;
+struct CurveColumn {
+  ColumnName name;
   double CurvePoint::*member;
 };
 
-constexpr std::array<Column, 10> kColumns{{
+constexpr std::array<CurveColumn, 10> kCurveColumns{{
     {"velocity", &CurvePoint::velocity},
     {"mu", &CurvePoint::mu},
     {"mu_standard_error", &CurvePoint::muStandardError},
@@ -27,12 +28,12 @@ constexpr std::array<Column, 10> kColumns{{
     {"dimensionless_velocity", &CurvePoint::dimensionlessVelocity},
     {"dimensionless_force", &CurvePoint::dimensionlessForce},
 }};
-constexpr const char* kRealizations = "realizations";
+constexpr ColumnName kRealizations = "realizations";
 
 /// Further columns, each where its first row applies: local friction, a constant indentation, a
 /// target accuracy.
 struct ExtraColumn {
-  const char* name;
+  ColumnName name;
   double (*value)(const CurvePoint& point);
 };
 constexpr std::array<ExtraColumn, 6> kExtraColumns{{
@@ -67,20 +68,20 @@ std::string csvNumber(double value) {
 
 std::string curveHeader() {
   std::string text;
-  for (const Column& column : kColumns) text += fmt::format("{},", column.name);
-  return text + fmt::format("{}\n", kRealizations);
+  for (const CurveColumn& column : kCurveColumns) text += column.name.text() + ",";
+  return text + kRealizations.text() + "\n";
 }
 
 std::string curveRow(const CurvePoint& point) {
   std::string text;
-  for (const Column& column : kColumns) text += csvNumber(point.*column.member) + ",";
+  for (const CurveColumn& column : kCurveColumns) text += csvNumber(point.*column.member) + ",";
   return text + fmt::format("{}\n", point.realizations);
 }
 
 std::string curveCsv(const std::vector<CurvePoint>& points) {
   const std::vector<ExtraColumn> extra = extraColumnsOf(points);
   std::string text = withoutLineEnd(curveHeader());
-  for (const ExtraColumn& column : extra) text += fmt::format(",{}", column.name);
+  for (const ExtraColumn& column : extra) text += "," + column.name.text();
   text += "\n";
   for (const CurvePoint& point : points) {
     text += withoutLineEnd(curveRow(point));
@@ -96,14 +97,14 @@ std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene)
   Json rows = Json::array();
   for (const CurvePoint& point : points) {
     Json row;
-    for (const Column& column : kColumns) {
+    for (const CurveColumn& column : kCurveColumns) {
       const double value = point.*column.member;
-      row[column.name] = std::isfinite(value) ? Json(value) : Json(nullptr);
+      row[column.name.text()] = std::isfinite(value) ? Json(value) : Json(nullptr);
     }
-    row[kRealizations] = point.realizations;
+    row[kRealizations.text()] = point.realizations;
     for (const ExtraColumn& column : extra) {
       const double value = column.value(point);
-      row[column.name] = std::isfinite(value) ? Json(value) : Json(nullptr);
+      row[column.name.text()] = std::isfinite(value) ? Json(value) : Json(nullptr);
     }
     rows.push_back(std::move(row));
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/friction/curve_file.h"
+#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
@@ -24,9 +25,11 @@ std::string cell(const std::string& text) {
 class Rows {
  public:
   explicit Rows(bool hasDifference) : hasDifference_(hasDifference) {
-    text_ =
-        "series,velocity,mu,mu_standard_error,dimensionless_velocity,normalized_mu,realizations";
-    text_ += hasDifference ? ",relative_difference,relative_difference_standard_error\n" : "\n";
+    text_ = joinedColumns({"series", "velocity", "mu", "mu_standard_error",
+                           "dimensionless_velocity", "normalized_mu", "realizations"});
+    if (hasDifference)
+      text_ += "," + joinedColumns({"relative_difference", "relative_difference_standard_error"});
+    text_ += "\n";
   }
 
   void add(const std::string& series, double velocity, double mu, double error,

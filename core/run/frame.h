@@ -47,7 +47,8 @@ struct Frame {
   std::vector<double> lineSlope;     // dz/dx of the rigid line over each element, not a difference
   std::vector<double> sinceContact;  // s since the element was last in contact, 0 in contact,
                                      // infinite where that was never seen
-  std::vector<double> power;         // W/m, dissipated in the element's dashpots
+  std::vector<double> power;         // W/m, dissipated in the element's dashpots and, where it
+                                     // touches, by local friction
 
   // Facts of the steady state of this line and scene; of motions that are not steady, of now.
   double indentation = 0;      // m, d above the line's lowest point
@@ -59,6 +60,9 @@ struct Frame {
   /// Of the time march over the steps since the last frame; NaN where its steps or its elements are
   /// too coarse to read friction from, or nothing moves.
   double muMarch = kNotApplicable;
+  /// Estimated error of muMarch by its discretization, of a motion that is not steady; NaN where it
+  /// is not known.
+  double muError = kNotApplicable;
   /// Of the steady state of this very line and scene, from the steady pass; NaN where none exists.
   double muSteady = kNotApplicable;
   double muInterface = 0;  // of local friction, beside either

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/scene/effects.h"
 #include "core/scene/plan.h"
@@ -9,10 +10,31 @@
 
 namespace asperity {
 
-RigidLine::RigidLine(const Scene& scene)
-    : line(std::make_shared<Line>(LineSource(scene, pointsPerElement(scene)).make(0))),
-      travel(prepareTravel(*line, scene.accuracy.scheme)) {
+RigidLine::RigidLine(Line made, Scheme scheme)
+    : line(std::make_shared<Line>(std::move(made))), travel(prepareTravel(*line, scheme)) {}
+
+RigidLine::RigidLine(const Scene& scene, std::int64_t realization)
+    : RigidLine(LineSource(scene, pointsPerElement(scene)).make(realization),
+                scene.accuracy.scheme) {
   countStage(Stage::Line);
+}
+
+RigidLine RigidLine::withPoints(const Scene& scene, std::int64_t points) {
+  return {LineSource(scene, points).make(0), scene.accuracy.scheme};
+}
+
+RigidLine RigidLine::coarser(std::size_t every) const {
+  const auto thinned = [every](const std::vector<double>& values) {
+    std::vector<double> kept;
+    for (std::size_t i = 0; i < values.size(); i += every) kept.push_back(values[i]);
+    return kept;
+  };
+  Line coarse = *line;
+  coarse.spacing *= static_cast<double>(every);
+  coarse.height = thinned(line->height);
+  coarse.slopeAfter = thinned(line->slopeAfter);
+  coarse.slopeBefore = thinned(line->slopeBefore);
+  return {std::move(coarse), travel.scheme};
 }
 
 MarchLoad marchLoadOf(const Load& load) {

@@ -2,6 +2,7 @@
 // steady one, or static equilibrium. Threading: plain functions; a RigidLine is shared for reading.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "core/contact/scene_sliding.h"
@@ -11,12 +12,20 @@
 
 namespace asperity {
 
-/// Realization 0 at the scene's own accuracy.
 struct RigidLine {
-  explicit RigidLine(const Scene& scene);
+  /// At the scene's own accuracy.
+  explicit RigidLine(const Scene& scene, std::int64_t realization = 0);
+  /// Realization 0 with so many points to an element.
+  static RigidLine withPoints(const Scene& scene, std::int64_t points);
+
+  /// Every so many nodes of a line, whose number that divides: the same line, more coarsely.
+  RigidLine coarser(std::size_t every) const;
 
   std::shared_ptr<const Line> line;
   TravelLine travel;
+
+ private:
+  RigidLine(Line made, Scheme scheme);
 };
 
 MarchLoad marchLoadOf(const Load& load);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/dissipation.h"
 #include "core/contact/scene_sliding.h"
 #include "core/contact/unmet_balance.h"
 #include "core/run/contact_age.h"
 #include "core/run/rigid_line.h"
+#include "core/run/steady_frames.h"
 #include "core/scene/plan.h"
 
 namespace asperity {
@@ -38,6 +40,7 @@ struct Simulation::Ready {
         isSteady(scene->sliding.kind == SlidingKind::Steady) {
     if (!isSteady) {
       transient.emplace(*scene, rigid);  // refuses what cannot run
+      transient->estimateErrors(*scene);
       return;
     }
     sliding.emplace(*scene);
@@ -71,7 +74,9 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
                       next->line().nodes() == ready_->line().nodes() &&
                       next->line().length == ready_->line().length;
   const bool isSameLine = next->rigid == ready_->rigid;
+  if (goesOn && showsSteadyState()) settle(march_->distance());  // what is seen is what goes on
   ready_ = next;
+  still_.reset();
   if (!goesOn) return reset();
   if (shape == Shape::Steady) return settle(march_->distance());
   TimeMarch march(ready_->rigid->line, ready_->rigid->travel.lowestHeight, ready_->sliding->law());
@@ -99,6 +104,7 @@ void Simulation::reset() {
 }
 
 void Simulation::settle(double distance) {
+  still_.reset();
   transient_.reset();
   samples_.clear();
   // At rest the elements' own balance holds: that of the line between them would creep to it.
@@ -111,6 +117,7 @@ void Simulation::settle(double distance) {
 }
 
 void Simulation::begin() {
+  still_.reset();
   march_.reset();
   transient_ = ready_->transient;
   samples_.clear();
@@ -121,6 +128,7 @@ void Simulation::begin() {
 
 void Simulation::want(const FrameFields& fields) {
   fields_ = fields;
+  still_.reset();
   recordFields();
 }
 
@@ -139,6 +147,7 @@ void Simulation::addFields(Frame& frame) const {
   if (fields_.lineSlope) frame.lineSlope = march().lineSlope();
   frame.sinceContact = march().sinceContact();
   frame.power = march().power();
+  addLocalFriction(frame.power, frame.pressure, ready_->scene->interface, frame.velocity);
 }
 
 void Simulation::clearReading() {
@@ -251,14 +260,40 @@ void Simulation::singleStep() {
   }
 }
 
+bool Simulation::showsSteadyState() const {
+  return ready_->isSteady && ready_->velocity() > 0 && !isSettling();
+}
+
+/// Once settled, the steady state itself is shown, at the node nearest to where the line is: the
+/// march of the same line has an error of its own, and the picture must not contradict its numbers.
+Frame Simulation::steadyFrame() const {
+  if (!still_)
+    still_ = stillFrame(ready_->scene, *ready_->rigid, *ready_->sliding, ready_->steady,
+                        ready_->steady.result, fields_);
+  Frame frame = *still_;
+  const double nodes = march_->distance() / frame.spacing;
+  moveByPoints(frame, std::llround(std::fmod(nodes, static_cast<double>(ready_->line().nodes()))));
+  return frame;
+}
+
 Frame Simulation::frame() const {
-  Frame frame;
-  frame.scene = ready_->scene;
+  Frame frame = showsSteadyState() ? steadyFrame() : marchedFrame();
   frame.sceneNumber = ready_->number;
   frame.step = steps_;
   frame.time = time_;
   frame.distance = march().distance();
   frame.timeScale = timeScale_;
+  if (transient_)
+    addMotion(frame);
+  else
+    addSteady(frame);
+  return frame;
+}
+
+Frame Simulation::marchedFrame() const {
+  Frame frame;
+  frame.scene = ready_->scene;
+  frame.velocity = transient_ ? transient_->motion().velocityAt(time_) : ready_->velocity();
   frame.length = ready_->line().length;
   frame.spacing = ready_->line().spacing;
   frame.pressure = march().pressure();
@@ -267,17 +302,12 @@ Frame Simulation::frame() const {
   frame.rmsHeight = ready_->line().rmsHeight;
   frame.rmsSlope = ready_->line().rmsSlope;
   addFields(frame);
-  if (transient_)
-    addMotion(frame);
-  else
-    addSteady(frame);
   return frame;
 }
 
 /// All facts are those of the steady state, as everywhere else; the march adds its own reading.
 void Simulation::addSteady(Frame& frame) const {
   const SteadyResult& steady = ready_->steady.result;
-  frame.velocity = ready_->velocity();
   frame.indentation = steady.indentation;
   frame.normalForce = steady.normalForce;
   frame.tangentialForce = steady.tangentialForce;
@@ -298,16 +328,15 @@ double Simulation::longestMemory() const {
 }
 
 /// The march of a coarse line never meets the indentation of the resolved one: hence the limit in
-/// time.
+/// time. Where it ends the steady state takes the march's place in the picture, unseen.
 bool Simulation::isSettling() const {
-  constexpr double kFar = 0.1;  // of the indentation
+  constexpr double kFar = 0.03;  // of the indentation
   const double wanted = ready_->steady.result.indentation;
   return time_ < settlesUntil_ && std::abs(march_->indentation() - wanted) > kFar * wanted;
 }
 
 void Simulation::addMotion(Frame& frame) const {
   frame.nextStep = transient_->nextStep();
-  frame.velocity = transient_->motion().velocityAt(time_);
   frame.indentation = transient_->march().indentation();
   frame.transient = std::make_shared<const std::vector<TransientSample>>(samples_);
   if (samples_.empty()) {  // the force is carried from the beginning
@@ -320,6 +349,8 @@ void Simulation::addMotion(Frame& frame) const {
     frame.normalForce = force;
     frame.contactFraction =
         static_cast<double>(touching) / static_cast<double>(frame.pressure.size());
+    frame.tangentialForce = std::abs(march().slopeForce());
+    if (force > 0) frame.muMarch = frame.tangentialForce / force;
     return;
   }
   const TransientSample& now = samples_.back();
@@ -327,6 +358,7 @@ void Simulation::addMotion(Frame& frame) const {
   frame.tangentialForce = std::abs(now.tangentialForce);
   frame.contactFraction = now.contactFraction;
   frame.muMarch = now.mu;
+  frame.muError = recentError(samples_);
   frame.muInterface = now.muInterface;
 }
 

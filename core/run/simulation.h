@@ -68,6 +68,9 @@ class Simulation {
   void addMotion(Frame& frame) const;
   double longestMemory() const;
   bool isSettling() const;
+  bool showsSteadyState() const;
+  Frame steadyFrame() const;
+  Frame marchedFrame() const;
   double naturalStep() const;
   double restingStep() const;
   bool resolvesContacts() const;
@@ -78,6 +81,7 @@ class Simulation {
   std::optional<Transient> transient_;    // of other motions
   std::vector<TransientSample> samples_;  // since they began
   FrameFields fields_;
+  mutable std::optional<Frame> still_;  // the steady state at distance 0, once it is shown
   MarchStep last_;
   std::uint64_t steps_ = 0;
   double stepsPerFrame_;

@@ -27,6 +27,18 @@ void rotate(std::vector<double>& values, std::int64_t shift) {
   if (!values.empty()) std::rotate(values.begin(), values.end() - shift, values.end());
 }
 
+/// W/m in the dashpots at the shape's points, in travel order.
+std::vector<double> steadyPower(const SceneSliding& sliding, const SteadyShape& shape) {
+  const RetardationModes modes = retardationModes(sliding.law());
+  const std::size_t starts = shape.nodes.depth.size();
+  std::vector<double> amplitudes(modes.modes() * starts);
+  const bool one = shape.modes.empty();  // the depth itself
+  for (std::size_t j = 0; j < modes.modes(); ++j)
+    for (std::size_t i = 0; i < starts; ++i)
+      amplitudes[j * starts + i] = one ? shape.nodes.depth[i] : shape.modes[i * modes.modes() + j];
+  return dissipatedPower(modes, shape.nodes.pressure, amplitudes);
+}
+
 /// To an element. The paper's elements are shown as they are; a resolved line is drawn finely
 /// enough to glide.
 std::int64_t pointsToDraw(const Scene& scene, const LineSource& own, double seen) {
@@ -40,6 +52,53 @@ std::int64_t pointsToDraw(const Scene& scene, const LineSource& own, double seen
 
 }  // namespace
 
+Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
+                 const SceneSliding& sliding, const SteadyState& shown, const SteadyResult& facts,
+                 const FrameFields& fields) {
+  const Line& line = *rigid.line;
+  const TravelLine& travel = rigid.travel;
+  const double velocity = scene->sliding.velocity;
+  const SteadyShape shape = sliding.shape(travel, velocity, shown);
+  Frame frame;
+  frame.scene = std::move(scene);
+  frame.length = line.length;
+  frame.spacing = line.spacing;
+  frame.surfaceHeight = inLineOrder(travel, shape.nodes.depth);
+  frame.pressure = inLineOrder(travel, shape.nodes.pressure);
+  for (double& height : frame.surfaceHeight) height = -height;
+  for (const double height : line.height)
+    frame.lineHeight.push_back(height - travel.lowestHeight - shown.result.indentation);
+  frame.indentation = facts.indentation;
+  frame.normalForce = facts.normalForce;
+  frame.tangentialForce = facts.tangentialForce;
+  frame.contactFraction = facts.contactFraction;
+  frame.rmsHeight = line.rmsHeight;
+  frame.rmsSlope = line.rmsSlope;
+  frame.muSteady = facts.mu;
+  frame.muInterface = facts.muInterface;
+  frame.velocity = velocity;
+  if (fields.lineSlope) {
+    // The line's slope on the side from which a point is met, as the pass has it: a corner has two.
+    frame.lineSlope = inLineOrder(travel, travel.slopeIn);
+    for (double& slope : frame.lineSlope) slope = -slope;
+  }
+  if (fields.sinceContact)
+    frame.sinceContact = steadyContactAge(frame.pressure, frame.spacing, velocity);
+  if (fields.power) {
+    frame.power = inLineOrder(travel, steadyPower(sliding, shape));
+    addLocalFriction(frame.power, frame.pressure, frame.scene->interface, velocity);
+  }
+  return frame;
+}
+
+void moveByPoints(Frame& frame, std::int64_t points) {
+  const auto count = static_cast<std::int64_t>(frame.lineHeight.size());
+  const std::int64_t shift = (points % count + count) % count;
+  for (std::vector<double>* field : {&frame.lineHeight, &frame.surfaceHeight, &frame.pressure,
+                                     &frame.lineSlope, &frame.sinceContact, &frame.power})
+    rotate(*field, shift);
+}
+
 SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields& fields,
                            double seen)
     : scene_(std::move(scene)) {
@@ -49,49 +108,9 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields
   const double velocity = scene_->sliding.velocity;
   const LineSource own(*scene_, pointsPerElement(*scene_));
   result_ = solve(sliding, prepareTravel(own.make(0), accuracy.scheme), velocity).result;
-
-  const std::int64_t finer = pointsToDraw(*scene_, own, seen);
-  const LineSource source(*scene_, finer);
-  const Line line = source.make(0);
-  const TravelLine travel = prepareTravel(line, accuracy.scheme);
-  const SteadyState shown = solve(sliding, travel, velocity);
-  const SteadyShape whole = sliding.shape(travel, velocity, shown);
-  const NodeShape& shape = whole.nodes;
-
-  still_.scene = scene_;
-  still_.length = line.length;
-  still_.spacing = line.spacing;
-  still_.surfaceHeight = inLineOrder(travel, shape.depth);
-  still_.pressure = inLineOrder(travel, shape.pressure);
-  for (double& height : still_.surfaceHeight) height = -height;
-  for (const double height : line.height)
-    still_.lineHeight.push_back(height - travel.lowestHeight - shown.result.indentation);
-  still_.indentation = result_.indentation;
-  still_.normalForce = result_.normalForce;
-  still_.tangentialForce = result_.tangentialForce;
-  still_.contactFraction = result_.contactFraction;
-  still_.rmsHeight = line.rmsHeight;
-  still_.rmsSlope = line.rmsSlope;
-  still_.muSteady = result_.mu;
-  still_.muInterface = result_.muInterface;
-  still_.velocity = velocity;
-  addFields(fields, line, travel, sliding, whole);
-}
-
-void SteadyFrames::addFields(const FrameFields& fields, const Line& line, const TravelLine& travel,
-                             const SceneSliding& sliding, const SteadyShape& shape) {
-  if (fields.lineSlope) still_.lineSlope = line.slopeAfter;
-  if (fields.sinceContact)
-    still_.sinceContact = steadyContactAge(still_.pressure, still_.spacing, still_.velocity);
-  if (!fields.power) return;
-  const RetardationModes modes = retardationModes(sliding.law());
-  const std::size_t starts = shape.nodes.depth.size();
-  std::vector<double> amplitudes(modes.modes() * starts);
-  const bool one = shape.modes.empty();  // the depth itself
-  for (std::size_t j = 0; j < modes.modes(); ++j)
-    for (std::size_t i = 0; i < starts; ++i)
-      amplitudes[j * starts + i] = one ? shape.nodes.depth[i] : shape.modes[i * modes.modes() + j];
-  still_.power = inLineOrder(travel, dissipatedPower(modes, shape.nodes.pressure, amplitudes));
+  const RigidLine drawn = RigidLine::withPoints(*scene_, pointsToDraw(*scene_, own, seen));
+  const SteadyState shown = solve(sliding, drawn.travel, velocity);
+  still_ = stillFrame(scene_, drawn, sliding, shown, result_, fields);
 }
 
 Frame SteadyFrames::frame(std::int64_t index, std::int64_t count, double framesPerSecond) const {
@@ -106,17 +125,12 @@ Frame SteadyFrames::frame(std::int64_t index, std::int64_t count, double framesP
 Frame SteadyFrames::frameAt(double periods, double timeScale, std::uint64_t step) const {
   Frame frame = still_;
   const double velocity = scene_->sliding.velocity;
-  const auto points = static_cast<double>(frame.lineHeight.size());
   const double part = periods - std::floor(periods);
-  const auto shift =
-      static_cast<std::int64_t>(std::llround(part * points)) % static_cast<std::int64_t>(points);
+  moveByPoints(frame, std::llround(part * static_cast<double>(frame.lineHeight.size())));
   frame.step = step;
   frame.distance = periods * frame.length;
   frame.time = velocity > 0 ? frame.distance / velocity : 0;
   frame.timeScale = timeScale;
-  for (std::vector<double>* field : {&frame.lineHeight, &frame.surfaceHeight, &frame.pressure,
-                                     &frame.lineSlope, &frame.sinceContact, &frame.power})
-    rotate(*field, shift);
   return frame;
 }
 

@@ -9,8 +9,19 @@
 
 #include "core/contact/scene_sliding.h"
 #include "core/run/frame.h"
+#include "core/run/rigid_line.h"
 
 namespace asperity {
+
+/// The steady state of a line as a frame, with the line at distance 0. Pressures, slopes and depths
+/// are those of the line's points in one and the same pass: of Kelvin elements p = 4 (G |u| + eta v
+/// dz/dx) holds at each point in contact. facts: what the frame states.
+Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
+                 const SceneSliding& sliding, const SteadyState& shown, const SteadyResult& facts,
+                 const FrameFields& fields);
+
+/// Moves the line and all that belongs to it by whole points, towards +x.
+void moveByPoints(Frame& frame, std::int64_t points);
 
 class SteadyFrames {
  public:
@@ -29,9 +40,6 @@ class SteadyFrames {
   const SteadyResult& result() const { return result_; }  // at the scene's own accuracy
 
  private:
-  void addFields(const FrameFields& fields, const Line& line, const TravelLine& travel,
-                 const SceneSliding& sliding, const SteadyShape& shape);
-
   std::shared_ptr<const Scene> scene_;
   SteadyResult result_;
   Frame still_;  // of the line at rest at distance 0

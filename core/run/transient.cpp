@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <stdexcept>
+
 #include "core/contact/interface.h"
 #include "core/contact/unmet_balance.h"
 #include "core/run/contact_age.h"
@@ -13,6 +15,9 @@ namespace asperity {
 namespace {
 
 constexpr double kRounding = 1e-9;  // of a step
+constexpr double kOrder = 1.8;      // of friction in the spacing, as measured at 1 to 16 points
+constexpr std::size_t kLeastNodes = 8;
+constexpr std::size_t kRecent = 16;  // samples
 
 TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
   checkEffects(scene);
@@ -39,26 +44,29 @@ class Transient::Means {
   void add(const MarchStep& step, double dt, double distance) {
     time_ += dt;
     distance_ += distance;
-    work_ += step.lineWork;
+    tangential_ += step.slopeForce * dt;
     force_ += step.normalForce * dt;
-    pressed_ += step.normalForce * std::abs(distance);
+    dissipated_ += step.dissipated + step.gapWork;
     contact_ += step.contactLength * dt;
     stretches_ += static_cast<double>(step.contacts) * dt;
   }
 
   TransientSample sample(double length) const {
     TransientSample sample;
-    sample.velocity = time_ > 0 ? distance_ / time_ : 0;
-    sample.normalForce = time_ > 0 ? force_ / time_ : 0;
-    if (distance_ != 0) sample.tangentialForce = work_ / distance_;
-    if (pressed_ > 0) sample.mu = work_ / pressed_;
-    if (time_ > 0) sample.contactFraction = contact_ / time_ / length;
+    if (!(time_ > 0)) return sample;
+    sample.velocity = distance_ / time_;
+    sample.normalForce = force_ / time_;
+    sample.tangentialForce = tangential_ / time_;
+    if (force_ > 0) sample.mu = std::abs(tangential_) / force_;
+    sample.powerDissipated = dissipated_ / time_;
+    sample.contactFraction = contact_ / time_ / length;
+    sample.contactSpots = stretches_ / time_;
     if (stretches_ > 0) sample.contactLength = contact_ / stretches_;
     return sample;
   }
 
  private:
-  double time_ = 0, distance_ = 0, work_ = 0, force_ = 0, pressed_ = 0, contact_ = 0,
+  double time_ = 0, distance_ = 0, tangential_ = 0, force_ = 0, dissipated_ = 0, contact_ = 0,
          stretches_ = 0;
 };
 
@@ -77,6 +85,24 @@ Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
   countStage(Stage::TimeMarch);
   if (scene.sliding.kind == SlidingKind::Oscillation)
     longestStep_ = std::min(longestStep_, 1 / (64 * scene.sliding.frequency));
+}
+
+void Transient::estimateErrors(const Scene& scene) {
+  const std::size_t nodes = rigid_->line->nodes();
+  if (!coarse_.empty() || scene.accuracy.scheme == Scheme::Nodal) return;
+  for (const std::size_t every : {2U, 3U, 5U, 7U}) {
+    if (nodes % every != 0 || nodes / every < kLeastNodes) continue;
+    coarseness_ = static_cast<double>(every);
+    try {
+      Transient coarse(scene, std::make_shared<const RigidLine>(rigid_->coarser(every)));
+      coarse.division_ = division_;
+      coarse.longestStep_ = coarseness_ * longestStep_;
+      coarse_.push_back(std::move(coarse));
+    } catch (const std::runtime_error&) {
+      // A line that is too coarse for its own balance tells nothing: the error is not known.
+    }
+    return;
+  }
 }
 
 /// Before its first step a motion that began in steady sliding knows when contact was.
@@ -182,13 +208,34 @@ TransientSample Transient::marchTo(double time) {
     sample.muInterface = localFriction(interface_, sample.normalForce,
                                        sample.contactFraction * rigid_->line->length);
   }
+  addError(sample);
   if (sample.contactLength > 0 && std::isfinite(relaxation_) && relaxation_ > 0)
     sample.predictedRate = 1 / relaxation_ + std::abs(sample.velocity) / sample.contactLength;
   return sample;
 }
 
+void Transient::addError(TransientSample& sample) {
+  for (Transient& coarse : coarse_) {
+    if (!coarse.canReach(time_)) continue;
+    const TransientSample other = coarse.marchTo(time_);
+    const double difference =
+        other.tangentialForce / other.normalForce - sample.tangentialForce / sample.normalForce;
+    sample.muError = std::abs(difference) / (std::pow(coarseness_, kOrder) - 1);
+  }
+}
+
 TransientSample Transient::singleStep() {
   return marchTo(time_);
+}
+
+double recentError(const std::vector<TransientSample>& samples) {
+  double squares = 0, count = 0;
+  for (std::size_t i = samples.size(); i > 0 && samples.size() - i < kRecent; --i) {
+    if (!std::isfinite(samples[i - 1].muError)) continue;
+    squares += samples[i - 1].muError * samples[i - 1].muError;
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / count) : kNotApplicable;
 }
 
 std::shared_ptr<const std::vector<TransientSample>> transientOf(const Scene& scene,

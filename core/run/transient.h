@@ -41,6 +41,12 @@ class Transient {
   /// than `most`, from the length of steps at moments all over the motion.
   double countSteps(double most = 2e5) const;
 
+  /// Marches the same motion on a coarser line (every second node, or every third ...) beside this
+  /// one, at a quarter of its cost, and tells from the difference how far friction is from that of
+  /// ever finer lines: samples then have their muError. Not for separate elements, which have no
+  /// finer line, and where no small number divides the nodes. To be called before the first step.
+  void estimateErrors(const Scene& scene);
+
   /// What its march notes of the elements from now on.
   void record(MarchRecords wanted);
 
@@ -64,6 +70,7 @@ class Transient {
   double estimateSteps() const;
   bool endsAtMark(double dt) const;
   void stepOnce(double dt, Means& means);
+  void addError(TransientSample& sample);
 
   Load load_;
   Interface interface_;
@@ -77,7 +84,12 @@ class Transient {
   double relaxation_;  // s, of Kelvin elements; NaN of others
   double time_ = 0;
   std::uint64_t steps_ = 0;
+  std::vector<Transient> coarse_;  // none or one
+  double coarseness_ = 1;          // its spacing over that of this one
 };
+
+/// Of the newest of these samples: the root mean square of their errors; NaN where none is known.
+double recentError(const std::vector<TransientSample>& samples);
 
 /// `count` samples evenly over the scene's duration, after one at time 0 from its first step. Ends
 /// early, with those it has, where `stop` is requested.

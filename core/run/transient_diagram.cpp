@@ -32,6 +32,19 @@ Diagram strip(const Scene& scene, std::span<const TransientSample> samples, Diag
   return diagram;
 }
 
+/// What is known of the error as a band around the values, under their line.
+void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
+  DiagramSeries band;
+  band.isBand = true;
+  band.stroke = SeriesStroke::None;
+  band.colour = 0;
+  for (const TransientSample& sample : samples)
+    if (std::isfinite(sample.muError))
+      band.points.push_back({sample.time, sample.mu, std::max(sample.mu - sample.muError, 0.0),
+                             sample.mu + sample.muError});
+  if (band.points.size() > 1) diagram.series.insert(diagram.series.begin(), std::move(band));
+}
+
 }  // namespace
 
 DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
@@ -46,7 +59,13 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
                           &TransientSample::mu, floors.friction),
                     strip(scene, samples, {"indentation d", "m", AxisScale::Linear},
                           &TransientSample::indentation, floors.indentation)};
+  addErrorBand(sheet.diagrams[1], samples);
   return sheet;
+}
+
+Diagram contactStrip(const Scene& scene, std::span<const TransientSample> samples) {
+  return strip(scene, samples, {"in contact", "", AxisScale::Linear},
+               &TransientSample::contactFraction, 0.2);
 }
 
 }  // namespace asperity

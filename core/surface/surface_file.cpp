@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/scene/columns.h"
 #include "core/scene/provenance.h"
 #include "core/surface/spectrum.h"
 
@@ -27,7 +28,7 @@ Json spectrumJson(const FourierLine& modes) {
 }  // namespace
 
 std::string lineCsv(const Line& line) {
-  std::string text = "position,height\n";
+  std::string text = joinedColumns({"position", "height"}) + "\n";
   for (std::size_t i = 0; i < line.nodes(); ++i)
     text += fmt::format("{},{}\n", static_cast<double>(i) * line.spacing, line.height[i]);
   return text;

@@ -38,6 +38,12 @@ std::string percent(double fraction) {
   return std::isfinite(fraction) ? shortNumber(100 * fraction) + " %" : "\u2013";
 }
 
+/// "0.951 \u00B1 0.04" where the error of the discretization is known.
+std::string frictionText(double mu, double error) {
+  const std::string text = shortNumber(mu, 3, Zeros::Keep);
+  return std::isfinite(error) ? text + " \u00B1 " + shortNumber(error, 1) : text;
+}
+
 /// Of the interface and in total, where the scene has local friction.
 void addInterfaceReadings(std::vector<Reading>& readings, const Frame& frame) {
   if (!hasInterface(frame)) return;
@@ -61,12 +67,13 @@ std::vector<Reading> readingsOf(const Frame& frame) {
   readings.push_back(
       {{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
                              : Words::tr("friction coefficient \u03BC")}},
-       shortNumber(mu, 3, Zeros::Keep),
+       isSteady ? shortNumber(mu, 3, Zeros::Keep) : frictionText(mu, frame.muError),
        0,
        isSteady ? Words::tr("Tangential over normal force in steady sliding: of this line at this "
                             "velocity, computed without time steps.")
                 : Words::tr("Tangential over normal force at this moment of the motion, a mean "
-                            "over the time since the last picture.")});
+                            "over the time since the last picture. After \u00B1 stands the "
+                            "estimated error of elements and time steps.")});
   addInterfaceReadings(readings, frame);
   readings.push_back({{{Words::tr("normal force F")}, {"N", false, true}},
                       quantity(frame.normalForce, "N"),

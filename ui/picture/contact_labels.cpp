@@ -146,16 +146,21 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   painter.paint(*motion, {std::round(std::clamp(middle, left, right - width)), y}, plate);
 }
 
-/// "23 % of it in the free surface": what comes back takes power, too.
-std::string freePowerText(const Frame& frame) {
+/// "200 \u00B5W in all, 23 % in the free surface": what comes back takes power, too. In steady
+/// sliding all is what the friction force does, that of the interface included, to the last digit;
+/// the sum over points, which gives the shares, only comes near to it.
+std::string powerText(const Frame& frame) {
   double free = 0, whole = 0;
   for (std::size_t i = 0; i < frame.power.size(); ++i) {
     whole += frame.power[i];
     if (!(frame.pressure[i] > 0)) free += frame.power[i];
   }
+  const bool isSteady = !frame.transient && !frame.isSettling;
+  const double power =
+      isSteady ? frictionForceOf(frame) * std::abs(velocityOf(frame)) : whole * frame.spacing;
   if (!(whole > 0)) return Words::tr("nothing is dissipated");
   return filled(Words::tr("%1 in all, %2 % in the free surface"),
-                {quantity(whole * frame.spacing, "W"), shortNumber(100 * free / whole, 2)});
+                {quantity(power, "W"), shortNumber(100 * free / whole, 2)});
 }
 
 Notes notesFor(const Frame& frame, const ContactLayout& layout) {
@@ -165,7 +170,7 @@ Notes notesFor(const Frame& frame, const ContactLayout& layout) {
     notes.push_back(pressed ? Words::tr("dot: the deepest contact")
                             : Words::tr("dot: contact between two points"));
   if (layout.scale.overlay == ContactOverlay::Power && layout.scale.isShown())
-    notes.push_back(freePowerText(frame));
+    notes.push_back(powerText(frame));
   if (pressed && layout.scale.overlay == ContactOverlay::Pressure)
     notes.push_back(Words::tr("glow: pressure, not depth"));
   return notes;

@@ -8,6 +8,7 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/figures/figure_parts.h"
 #include "core/friction/figures/figures_each.h"
+#include "core/scene/columns.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
 
@@ -35,7 +36,8 @@ Contact contactOf(const Scene& scene) {
 }
 
 std::string tableOf(const Contact& contact) {
-  std::string text = "position,line_height,surface_height,pressure\n";
+  std::string text =
+      joinedColumns({"position", "line_height", "surface_height", "pressure"}) + "\n";
   const double down = contact.travel.lowestHeight + contact.steady.indentation;
   for (std::size_t i = 0; i < contact.line.nodes(); ++i)
     text += fmt::format("{},{},{},{}\n", static_cast<double>(i) * contact.line.spacing,

@@ -8,6 +8,7 @@
 #include "core/friction/figures/figure_parts.h"
 #include "core/friction/figures/figures_each.h"
 #include "core/friction/law.h"
+#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
@@ -155,9 +156,10 @@ void addExponentsFigure(Figure& figure, const FigureOptions& options) {
   const std::vector<double> exponents = elevenHurstExponents();
   FigureWork work(options, static_cast<double>(exponents.size()));
   std::vector<Coefficients> all;
-  figure.csv =
-      "hurst,alpha,alpha_standard_error,alpha_law,beta,beta_standard_error,alpha_up_to_1,"
-      "alpha_up_to_1_standard_error,realizations\n";
+  figure.csv = joinedColumns({"hurst", "alpha", "alpha_standard_error", "alpha_law", "beta",
+                              "beta_standard_error", "alpha_up_to_1",
+                              "alpha_up_to_1_standard_error", "realizations"}) +
+               "\n";
   for (const double hurst : exponents) {
     Scene scene = figure.scene;
     scene.surface.hurst = hurst;

@@ -8,6 +8,7 @@
 #include "core/friction/figures/figure_parts.h"
 #include "core/friction/figures/figures_each.h"
 #include "core/friction/figures/zone_claims.h"
+#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
@@ -44,7 +45,7 @@ void addForcesFigure(Figure& figure, const FigureOptions& options) {
   FigureWork work(options, 20 + kZoneClaimsCost);
   const Study study =
       work.study(figure.scene, paperForces(), sweepVelocities(figure.scene.sweep), 20);
-  figure.csv = "normal_force," + curveHeader();
+  figure.csv = joinedColumns({"normal_force"}) + "," + curveHeader();
   for (std::size_t j = 0; j < study.forces(); ++j)
     figure.csv += tableRows(study, j, fmt::format("{},", study.normalForce(j)));
   figure.sheet.diagrams.push_back(diagramOf(study));

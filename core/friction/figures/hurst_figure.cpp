@@ -9,6 +9,7 @@
 #include "core/friction/ensemble.h"
 #include "core/friction/figures/figure_parts.h"
 #include "core/friction/figures/figures_each.h"
+#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
@@ -129,7 +130,7 @@ void addHurstFigure(Figure& figure, const FigureOptions& options) {
   FigureWork work(options, static_cast<double>(exponents.size()));
   std::vector<Study> studies;
   Diagram diagram = frictionDiagram();
-  figure.csv = "hurst," + curveHeader();
+  figure.csv = joinedColumns({"hurst"}) + "," + curveHeader();
   for (std::size_t k = 0; k < exponents.size(); ++k) {
     Scene scene = figure.scene;
     scene.surface.hurst = exponents[k];

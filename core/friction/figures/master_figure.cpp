@@ -10,6 +10,7 @@
 #include "core/friction/ensemble.h"
 #include "core/friction/figures/figure_parts.h"
 #include "core/friction/figures/figures_each.h"
+#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
@@ -231,7 +232,7 @@ void addMasterFigure(Figure& figure, const FigureOptions& options) {
   after.series.push_back(law);
 
   std::vector<Study> studies;
-  figure.csv = "variant,velocity_shift,friction_shift," + curveHeader();
+  figure.csv = joinedColumns({"variant", "velocity_shift", "friction_shift"}) + "," + curveHeader();
   for (const Variant& variant : variants) {
     const Study& study = studies.emplace_back(work.study(
         variant.scene, {variant.scene.load.normalForce}, sweepVelocities(variant.scene.sweep), 1));

@@ -8,6 +8,7 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/figures/figure_parts.h"
 #include "core/friction/figures/figures_each.h"
+#include "core/scene/columns.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -171,9 +172,10 @@ void addPlateauFigure(Figure& figure, const FigureOptions& options) {
   const std::vector<double> exponents = sixHurstExponents();
   FigureWork work(options, static_cast<double>(exponents.size()));
   std::vector<Tops> all;
-  figure.csv =
-      "hurst,normal_force,dimensionless_force,plateau,plateau_standard_error,velocity_of_plateau,"
-      "contact_fraction,slope_in_contact_over_slope,realizations\n";
+  figure.csv = joinedColumns({"hurst", "normal_force", "dimensionless_force", "plateau",
+                              "plateau_standard_error", "velocity_of_plateau", "contact_fraction",
+                              "slope_in_contact_over_slope", "realizations"}) +
+               "\n";
   for (const double hurst : exponents) {
     Scene scene = figure.scene;
     scene.surface.hurst = hurst;

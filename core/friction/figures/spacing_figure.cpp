@@ -8,6 +8,7 @@
 #include "core/friction/figures/figure_parts.h"
 #include "core/friction/figures/figures_each.h"
 #include "core/friction/fit.h"
+#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
@@ -74,7 +75,7 @@ void addSpacingFigure(Figure& figure, const FigureOptions& options) {
   plain.title = "coefficient of friction";
   plain.y.title = "friction \u03BC";
   normalized.title = "over the rms slope";
-  figure.csv = "spacing,rms_slope," + curveHeader();
+  figure.csv = joinedColumns({"spacing", "rms_slope"}) + "," + curveHeader();
   std::vector<Study> studies;
   for (std::size_t k = 0; k < spacings.size(); ++k) {
     Scene scene = figure.scene;

@@ -11,6 +11,7 @@
 #include "core/friction/figures/figure_parts.h"
 #include "core/friction/figures/figures_each.h"
 #include "core/friction/figures/region_claims.h"
+#include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
@@ -87,7 +88,7 @@ Diagram diagramOf(const Curves& curves) {
 }
 
 std::string tableOf(const Curves& curves) {
-  std::string text = "curve," + curveHeader();
+  std::string text = joinedColumns({"curve"}) + "," + curveHeader();
   text += tableRows(curves.resolved, 0, "resolved,");
   const LawInput in = curves.resolved.lawInput(0, 0);
   const auto add = [&](const std::vector<ElementPoint>& points, const char* lead) {

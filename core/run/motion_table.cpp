@@ -1,0 +1,268 @@
+#include "core/run/motion_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+
+#include "core/friction/curve_file.h"
+#include "core/friction/curve_words.h"
+#include "core/friction/jobs.h"
+#include "core/friction/study.h"
+#include "core/run/rigid_line.h"
+#include "core/run/transient.h"
+#include "core/run/transient_diagram.h"
+#include "core/scene/columns.h"
+#include "core/scene/effects.h"
+#include "core/scene/input_error.h"
+#include "core/scene/printed_number.h"
+#include "core/scene/provenance.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMostRows = 5e6;           // of all lines
+constexpr std::int64_t kParts = 400;        // of a motion's duration, in its picture
+constexpr std::int64_t kStepsToTell = 256;  // between two calls of `progress`
+
+/// In the order of the table; the realization follows.
+struct MotionColumn {
+  ColumnName name;
+  double (*value)(const TransientSample& row);
+};
+constexpr std::array<MotionColumn, 11> kMotionColumns{{
+    {"time", [](const TransientSample& row) { return row.time; }},
+    {"displacement", [](const TransientSample& row) { return row.distance; }},
+    {"velocity", [](const TransientSample& row) { return row.velocity; }},
+    {"normal_force", [](const TransientSample& row) { return row.normalForce; }},
+    {"tangential_force", [](const TransientSample& row) { return 0 - row.tangentialForce; }},
+    {"mu", [](const TransientSample& row) { return row.mu; }},
+    {"indentation", [](const TransientSample& row) { return row.indentation; }},
+    {"contact_fraction", [](const TransientSample& row) { return row.contactFraction; }},
+    {"contact_spots", [](const TransientSample& row) { return row.contactSpots; }},
+    {"power_in", [](const TransientSample& row) { return row.tangentialForce * row.velocity; }},
+    {"power_dissipated", [](const TransientSample& row) { return row.powerDissipated; }},
+}};
+constexpr ColumnName kMuInterface = "mu_interface", kRealization = "realization";
+
+double muInterface(const MotionTable& table, const TransientSample& row) {
+  return table.hasInterface && row.velocity != 0 ? row.muInterface : kNotApplicable;
+}
+
+/// Means of single steps over parts of the duration, and sums of their errors.
+class MotionMeans {
+ public:
+  explicit MotionMeans(double duration) : duration_(duration) {}
+
+  void add(const TransientSample& row, double dt) {
+    const auto at =
+        static_cast<std::int64_t>(std::ceil(row.time / duration_ * kParts * (1 - 1e-9)));
+    Part& part = parts_[static_cast<std::size_t>(std::clamp<std::int64_t>(at - 1, 0, kParts - 1))];
+    part.time += dt;
+    for (std::size_t i = 0; i < kMeans.size(); ++i) part.sums[i] += row.*kMeans[i] * dt;
+    part.indentation = row.indentation;  // at its end
+    if (!std::isfinite(row.muError)) return;
+    ++part.errors;
+    part.squares += row.muError * row.muError;
+    errors_ += row.muError * row.muError;
+    values_ += row.mu * row.mu;
+    ++known_;
+  }
+
+  void add(const MotionMeans& other) {
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      Part& part = parts_[k];
+      const Part& more = other.parts_[k];
+      part.time += more.time;
+      for (std::size_t i = 0; i < kMeans.size(); ++i) part.sums[i] += more.sums[i];
+      part.indentation += more.indentation;
+      part.errors += more.errors;
+      part.squares += more.squares;
+    }
+    errors_ += other.errors_;
+    values_ += other.values_;
+    known_ += other.known_;
+  }
+
+  std::vector<TransientSample> means(std::int64_t lines) const {
+    std::vector<TransientSample> means;
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      const Part& part = parts_[k];
+      if (!(part.time > 0)) continue;
+      TransientSample sample;
+      sample.time = duration_ * static_cast<double>(k + 1) / kParts;
+      for (std::size_t i = 0; i < kMeans.size(); ++i) sample.*kMeans[i] = part.sums[i] / part.time;
+      sample.indentation = part.indentation / static_cast<double>(lines);
+      if (part.errors > 0) sample.muError = std::sqrt(part.squares / part.errors);
+      means.push_back(sample);
+    }
+    return means;
+  }
+
+  double error() const { return known_ > 0 ? std::sqrt(errors_ / known_) : kNotApplicable; }
+  double relativeError() const {
+    return values_ > 0 ? std::sqrt(errors_ / values_) : kNotApplicable;
+  }
+
+ private:
+  static constexpr std::array kMeans{&TransientSample::velocity, &TransientSample::mu,
+                                     &TransientSample::contactFraction,
+                                     &TransientSample::contactLength};
+  struct Part {
+    double time = 0, indentation = 0, errors = 0, squares = 0;
+    std::array<double, kMeans.size()> sums{};
+  };
+
+  double duration_;
+  std::array<Part, kParts> parts_{};
+  double errors_ = 0, values_ = 0, known_ = 0;
+};
+
+/// Tells the steps of all lines from whichever thread marches.
+class StepCounter {
+ public:
+  StepCounter(const MotionOptions& options, std::int64_t total)
+      : options_(options), total_(total) {}
+
+  void add(std::int64_t steps) {
+    const std::scoped_lock guard(lock_);
+    done_ += steps;
+    if (options_.progress) options_.progress(std::min(done_, total_), total_);
+  }
+
+ private:
+  const MotionOptions& options_;
+  std::int64_t total_, done_ = 0;
+  std::mutex lock_;
+};
+
+/// Every step of one line.
+void marchLine(Transient transient, std::int64_t every, const MotionOptions& options,
+               StepCounter& counter, std::vector<TransientSample>& rows, MotionMeans& means) {
+  double before = 0;
+  std::int64_t untold = 0;
+  for (std::int64_t step = 1; !transient.isOver(); ++step) {
+    if (options.stop.stop_requested()) return;
+    const TransientSample row = transient.singleStep();
+    means.add(row, row.time - before);
+    before = row.time;
+    if (step % every == 0 || transient.isOver()) rows.push_back(row);
+    if (++untold < kStepsToTell && !transient.isOver()) continue;
+    counter.add(untold);
+    untold = 0;
+  }
+}
+
+void checkOptions(const Scene& scene, const MotionOptions& options) {
+  if (scene.sliding.kind == SlidingKind::Steady)
+    throw InputError("", "sliding.kind",
+                     "is steady, where nothing changes in time; asperity motion is of start, step, "
+                     "oscillation and reversal");
+  if (options.lines > 1 && !LineSource(scene, 1).isRandom())
+    throw InputError("", "--lines", "this surface has one line, and no other realization");
+}
+
+}  // namespace
+
+MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
+  checkOptions(scene, options);
+  const auto first = std::make_shared<const RigidLine>(scene);
+  Transient beginning(scene, first);
+  const double steps = beginning.countSteps();
+  MotionTable table;
+  table.every = options.every;
+  if (options.mostRows > 0)
+    table.every = std::max(
+        table.every,
+        static_cast<std::int64_t>(std::ceil(steps / static_cast<double>(options.mostRows))));
+  const double lines = static_cast<double>(options.lines);
+  if (const double rows = lines * steps / static_cast<double>(table.every); rows > kMostRows)
+    throw InputError(
+        "", "--every",
+        fmt::format("{} time steps would give {} rows, more than {}; each {}th step "
+                    "gives fewer",
+                    printedNumber(steps), printedNumber(rows), printedNumber(kMostRows),
+                    printedNumber(std::ceil(lines * steps / kMostRows))));
+  table.spacing = first->line->spacing;
+  table.length = first->line->length;
+  table.hasInterface = hasLocalFriction(scene);
+  table.lines.resize(static_cast<std::size_t>(options.lines));
+  std::vector<MotionMeans> means(table.lines.size(), MotionMeans(scene.sliding.duration));
+  StepCounter counter(options, options.lines * static_cast<std::int64_t>(steps));
+  Jobs(options.threads).run(options.lines, [&](std::int64_t line) {
+    if (options.stop.stop_requested()) return;
+    const auto place = static_cast<std::size_t>(line);
+    Transient transient =
+        line == 0 ? beginning : Transient(scene, std::make_shared<const RigidLine>(scene, line));
+    transient.estimateErrors(scene);
+    marchLine(std::move(transient), table.every, options, counter, table.lines[place],
+              means[place]);
+  });
+  if (options.stop.stop_requested()) throw StudyStopped{};
+  for (std::size_t i = 1; i < means.size(); ++i) means[0].add(means[i]);
+  table.mean = means[0].means(options.lines);
+  table.muError = means[0].error();
+  table.relativeError = means[0].relativeError();
+  return table;
+}
+
+std::string motionCsv(const MotionTable& table) {
+  std::string text;
+  for (const MotionColumn& column : kMotionColumns) text += column.name.text() + ",";
+  text += joinedColumns({kMuInterface, kRealization}) + "\n";
+  for (std::size_t line = 0; line < table.lines.size(); ++line)
+    for (const TransientSample& row : table.lines[line]) {
+      for (const MotionColumn& column : kMotionColumns) text += csvNumber(column.value(row)) + ",";
+      text += csvNumber(muInterface(table, row)) + fmt::format(",{}\n", line);
+    }
+  return text;
+}
+
+Json motionProvenance(const std::string& verb, const Scene& scene, const MotionTable& table) {
+  const auto number = [](double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  };
+  Json root = provenance(verb, scene);
+  root["options"] = {{"every", table.every}, {"lines", table.lines.size()}};
+  root["discretization_error"] = {{"mu", number(table.muError)},
+                                  {"relative", number(table.relativeError)}};
+  return root;
+}
+
+std::string motionJson(const Scene& scene, const MotionTable& table) {
+  Json rows = Json::array();
+  const auto number = [](double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  };
+  for (std::size_t line = 0; line < table.lines.size(); ++line)
+    for (const TransientSample& sample : table.lines[line]) {
+      Json row;
+      for (const MotionColumn& column : kMotionColumns)
+        row[column.name.text()] = number(column.value(sample));
+      row[kMuInterface.text()] = number(muInterface(table, sample));
+      row[kRealization.text()] = line;
+      rows.push_back(std::move(row));
+    }
+  Json root = motionProvenance("motion", scene, table);
+  root["points"] = std::move(rows);
+  return root.dump(2) + "\n";
+}
+
+DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {
+  DiagramSheet sheet = transientSheet(scene, table.mean, table.spacing, table.length);
+  sheet.diagrams.push_back(contactStrip(scene, table.mean));
+  sheet.title = scene.title;
+  sheet.subtitle = parametersInWords(scene);
+  if (table.lines.size() > 1) sheet.note = fmt::format("mean of {} lines", table.lines.size());
+  if (std::isfinite(table.muError))
+    sheet.note += fmt::format("{}band: estimated error of elements and time steps, {} in \u03BC",
+                              sheet.note.empty() ? "" : "; ", printedNumber(table.muError, 2));
+  return sheet;
+}
+
+}  // namespace asperity

@@ -1,0 +1,54 @@
+// A motion as a table: what friction, indentation, contact and power did in its time steps, on as
+// many lines as wanted, and what the same gives as a picture.
+// Threading: lines are marched on all threads; equal options give equal bytes for any number of
+// them. Failure: InputError for a scene or options that cannot run; std::runtime_error where the
+// first steady state has no balance; StudyStopped where `stop` was requested.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/friction/diagram.h"
+#include "core/run/transient_sample.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+struct MotionOptions {
+  std::int64_t every = 1;     // each so many steps is a row, and the last one
+  std::int64_t mostRows = 0;  // of a line: else `every` grows; 0: as many as there are
+  std::int64_t lines = 1;     // realizations 0, 1, ...
+  int threads = 0;
+  std::stop_token stop;
+  /// Steps of all lines; from one thread at a time. May be empty.
+  std::function<void(std::int64_t done, std::int64_t total)> progress;
+};
+
+struct MotionTable {
+  std::vector<std::vector<TransientSample>> lines;  // of single steps
+  std::vector<TransientSample> mean;  // of all lines, over equal parts of the duration
+  std::int64_t every = 1;
+  double muError = kNotApplicable;        // estimated, of the discretization: root mean square
+  double relativeError = kNotApplicable;  // the same over the root mean square of mu
+  double spacing = 0, length = 0;         // m, of the lines
+  bool hasInterface = false;
+};
+
+/// Of a scene whose sliding is not steady.
+MotionTable marchMotion(const Scene& scene, const MotionOptions& options);
+
+std::string motionCsv(const MotionTable& table);
+
+/// As it stands in an answer and in the first line of a table: how it was made and how exact it is.
+nlohmann::ordered_json motionProvenance(const std::string& verb, const Scene& scene,
+                                        const MotionTable& table);
+std::string motionJson(const Scene& scene, const MotionTable& table);
+
+/// Velocity, friction, indentation and contact over time: means of all lines.
+DiagramSheet motionSheet(const Scene& scene, const MotionTable& table);
+
+}  // namespace asperity

@@ -1,0 +1,71 @@
+#include "core/scene/columns.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/scene/parameters.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kBatch = "batch";
+
+/// Of a list that is separated by ", ".
+std::vector<std::string> itemsOf(std::string_view list) {
+  std::vector<std::string> items;
+  while (!list.empty()) {
+    const std::size_t comma = list.find(", ");
+    items.emplace_back(list.substr(0, comma));
+    list = comma == list.npos ? std::string_view() : list.substr(comma + 2);
+  }
+  return items;
+}
+
+/// All of the dictionary, then the scene keys, which are columns of a batch that varies them.
+template <class Use>
+void forEachColumn(const Use& use) {
+  for (const Column& column : kColumns) use(column);
+  for (const Parameter& row : parameters())
+    use(Column{row.key, row.unit, row.sentence, row.symbol, kBatch});
+}
+
+}  // namespace
+
+std::string joinedColumns(std::initializer_list<ColumnName> names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ",") + std::string(name);
+  return text;
+}
+
+std::string columnsText() {
+  std::string text;
+  forEachColumn([&](const Column& column) {
+    const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
+    text += fmt::format("{}{}\n    {}\n", column.name, unit, column.meaning);
+    if (!column.equation.empty()) text += fmt::format("    {}\n", column.equation);
+    text += fmt::format("    in: {}\n", column.tables);
+  });
+  return text;
+}
+
+std::string columnsJson() {
+  Json list = Json::array();
+  forEachColumn([&](const Column& column) {
+    list.push_back({{"name", column.name},
+                    {"unit", column.unit},
+                    {"meaning", column.meaning},
+                    {"equation", column.equation},
+                    {"tables", itemsOf(column.tables)}});
+  });
+  const Json root = {{"schema", "asperity-columns/1"},
+                     {"verb", "columns"},
+                     {"version", ASPERITY_VERSION},
+                     {"columns", std::move(list)}};
+  return root.dump(2) + "\n";
+}
+
+}  // namespace asperity

@@ -1,0 +1,216 @@
+// The dictionary of columns: every column of every table that the program writes is declared here
+// once, with its unit, its meaning and its equation. Writers name their columns by ColumnName,
+// which does not compile for a word that is not in the dictionary, so that no table can have a
+// column that `asperity columns` does not know. Constant; any thread.
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace asperity {
+
+struct Column {
+  std::string_view name;
+  std::string_view unit;      // SI; empty for a pure number or a word
+  std::string_view meaning;   // one sentence
+  std::string_view equation;  // where there is one
+  std::string_view tables;    // that have it, separated by ", "
+};
+
+// Symbols in equations: z(x) the rigid line, x along the line, u <= 0 the surface of the elastomer,
+// y = -u, d the indentation, p the line load, L the period, L_c the length in contact, F_N the
+// normal force, F_x the tangential force, h the rms height, grad the rms slope.
+inline constexpr auto kColumns = std::to_array<Column>({
+    // ---- friction over velocity
+    {"velocity", "m/s", "Velocity of steady sliding.", "v_i = from (to/from)^(i/(points - 1))",
+     "curve, curves, figure 2, figure 3, figure 4, figure master, figure spacing"},
+    {"mu", "", "Coefficient of friction of the deformation: mean over the realizations.",
+     "mu = |F_x|/F_N, F_x = -integral p z' dx",
+     "curve, curves, figure 2, figure 3, figure 4, figure master, figure spacing"},
+    {"mu_standard_error", "", "Standard error of that mean; empty for one realization.",
+     "s/sqrt(realizations)",
+     "curve, curves, figure 2, figure 3, figure 4, figure master, figure spacing, batch"},
+    {"mu_law", "",
+     "Friction by Eq. (11) of Li et al. (2013) with the rms slope of the whole line and the "
+     "tabulated beta.",
+     "Eq. (11), alpha = H/(1 + H)",
+     "curve, figure 2, figure 3, figure 4, figure master, figure spacing"},
+    {"contact_fraction", "", "Share of the period that is in contact.", "L_c/L",
+     "curve, figure 2, figure 3, figure 4, figure 6, figure master, figure spacing, batch"},
+    {"rms_slope_contact", "", "Root mean square of the line's slope where it is in contact.",
+     "sqrt(integral over contact of z'^2 dx / L_c)",
+     "curve, figure 2, figure 3, figure 4, figure master, figure spacing"},
+    {"indentation", "m",
+     "Indentation of the line: how deep its lowest point lies below the undeformed surface.", "d",
+     "curve, figure 2, figure 3, figure 4, figure master, figure spacing, batch"},
+    {"normalized_mu", "", "Coefficient of friction over the rms slope of the whole line.",
+     "mu/grad", "curve, curves, figure 2, figure 3, figure 4, figure master, figure spacing"},
+    {"dimensionless_velocity", "", "Velocity without a dimension.",
+     "Eq. (13): tau v grad/(sqrt(2) h)",
+     "curve, curves, figure 2, figure 3, figure 4, figure master, figure spacing"},
+    {"dimensionless_force", "", "Normal force without a dimension.", "Eq. (14): F_N/(G h L)",
+     "curve, figure 2, figure 3, figure 4, figure 6, figure master, figure spacing"},
+    {"realizations", "", "Random lines that were averaged over.", "",
+     "curve, curves, figure 2, figure 3, figure 4, figure 5, figure 6, figure master, figure "
+     "spacing, batch"},
+    {"mu_interface", "",
+     "Coefficient of local friction in contact, beside that of the deformation; only in scenes "
+     "that have some.",
+     "friction_coefficient, or shear_stress L_c/F_N", "curve"},
+    {"mu_total", "", "Friction of deformation and interface together.", "mu + mu_interface",
+     "curve"},
+    {"mu_mean_of_ratios", "",
+     "Mean over the lines of each line's own coefficient, which is mu; only at a constant "
+     "indentation.",
+     "<F_x/F_N>", "curve"},
+    {"mu_ratio_of_means", "",
+     "Mean tangential force over mean normal force; only at a constant indentation.",
+     "<F_x>/<F_N>", "curve"},
+    {"marginal_share", "",
+     "Share of its load that the element on the edge of contact carries, mean over the lines; 1 "
+     "where the force does not jump; only with the scheme nodal.",
+     "", "curve"},
+    {"mu_low", "",
+     "Lower end of the 95 % confidence interval of mu, errors of resolution included; only with a "
+     "target accuracy.",
+     "", "curve"},
+    {"mu_high", "", "Upper end of the same interval.", "", "curve"},
+    {"series", "", "Which curve a row belongs to.", "", "curves"},
+    {"relative_difference", "", "Difference from the present curve over that curve.",
+     "mu_compared/mu - 1", "curves"},
+    {"relative_difference_standard_error", "", "Standard error of the relative difference.", "",
+     "curves"},
+
+    // ---- a motion in time
+    {"time", "s", "Time since the motion began, at the end of the time step.", "t", "motion"},
+    {"displacement", "m", "Way that the line has moved along x since the beginning.",
+     "integral v dt", "motion"},
+    {"velocity", "m/s", "Velocity of the line along x: mean over the time step.",
+     "v = displacement in the step / dt", "motion"},
+    {"normal_force", "N", "Normal force on one period, in the time step.", "F_N = integral p dx",
+     "motion"},
+    {"tangential_force", "N",
+     "Force of the elastomer on the line along x, below 0 while it resists motion towards +x. It "
+     "is "
+     "defined at rest, too, where contact is still one-sided.",
+     "F_x = -integral p z' dx, z' over the way of the time step", "motion"},
+    {"mu", "", "Coefficient of friction of the deformation in the time step.", "mu = |F_x|/F_N",
+     "motion"},
+    {"indentation", "m", "Indentation at the end of the time step, from the lowest point.", "d",
+     "motion"},
+    {"contact_fraction", "", "Share of the period that is in contact, in whole elements.", "L_c/L",
+     "motion"},
+    {"contact_spots", "", "Separate stretches in contact in one period.", "", "motion"},
+    {"power_in", "W",
+     "Power that sliding puts into the elastomer; below 0 where the elastomer pushes the line on.",
+     "-F_x v", "motion"},
+    {"power_dissipated", "W",
+     "Power that the dashpots of all elements turn into heat; the springs store the rest.",
+     "-F_x v + F_N dd/dt = power_dissipated + rate of the stored energy", "motion"},
+    {"mu_interface", "",
+     "Coefficient of local friction in contact, beside that of the deformation; empty at rest and "
+     "where the scene has none.",
+     "friction_coefficient, or shear_stress L_c/F_N", "motion"},
+    {"realization", "", "Number of the line, from 0 on.", "", "motion"},
+
+    // ---- the line and the contact
+    {"position", "m", "Place along the line.", "x_i = i dx", "surface, figure 1"},
+    {"height", "m", "Height of the rigid line above its mean.", "z", "surface"},
+    {"line_height", "m", "Height of the rigid line above the undeformed surface.", "z - d",
+     "figure 1"},
+    {"surface_height", "m", "Height of the elastomer's surface above the undeformed one.", "u",
+     "figure 1"},
+    {"pressure", "N/m", "Line load; 0 where nothing touches.",
+     "p = -4 (G u + eta du/dt) in contact", "figure 1"},
+
+    // ---- what accuracy costs
+    {"region", "", "Region of the friction curve, I to IV.", "", "accuracy"},
+    {"velocity_from", "m/s", "Lowest velocity of the region.", "", "accuracy"},
+    {"velocity_to", "m/s", "Highest velocity of the region.", "", "accuracy"},
+    {"method", "", "How contact is computed.", "", "accuracy"},
+    {"oversampling", "", "Points to an element.", "", "accuracy"},
+    {"relative_error", "",
+     "Error of mu against the reference: root mean square over velocities and "
+     "lines.",
+     "rms(mu/mu_reference - 1)", "accuracy"},
+    {"largest_error", "", "The largest of these errors.", "max |mu/mu_reference - 1|", "accuracy"},
+    {"is_model_difference", "",
+     "1 where the method solves another model, so that it is a difference and not an error.", "",
+     "accuracy"},
+    {"seconds", "s", "Processor time of one simulation: median.", "", "accuracy"},
+    {"seconds_lower_quartile", "s", "Lower quartile of that time.", "", "accuracy"},
+    {"seconds_upper_quartile", "s", "Upper quartile of that time.", "", "accuracy"},
+    {"line_seconds", "s", "Processor time of making the line.", "", "accuracy"},
+    {"is_extrapolated", "", "1 where the time was extrapolated from a part of the work.", "",
+     "accuracy"},
+    {"is_on_front", "", "1 where no other method has less error in less time.", "", "accuracy"},
+    {"is_present_choice", "", "1 for the method of the scene.", "", "accuracy"},
+    {"reference_error", "", "Estimated relative error of the reference itself.", "", "accuracy"},
+
+    // ---- figures of the paper
+    {"curve", "", "Which way of computing a row comes from.", "", "figure 2"},
+    {"hurst", "", "Hurst exponent of the line.", "H", "figure 3, figure 5, figure 6"},
+    {"normal_force", "N", "Normal force on one period.", "F_N", "figure 4, figure 6"},
+    {"alpha", "", "Fitted exponent of the force.", "Eq. (7): mu ~ F_N^(-alpha)", "figure 5"},
+    {"alpha_standard_error", "", "Standard error of alpha.", "", "figure 5"},
+    {"alpha_law", "", "Exponent that the paper gives.", "H/(1 + H)", "figure 5"},
+    {"alpha_up_to_1", "", "The same exponent, fitted up to a dimensionless force of 1.",
+     "Eq. (7): mu ~ F_N^(-alpha)", "figure 5"},
+    {"alpha_up_to_1_standard_error", "", "Standard error of that exponent.", "", "figure 5"},
+    {"beta", "", "Fitted prefactor.", "Eq. (11)", "figure 5"},
+    {"beta_standard_error", "", "Standard error of beta.", "", "figure 5"},
+    {"plateau", "", "Height of the plateau.", "largest mu/grad", "figure 6"},
+    {"plateau_standard_error", "", "Standard error of that height.", "", "figure 6"},
+    {"velocity_of_plateau", "m/s", "Velocity at which it is reached.", "", "figure 6"},
+    {"slope_in_contact_over_slope", "", "Rms slope in contact over that of the whole line.",
+     "grad_contact/grad", "figure 6"},
+    {"variant", "", "Which set of parameters a row belongs to.", "", "figure master"},
+    {"velocity_shift", "", "Factor by which the curve is shifted along the velocity.", "Eq. (16)",
+     "figure master"},
+    {"friction_shift", "", "Factor by which the curve is shifted along the friction.", "Eq. (17)",
+     "figure master"},
+    {"spacing", "m", "Distance of the elements: the shortest wave is two of them long.", "dx",
+     "figure spacing"},
+    {"rms_slope", "", "Rms slope of the whole line.", "grad", "figure spacing"},
+
+    // ---- batch: with these the keys that its sweeps vary
+    {"name", "", "Name of the scene and of its files.", "", "batch"},
+    {"mu", "",
+     "Coefficient of friction at the scene's velocity: mean over the realizations; of a motion that "
+     "of the first line at its end.",
+     "mu = |F_x|/F_N", "batch"},
+    {"line_mu", "", "Coefficient of friction of the line that the picture shows.",
+     "mu = |F_x|/F_N", "batch"},
+    {"line_indentation", "m", "Indentation of that line.", "d", "batch"},
+    {"line_contact_fraction", "", "Share of the period of that line that is in contact.", "L_c/L",
+     "batch"},
+    {"error", "", "Why the scene could not be computed; empty where it could.", "", "batch"},
+});
+
+/// The name of a column of the dictionary; a word that is not there does not compile.
+class ColumnName {
+ public:
+  consteval ColumnName(const char* name) : name_(name) {
+    for (const Column& column : kColumns)
+      if (column.name == name_) return;
+    throw std::logic_error("a column that is not in the dictionary");
+  }
+
+  constexpr operator std::string_view() const { return name_; }
+  std::string text() const { return std::string(name_); }
+
+ private:
+  std::string_view name_;
+};
+
+/// "a,b,c", without a line end.
+std::string joinedColumns(std::initializer_list<ColumnName> names);
+
+/// For people: names with units, then meaning, equation and tables; and for machines.
+std::string columnsText();
+std::string columnsJson();
+
+}  // namespace asperity
