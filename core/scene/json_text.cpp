@@ -1,8 +1,11 @@
 #include "core/scene/json_text.h"
 
+#include <algorithm>
 #include <set>
+#include <string>
 #include <vector>
 
+#include "core/scene/file_kind.h"
 #include "core/scene/input_error.h"
 #include "core/scene/known_words.h"
 
@@ -63,12 +66,25 @@ std::string parserMessage(const std::exception& error) {
   return "is not valid JSON: " + text;
 }
 
+std::string_view withoutBlanks(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+}
+
+[[noreturn]] void refuseKind(std::string_view kind, std::string_view wanted) {
+  throw InputError("", "", "is " + std::string(kind) + "; " + std::string(wanted));
+}
+
 }  // namespace
 
-nlohmann::ordered_json parseJson(std::string_view text, int deepest) {
+nlohmann::ordered_json parseJson(std::string_view text, int deepest, std::string_view wanted) {
+  if (const std::string_view kind = foreignKindOf(text); !kind.empty()) refuseKind(kind, wanted);
+  const std::string_view beginning = withoutBlanks(text).substr(0, 1);
+  if (beginning.empty()) refuseKind("an empty file", wanted);
   try {
     return Json::parse(text, Watch(deepest));
   } catch (const nlohmann::json::exception& error) {
+    if (beginning != "{" && beginning != "[") refuseKind("text that is not JSON", wanted);
     throw InputError("", "", parserMessage(error));
   }
 }
