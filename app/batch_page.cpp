@@ -169,9 +169,10 @@ std::string batchTable(const std::vector<BatchResult>& results) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
   std::string text = joinedColumns({"name"}) + ",";
   for (const std::string& key : keys) text += quoted(key) + ",";
-  text += joinedColumns({"mu", "indentation", "contact_fraction", "mu_standard_error", "realizations",
-                         "line_mu", "line_indentation", "line_contact_fraction", "error"}) +
-          "\n";
+  text +=
+      joinedColumns({"mu", "indentation", "contact_fraction", "mu_standard_error", "realizations",
+                     "line_mu", "line_indentation", "line_contact_fraction", "error"}) +
+      "\n";
   for (const BatchResult& result : results) {
     text += result.item.name + ",";
     for (const std::string& key : keys) {

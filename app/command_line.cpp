@@ -13,11 +13,14 @@
 #include <functional>
 
 #include "app/batch_file.h"
+#include "app/interruption.h"
 #include "app/option_words.h"
+#include "app/vector_target.h"
 #include "core/friction/figures/figure.h"
 #include "core/scene/input_error.h"
 #include "core/scene/known_words.h"
 #include "core/scene/parameter_table.h"
+#include "core/scene/printable_text.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/window/scene_library.h"
@@ -47,8 +50,10 @@ class CommandLine {
     addBatch();
     addAccuracy();
     addExplain();
-    app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.",
-                            kDone, kRunFailed, kBadInput));
+    app_.footer(fmt::format(
+        "Exit status: {} done, {} the run failed, {} bad input or usage, {} interrupted, {} "
+        "terminated.\n{}",
+        kDone, kRunFailed, kBadInput, kInterrupted, kTerminated, vectorTargetHelp()));
     refuseEmptyWords(app_);
   }
 
@@ -253,7 +258,8 @@ class CommandLine {
 
 /// To a stderr that may be closed or full: there is nobody else to tell.
 int complain(const std::string& sentence, int status) {
-  std::fputs(("asperity: " + sentence + "\n").c_str(), stderr);
+  while (isInterrupted()) ::pause();  // that was the reason, and is said already
+  std::fputs(("asperity: " + printable(sentence) + "\n").c_str(), stderr);
   return status;
 }
 
@@ -280,7 +286,9 @@ int runCommandLine(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
   fillClosedStreams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
+  endCleanlyOnInterruption();
   try {
+    chooseVectorTarget();
     CommandLine commandLine;
     commandLine.checkVerb(argc, argv);
     const int status = commandLine.run(argc, argv);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/scene/printable_text.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -83,7 +84,8 @@ std::string mebibytes(double bytes) {
 
 std::string explanationText(const Explanation& explanation) {
   const Scene& scene = explanation.scene;
-  std::string text = scene.title.empty() ? std::string() : translated(scene.title) + "\n";
+  std::string text =
+      scene.title.empty() ? std::string() : printable(translated(scene.title)) + "\n";
   text += filled(Words::tr("asperity %1 runs"), {explanation.verb}) + "\n" +
           stageLines(explanation.stages, true) + Words::tr("and leaves out") + "\n" +
           stageLines(explanation.stages, false);

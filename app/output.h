@@ -30,7 +30,8 @@ void makeFolder(const std::string& folder);
 /// "wrote a.png" in the language in use, with its line's end.
 std::string wroteLine(const std::string& file);
 
-/// What a person reads: to stdout, or to stderr where stdout is the machine's.
-void printSummary(bool machineReads, bool quiet, const std::string& text);
+/// What a person reads, in whole lines of printable characters: to stdout, or to stderr where
+/// stdout is the machine's.
+void printSummary(bool machineReads, bool quiet, const std::string& given);
 
 }  // namespace asperity

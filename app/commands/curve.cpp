@@ -77,6 +77,14 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
                        : Words::tr("relative error at most %1 at every velocity, target not met"),
                    {shortNumber(curve.achievedError, 2)}) +
             "\n";
+  const auto unresolved = std::ranges::count_if(
+      curve.points, [](const CurvePoint& point) { return !notesOf(point).empty(); });
+  if (unresolved > 0)
+    text +=
+        filled(Words::tr("at %1 velocities friction is below what the elements resolve, see the "
+                         "column notes"),
+               {std::to_string(unresolved)}) +
+        "\n";
   for (const std::string& output : outputs) text += wroteLine(output);
   return text;
 }

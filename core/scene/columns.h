@@ -67,8 +67,8 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "indentation.",
      "<F_x/F_N>", "curve"},
     {"mu_ratio_of_means", "",
-     "Mean tangential force over mean normal force; only at a constant indentation.",
-     "<F_x>/<F_N>", "curve"},
+     "Mean tangential force over mean normal force; only at a constant indentation.", "<F_x>/<F_N>",
+     "curve"},
     {"marginal_share", "",
      "Share of its load that the element on the edge of contact carries, mean over the lines; 1 "
      "where the force does not jump; only with the scheme nodal.",
@@ -78,6 +78,10 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "target accuracy.",
      "", "curve"},
     {"mu_high", "", "Upper end of the same interval.", "", "curve"},
+    {"notes", "",
+     "What to know before the row is used, separated by blanks; only where there is something. "
+     "unresolved_friction: the elements are too few in contact for the tangential force.",
+     "", "curve"},
     {"series", "", "Which curve a row belongs to.", "", "curves"},
     {"relative_difference", "", "Difference from the present curve over that curve.",
      "mu_compared/mu - 1", "curves"},
@@ -179,11 +183,12 @@ inline constexpr auto kColumns = std::to_array<Column>({
     // ---- batch: with these the keys that its sweeps vary
     {"name", "", "Name of the scene and of its files.", "", "batch"},
     {"mu", "",
-     "Coefficient of friction at the scene's velocity: mean over the realizations; of a motion that "
+     "Coefficient of friction at the scene's velocity: mean over the realizations; of a motion "
+     "that "
      "of the first line at its end.",
      "mu = |F_x|/F_N", "batch"},
-    {"line_mu", "", "Coefficient of friction of the line that the picture shows.",
-     "mu = |F_x|/F_N", "batch"},
+    {"line_mu", "", "Coefficient of friction of the line that the picture shows.", "mu = |F_x|/F_N",
+     "batch"},
     {"line_indentation", "m", "Indentation of that line.", "d", "batch"},
     {"line_contact_fraction", "", "Share of the period of that line that is in contact.", "L_c/L",
      "batch"},

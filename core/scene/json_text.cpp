@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "core/scene/file_kind.h"
 #include "core/scene/input_error.h"
 #include "core/scene/known_words.h"
 

@@ -1,5 +1,5 @@
-// Measured profiles: CSV of position and height with a header, or heights alone. Pure; any thread.
-// Bad files throw InputError naming the file and the row.
+// Measured profiles: CSV of position and height with a header, or heights alone, in metres. Pure;
+// any thread. Bad files throw InputError naming the file and the row.
 #pragma once
 
 #include <cstdint>

@@ -204,6 +204,10 @@
         <translation>%1 % der Gleichgewichte mit einem teilweise belasteten Element</translation>
     </message>
     <message>
+        <source>at %1 velocities friction is below what the elements resolve, see the column notes</source>
+        <translation>bei %1 Geschwindigkeiten liegt die Reibung unter dem, was die Elemente auflösen, siehe Spalte notes</translation>
+    </message>
+    <message>
         <source>relative error at most %1 at every velocity, target met</source>
         <translation>relativer Fehler bei jeder Geschwindigkeit höchstens %1; Ziel erreicht</translation>
     </message>

@@ -2167,6 +2167,106 @@
         <translation>hat mehr als %1 Zeilen</translation>
     </message>
     <message>
+        <source>is an empty file</source>
+        <translation>ist eine leere Datei</translation>
+    </message>
+    <message>
+        <source>is text that is not JSON</source>
+        <translation>ist Text, aber kein JSON</translation>
+    </message>
+    <message>
+        <source>is text in UTF-16</source>
+        <translation>ist Text in UTF-16</translation>
+    </message>
+    <message>
+        <source>is text in UTF-32</source>
+        <translation>ist Text in UTF-32</translation>
+    </message>
+    <message>
+        <source>is a PNG picture</source>
+        <translation>ist ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>is a JPEG picture</source>
+        <translation>ist ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>is a GIF picture</source>
+        <translation>ist ein GIF-Bild</translation>
+    </message>
+    <message>
+        <source>is a TIFF picture</source>
+        <translation>ist ein TIFF-Bild</translation>
+    </message>
+    <message>
+        <source>is a RIFF file (as WebP is)</source>
+        <translation>ist eine RIFF-Datei (wie WebP)</translation>
+    </message>
+    <message>
+        <source>is a PDF document</source>
+        <translation>ist ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>is a ZIP archive (as of a spreadsheet)</source>
+        <translation>ist ein ZIP-Archiv (etwa einer Tabellenkalkulation)</translation>
+    </message>
+    <message>
+        <source>is an old Office document</source>
+        <translation>ist ein altes Office-Dokument</translation>
+    </message>
+    <message>
+        <source>is a gzip archive</source>
+        <translation>ist ein gzip-Archiv</translation>
+    </message>
+    <message>
+        <source>is an xz archive</source>
+        <translation>ist ein xz-Archiv</translation>
+    </message>
+    <message>
+        <source>is a zstd archive</source>
+        <translation>ist ein zstd-Archiv</translation>
+    </message>
+    <message>
+        <source>is an HDF5 file</source>
+        <translation>ist eine HDF5-Datei</translation>
+    </message>
+    <message>
+        <source>is a WebM film</source>
+        <translation>ist ein WebM-Film</translation>
+    </message>
+    <message>
+        <source>is a binary file</source>
+        <translation>ist eine Binärdatei</translation>
+    </message>
+    <message>
+        <source>JSON in UTF-8 is needed</source>
+        <translation>nötig ist JSON in UTF-8</translation>
+    </message>
+    <message>
+        <source>a scene is JSON in UTF-8</source>
+        <translation>eine Szene ist JSON in UTF-8</translation>
+    </message>
+    <message>
+        <source>a measured line is a CSV file, which a scene names as surface.file</source>
+        <translation>eine gemessene Linie ist eine CSV-Datei, die eine Szene als surface.file nennt</translation>
+    </message>
+    <message>
+        <source>a profile is CSV in UTF-8</source>
+        <translation>ein Profil ist CSV in UTF-8</translation>
+    </message>
+    <message>
+        <source>row %1: the comma may divide columns, thousands or decimals; numbers are written with a point and without thousands separators</source>
+        <translation>Zeile %1: das Komma kann Spalten, Tausender oder Dezimalen trennen; Zahlen stehen mit Punkt und ohne Tausendertrennung</translation>
+    </message>
+    <message>
+        <source>row %1: column %2 is in %3; positions and heights are in metres</source>
+        <translation>Zeile %1: Spalte %2 ist in %3; Orte und Höhen stehen in Metern</translation>
+    </message>
+    <message>
+        <source>is a link to %1, which is not there</source>
+        <translation>ist ein Verweis auf %1, das es nicht gibt</translation>
+    </message>
+    <message>
         <source>row %1: column %2 is not a number</source>
         <translation>Zeile %1: in Spalte %2 steht keine Zahl</translation>
     </message>

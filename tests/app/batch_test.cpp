@@ -84,6 +84,55 @@ TEST_F(BatchTest, ABadEntryIsToldAndTheOthersGoOn) {
   EXPECT_THAT(read("out/index.html"), HasSubstr("5 of them failed"));
 }
 
+/// Whatever a file says, the page shows it as text: titles, names, values and errors.
+TEST_F(BatchTest, ThePageHoldsNoMarkupOfItsScenes) {
+  const std::string evil = R"(<script>alert('x')</script> \"><img src=x onerror=\"y\"> & more)";
+  program.folder.write("b.json", R"({"schema": "asperity-batch/1", "size": "300x300", "title": ")" +
+                                     evil +
+                                     R"(", "entries": [
+      {"name": "a", "show": "contact", "scene": {"title": ")" +
+                                     evil +
+                                     R"(", "surface": {"elements": 64}}},
+      {"name": "b", "show": "contact", "scene": {"surface": {"elements": 64}},
+       "sweep": {"title": [")" + evil +
+                                     R"(", "plain"]}},
+      {"name": "c", "scene": ")" + evil +
+                                     R"(.json"},
+      {"name": "d", "scene": {"title": "x", ")" +
+                                     evil + R"(": 1}},
+      {"name": ")" + evil + R"(", "show": "contact", "scene": {"surface": {"elements": 64}}}]})");
+  const Said said = program.run("batch b.json -o out");
+  EXPECT_EQ(said.status, 1) << said.err;
+  const std::string page = read("out/index.html");
+  EXPECT_THAT(page, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<img src=x")),
+                          Not(HasSubstr("onerror=\"y")), Not(HasSubstr("& more"))));
+  // In the page's title and heading, in those of the scene and its picture, and in the errors.
+  std::size_t shown = 0;
+  for (std::size_t at = 0; (at = page.find("&lt;script&gt;", at)) != page.npos; ++at) ++shown;
+  EXPECT_GE(shown, 7U);
+  // Every tag is one of the page's own.
+  for (std::size_t at = 0; (at = page.find('<', at)) != page.npos; ++at)
+    EXPECT_THAT(
+        page.substr(at, 12),
+        testing::ContainsRegex("^</?(!DOCTYPE|html|head|meta|style|title|body|h1|h2|p|a|main|"
+                               "article|img|table|tr|td)[ >]"));
+}
+
+/// A batch holds scenes, which hold sections: nothing of ours is deeper.
+TEST_F(BatchTest, NestingHasALimit) {
+  const auto nested = [](int levels) {
+    std::string text = "1";
+    for (int i = 0; i < levels; ++i) text = "[" + text + "]";
+    return R"({"schema": "asperity-batch/1", "entries": )" + text + "}";
+  };
+  program.folder.write("b.json", nested(12));
+  expectRefused("batch b.json -o out", 2, "b.json: entries: is nested too deeply");
+  program.folder.write("b.json", nested(100000));
+  expectRefused("batch b.json -o out", 2, "b.json: entries: is nested too deeply");
+  program.folder.write("b.json", nested(11));
+  EXPECT_THAT(program.run("batch b.json -o out").err, Not(HasSubstr("nested too deeply")));
+}
+
 TEST_F(BatchTest, TheSameBatchGivesTheSameBytes) {
   write(R"({"name": "a", "scene": "s.json", "sweep": {"surface.seed": [1, 2]}})");
   ASSERT_EQ(program.run("batch b.json -o x --threads 1").status, 0);
