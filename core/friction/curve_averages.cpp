@@ -13,6 +13,7 @@ void CurveAverages::add(const SteadyResult& result) {
   contactFraction.add(result.contactFraction);
   indentation.add(result.indentation);
   normalForce.add(result.normalForce);
+  marginalShare.add(result.marginalShare);
   if (std::isfinite(result.rmsSlopeContact)) rmsSlopeContact.add(result.rmsSlopeContact);
 }
 
@@ -25,6 +26,7 @@ CurvePoint CurveAverages::point(double velocity) const {
   point.contactFraction = contactFraction.mean();
   point.rmsSlopeContact = rmsSlopeContact.mean();
   point.indentation = indentation.mean();
+  point.marginalShare = marginalShare.mean();
   point.realizations = mu.count();
   return point;
 }
@@ -39,6 +41,9 @@ LawColumns::LawColumns(const Scene& scene, const LineSource& source)
 
 void LawColumns::addTo(CurvePoint& point, double meanForce) const {
   if (!hasInterface_) point.muInterface = kNotApplicable;
+  const Accuracy& accuracy = scene_.accuracy;
+  if (accuracy.scheme != Scheme::Nodal || accuracy.targetRelativeError > 0)
+    point.marginalShare = kNotApplicable;
   if (!(line_.rmsHeight > 0)) return;
   const SlidingConditions conditions = conditionsOf(scene_, point.velocity);
   const double force = scene_.load.kind == LoadKind::Force ? scene_.load.normalForce : meanForce;

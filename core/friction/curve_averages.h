@@ -13,6 +13,7 @@ namespace asperity {
 /// Averages of everything in a row but mu's standard error.
 struct CurveAverages {
   RunningMean mu, muInterface, contactFraction, rmsSlopeContact, indentation, normalForce;
+  RunningMean marginalShare;
 
   /// Pressed by nothing a line has no coefficient; what is averaged is counted.
   void add(const SteadyResult& result);
@@ -25,9 +26,9 @@ class LawColumns {
  public:
   LawColumns(const Scene& scene, const LineSource& source);
 
-  /// Adds muLaw, normalizedMu and the dimensionless numbers; takes muInterface away where the scene
-  /// has no local friction. meanForce: N, where the scene gives an
-  /// indentation instead of a force.
+  /// Adds muLaw, normalizedMu and the dimensionless numbers; takes muInterface and
+  /// marginalShare away where the scene has no local friction or another scheme than nodal.
+  /// meanForce: N, where the scene gives an indentation instead of a force.
   void addTo(CurvePoint& point, double meanForce) const;
 
  private:

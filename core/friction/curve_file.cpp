@@ -29,16 +29,18 @@ constexpr std::array<Column, 10> kColumns{{
 }};
 constexpr const char* kRealizations = "realizations";
 
-/// Further columns, each where its first row applies: local friction, a target accuracy.
+/// Further columns, each where its first row applies: local friction, a target accuracy, the
+/// paper's single elements.
 struct ExtraColumn {
   const char* name;
   double (*value)(const CurvePoint& point);
 };
-constexpr std::array<ExtraColumn, 4> kExtraColumns{{
+constexpr std::array<ExtraColumn, 5> kExtraColumns{{
     {"mu_interface", [](const CurvePoint& point) { return point.muInterface; }},
     {"mu_total", [](const CurvePoint& point) { return point.mu + point.muInterface; }},
     {"mu_low", [](const CurvePoint& point) { return point.muLow; }},
     {"mu_high", [](const CurvePoint& point) { return point.muHigh; }},
+    {"marginal_share", [](const CurvePoint& point) { return point.marginalShare; }},
 }};
 
 std::vector<ExtraColumn> extraColumnsOf(const std::vector<CurvePoint>& points) {

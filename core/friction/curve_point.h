@@ -24,6 +24,9 @@ struct CurvePoint {
   double muLow = kNotApplicable;   // 95 % confidence interval of mu, resolution included; of curves
   double muHigh = kNotApplicable;  // to a target accuracy
   double muInterface = kNotApplicable;  // of local friction, where the scene has some; beside mu
+  /// Of `nodal`: mean over realizations of the share of its load that the element on the edge of
+  /// contact bears, where F_N(d) jumps past the force; 1 where it does not jump.
+  double marginalShare = kNotApplicable;
 };
 
 }  // namespace asperity
