@@ -32,12 +32,12 @@ constexpr std::array<CurveColumn, 10> kCurveColumns{{
 constexpr ColumnName kRealizations = "realizations";
 
 /// Further columns, each where its first row applies: local friction, a constant indentation, a
-/// target accuracy.
+/// target accuracy, the paper's single elements.
 struct ExtraColumn {
   ColumnName name;
   double (*value)(const CurvePoint& point);
 };
-constexpr std::array<ExtraColumn, 6> kExtraColumns{{
+constexpr std::array<ExtraColumn, 7> kExtraColumns{{
     {"mu_interface", [](const CurvePoint& point) { return point.muInterface; }},
     {"mu_total", [](const CurvePoint& point) { return point.mu + point.muInterface; }},
     {"mu_mean_of_ratios",
@@ -47,6 +47,7 @@ constexpr std::array<ExtraColumn, 6> kExtraColumns{{
     {"mu_ratio_of_means", [](const CurvePoint& point) { return point.muRatioOfMeans; }},
     {"mu_low", [](const CurvePoint& point) { return point.muLow; }},
     {"mu_high", [](const CurvePoint& point) { return point.muHigh; }},
+    {"marginal_share", [](const CurvePoint& point) { return point.marginalShare; }},
 }};
 
 std::vector<ExtraColumn> extraColumnsOf(const std::vector<CurvePoint>& points) {

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "sample_frame.h"
 #include "tidy_texts.h"
+#include "ui/picture/contact_overlay.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/picture/ticks.h"
 
@@ -316,6 +318,106 @@ TEST(ContactTexts, ElastomerIsNamedWhereNoContactIs) {
   const auto right = named(400, 260);
   ASSERT_TRUE(right);
   EXPECT_GT(right->x, 200);
+}
+
+/// Contact between two points of the frame is contact, whatever was asked to be coloured.
+TEST(ContactTexts, NoColoursDoNotMeanNoContact) {
+  SampleOptions sample;
+  sample.points = 300;
+  Frame frame = *sampleFrame(sample);
+  frame.pressure.assign(300, 0);
+  frame.sinceContact.assign(300, std::numeric_limits<double>::infinity());
+  frame.power.assign(300, 0);
+  for (const ContactOverlay overlay :
+       {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power}) {
+    frame.normalForce = 1e-9;
+    frame.contactFraction = 1e-6;
+    EXPECT_EQ(reasonUncoloured(frame, overlay), "no colours: contact lies between two points");
+    frame.normalForce = frame.contactFraction = 0;
+    EXPECT_NE(reasonUncoloured(frame, overlay), "no colours: contact lies between two points");
+  }
+  EXPECT_EQ(reasonUncoloured(frame, ContactOverlay::Pressure), "no colours: nothing touches");
+}
+
+// From 300 pixels on, at the densities of a screen and of a journal (86 mm at 300 per inch).
+constexpr Size kNarrow[] = {
+    {300, 220, 1},       {320, 240, 1},       {400, 260, 1},        {500, 350, 1},  {500, 170, 1},
+    {1016, 500, 3.125F}, {1016, 760, 3.125F}, {1016, 1200, 3.125F}, {1280, 200, 1}, {1280, 720, 1}};
+
+/// One number says nothing of the scale, and none without a unit says how much.
+TEST(ContactTexts, BothAxesHaveTwoNumbersAndAUnit) {
+  for (const double depth : {1e-7, 1e-6, 4e-6}) {
+    SampleOptions sample;
+    sample.points = 300;
+    sample.depth = depth;
+    const Frame frame = *sampleFrame(sample);
+    for (const Size& size : kNarrow) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      const Clip plot = contactPlotArea(frame, options);
+      const DrawList list = composeContact(frame, options);
+      int up = 0, along = 0, units = 0;
+      for (const DrawText& text : list.texts) {
+        const bool isBeside = text.x < plot.x && text.anchor == TextAnchor::Right;
+        up += isBeside ? 1 : 0;
+        const float below = text.y - plot.y - plot.height;
+        along += text.anchor == TextAnchor::Centre && below > 0 && below < 2 * text.size &&
+                         text.angle == 0 && text.utf8.find('(') == std::string::npos
+                     ? 1
+                     : 0;
+        for (const char* unit : {"(mm)", "(\u00B5m)", "(nm)", " mm", " \u00B5m", " nm"})
+          units += text.utf8.ends_with(unit) && (text.x < plot.x + 1 || below > 0) ? 1 : 0;
+      }
+      const std::string where = std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                " depth " + std::to_string(1e6 * depth);
+      // A frame that is lower than two numbers cannot have them.
+      if (plot.height > 3 * list.texts.back().size) {
+        EXPECT_GE(up, 2) << where;
+      }
+      EXPECT_GE(along, 2) << where;
+      EXPECT_GE(units, 2) << where;
+      expectTidy(list, where);
+    }
+  }
+}
+
+/// Rows that the line crosses have no label, wherever it has slid to.
+TEST(ContactTexts, NoLabelIsCrossedByTheLine) {
+  int labels = 0;
+  for (int slid = 0; slid < 8; ++slid) {
+    SampleOptions sample;
+    sample.points = 500;
+    sample.distance = slid * 0.0025;
+    const Frame frame = *sampleFrame(sample);
+    for (const Size& size : kNarrow) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      const Clip plot = contactPlotArea(frame, options);
+      const ContactView view = resolvedView(frame, options.view);
+      const DrawList list = composeContact(frame, options);
+      for (const DrawText& text : list.texts) {
+        if (text.x <= plot.x || text.y <= plot.y || text.y > plot.y + 0.45F * plot.height ||
+            text.x >= plot.x + plot.width)
+          continue;
+        ++labels;
+        const QRectF ink = inkOf(text);
+        for (std::size_t i = 0; i < frame.lineHeight.size(); ++i) {
+          const double x = plot.x + (static_cast<double>(i) * frame.spacing - view.left) /
+                                        view.width * plot.width;
+          const double y =
+              plot.y + (view.top - frame.lineHeight[i]) / (view.top - view.bottom) * plot.height;
+          if (x < ink.left() || x > ink.right()) continue;
+          ASSERT_GT(y, ink.bottom())
+              << text.utf8 << " " << size.width << "x" << size.height << " slid " << slid;
+        }
+      }
+    }
+  }
+  EXPECT_GT(labels, 150);
 }
 
 }  // namespace
