@@ -879,8 +879,8 @@
         <translation>Im Grenzfall kleiner Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Bars: one standard error, smaller than most marks.</source>
-        <translation>Balken: ein Standardfehler, kleiner als die meisten Marken.</translation>
+        <source>Bars: one standard error.</source>
+        <translation>Balken: ein Standardfehler.</translation>
     </message>
     <message>
         <source>In zone 1 the coefficient of friction is a power of the force, mu ~ F_N^(-H/(1+H))</source>

@@ -79,9 +79,11 @@ Diagram alphaDiagram(const std::vector<Coefficients>& all) {
   for (int k = 0; k <= 50; ++k) theory.points.push_back({k / 50.0, forceExponent(k / 50.0)});
   DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 0.1", SeriesMark::Circle,
                          SeriesStroke::None};
+  measured.colour = 0;
   for (const Coefficients& one : all) measured.points.push_back(pointOf(one.hurst, one.alpha));
   DiagramSeries wide{"measured, 0.001 \u2264 F\u2099/GhL \u2264 1", SeriesMark::Diamond,
                      SeriesStroke::None};
+  wide.colour = 1;
   for (const Coefficients& one : all) wide.points.push_back(pointOf(one.hurst, one.wideAlpha));
   diagram.series = {theory, wide, measured};
   return diagram;
@@ -174,7 +176,7 @@ void addExponentsFigure(Figure& figure, const FigureOptions& options) {
   figure.sheet.diagrams = {alphaDiagram(all), betaDiagram(all)};
   figure.sheet.note =
       "In the limit of low velocity. \u03B1 depends on the range of forces that it is fitted to; "
-      "\u03B2 belongs to \u03B1 = H/(1 + H). Bars: one standard error, smaller than most marks. " +
+      "\u03B2 belongs to \u03B1 = H/(1 + H). Bars: one standard error. " +
       correlationNote(all);
   figure.claims = {exponentClaim(all), prefactorClaim(all)};
 }

@@ -82,6 +82,7 @@ TEST(DiagramTexts, AreAllThereAtUsualSizes) {
 /// A shade's name stands in it, in lines; where it has no room there is none, and never a part.
 TEST(DiagramTexts, ShadesAreNamedWhereTheyHaveRoom) {
   DiagramSheet sheet = sheetOf({{1e-5, 1e-3}, {1e-2, 1}, {1e3, 1}});
+  sheet.diagrams[0].x = {"v", "m/s", AxisScale::Logarithmic, 1e-5, 1e3};
   const auto shown = [&](double from) {
     sheet.diagrams[0].shades = {{from, 1e3, "few summits carry the load"}};
     return composeDiagrams(sheet, {900, 600, 1, lightTheme()});

@@ -69,7 +69,7 @@ TEST(Claims, AreNotReversedByAnotherSeed) {
   std::set<std::pair<std::string, Verdict>> verdicts;
   for (const char* seed : {"surface.seed=1", "surface.seed=2", "surface.seed=3", "surface.seed=4"})
     for (const Claim& claim :
-         makeFigure(FigureName::Velocity, optionsOf(60, {seed, "surface.elements=1000"})).claims) {
+         makeFigure(FigureName::Velocity, optionsOf(40, {seed, "surface.elements=600"})).claims) {
       ids.insert(claim.id);
       verdicts.emplace(claim.id, claim.holds);
     }
@@ -79,7 +79,7 @@ TEST(Claims, AreNotReversedByAnotherSeed) {
 }
 
 TEST(Claims, OfFigure2SayWhatRegionsThreeAndFourAre) {
-  const Figure figure = makeFigure(FigureName::Velocity, optionsOf(60, {"surface.elements=2000"}));
+  const Figure figure = makeFigure(FigureName::Velocity, optionsOf(40, {"surface.elements=1000"}));
   EXPECT_EQ(claimOf(figure, "elasticity_negligible_on_plateau").holds, Verdict::Yes);
   const Claim& follows = claimOf(figure, "region_4_follows_slope");
   EXPECT_EQ(follows.holds, Verdict::Yes);
@@ -98,8 +98,8 @@ TEST(Claims, OfFigure2SayWhatRegionsThreeAndFourAre) {
 /// The border is that of another scene where force or modulus are.
 TEST(Claims, OfRegionFourAreComputedFromTheScene) {
   const auto border = [](std::vector<std::string> assignments) {
-    assignments.push_back("surface.elements=600");
-    const Figure figure = makeFigure(FigureName::Velocity, optionsOf(20, std::move(assignments)));
+    assignments.push_back("surface.elements=300");
+    const Figure figure = makeFigure(FigureName::Velocity, optionsOf(8, std::move(assignments)));
     return claimOf(figure, "region_4_begins_at_few_summits").measured.value;
   };
   const double one = border({});
@@ -108,7 +108,7 @@ TEST(Claims, OfRegionFourAreComputedFromTheScene) {
 }
 
 TEST(Claims, OfFigure4KnowRoughSummitsAndOneSidedContacts) {
-  const Figure figure = makeFigure(FigureName::Forces, optionsOf(20, {"surface.elements=2000"}));
+  const Figure figure = makeFigure(FigureName::Forces, optionsOf(20, {"surface.elements=1000"}));
   const Claim& rough = claimOf(figure, "slope_in_contact_falls_for_rough_summits");
   EXPECT_EQ(rough.holds, Verdict::Yes);
   EXPECT_GT(rough.measured.value, 1.2);
