@@ -222,7 +222,8 @@ const char* const kBatchFormat =
 An entry's scene is a file (relative to the batch's), the name of a shipped scene, or a scene itself; set and sweep take any scene
 key. A sweep is a list, or a range, logarithmic unless "spacing": "linear"; several keys make a
 grid. show: contact, curve, both, or transient. DIR gets index.html, contact_sheet.png, results.csv
-and for each scene NAME.png, NAME.csv (its curve) and NAME.json (the scene).)";
+and for each scene NAME.png, NAME.json (the scene) and, of curve, both and transient, NAME.csv: the
+curve, or the motion as asperity motion writes it, in at most 2000 rows.)";
 
 Batch readBatch(const std::filesystem::path& file) {
   try {

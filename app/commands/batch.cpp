@@ -15,6 +15,7 @@
 #include "app/progress_bar.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
+#include "core/run/motion_table.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
@@ -31,7 +32,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kThumbnail = 480;  // pixels wide
+constexpr int kThumbnail = 480;             // pixels wide
+constexpr std::int64_t kMotionRows = 2000;  // of a motion's table
 
 class BatchRun {
  public:
@@ -139,6 +141,16 @@ class BatchRun {
     if (!curve.empty()) {
       writeFileAtomically(fileIn(name + ".csv"),
                           provenanceComment("batch", scene) + curveCsv(curve));
+      result.files.push_back(name + ".csv");
+    }
+    if (layout == PictureLayout::Transient) {
+      MotionOptions options;
+      options.mostRows = kMotionRows;
+      options.threads = command_.common.threads;
+      const MotionTable table = marchMotion(scene, options);
+      writeFileAtomically(fileIn(name + ".csv"),
+                          "# asperity: " + provenanceLine(motionProvenance("batch", scene, table)) +
+                              "\n" + motionCsv(table));
       result.files.push_back(name + ".csv");
     }
     writeFileAtomically(fileIn(name + ".json"), writeScene(scene));

@@ -86,7 +86,9 @@ class Rendering {
   }
 
   std::string summary() const {
-    std::string text = "mu = " + shortNumber(frictionOf(last_), 6) + "\n";
+    std::string text = "mu = " + shortNumber(frictionOf(last_), 6);
+    if (std::isfinite(last_.muError)) text += " \u00B1 " + shortNumber(last_.muError, 2);
+    text += "\n";
     if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
     text += filled(kind_ == Kind::Film ? Words::tr("wrote %1 frames to %2")
                                        : Words::tr("wrote %1 frames in %2"),
@@ -101,6 +103,7 @@ class Rendering {
     Json answer = origin();
     const double mu = frictionOf(last_);
     answer["mu"] = std::isfinite(mu) ? Json(mu) : Json();
+    if (std::isfinite(last_.muError)) answer["mu_discretization_error"] = last_.muError;
     if (last_.muInterface > 0) answer["mu_interface"] = last_.muInterface;
     answer["indentation"] = last_.indentation;
     answer["contact_fraction"] = last_.contactFraction;
