@@ -123,7 +123,7 @@ TEST(TimeMarch, BothReadingsOfFrictionConverge) {
   const auto lines = [](std::size_t nodes) {
     return std::vector<std::pair<const char*, Line>>{{"parabola", parabolaLine(0.02, nodes, 0.5)},
                                                      {"wedge", wedgeLine(0.02, nodes, 2e-3)},
-                                                     {"sine", sineLine(0.02, nodes, 1e-6, 4)}};
+                                                     {"sine", sineLine(0.02, nodes, 5e-6, 4)}};
   };
   for (std::size_t shape = 0; shape < 3; ++shape) {
     double lastError = 0, lastDifference = 0;
@@ -142,7 +142,7 @@ TEST(TimeMarch, BothReadingsOfFrictionConverge) {
       const double error = std::abs(ways / exact - 1), difference = std::abs(places / ways - 1);
       if (nodes == 500) {
         EXPECT_LT(error, 0.05) << name;
-        EXPECT_LT(difference, 0.1) << name;
+        EXPECT_LT(difference, 0.2) << name;
       } else {
         EXPECT_LT(error, lastError / 6) << name;              // second order: 16
         EXPECT_LT(difference, lastDifference / 2.5) << name;  // at least first: 4
