@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/contact_sheets.h"
 #include "app/picture_composer.h"
 #include "core/friction/curve_words.h"
 #include "core/friction/ensemble.h"
@@ -160,8 +162,12 @@ class Entry {
       item.varied.emplace_back(sweep.key, value);
       assignments.push_back(sweep.key + "=" + value);
     }
+    if (json_.contains("scene") && json_["scene"].is_string())
+      item.inputs.push_back(folder_ / json_["scene"].get<std::string>());
     try {
       item.scene = sceneWith(assignments);
+      if (!item.scene.surface.file.empty())
+        item.inputs.push_back(item.scene.folder / item.scene.surface.file);
       if (item.scene.title.empty()) item.scene.title = name_;
       item.scene.title += variedInWords(item);
       const bool isSteady = item.scene.sliding.kind == SlidingKind::Steady;
@@ -189,6 +195,32 @@ class Entry {
   std::string show_;
   std::vector<std::string> set_;
   std::vector<Sweep> sweeps_;
+};
+
+/// What the whole batch writes beside the files of its items, and what stands in it.
+std::string_view contentOfCommonFile(const std::string& file) {
+  if (file == "index.html") return "the page of all scenes";
+  if (file == "results.csv") return "the table of all scenes";
+  return isSheetName(file) ? "the pictures of all scenes" : std::string_view();
+}
+
+/// The names of all files that the items of one entry will write, checked against those before.
+class OutputNames {
+ public:
+  void add(const BatchItem& item, std::size_t entry) {
+    for (const std::string& file : filesOf(item)) {
+      const std::string key = fmt::format("entries[{}].name", entry - 1);
+      if (const std::string_view content = contentOfCommonFile(file); !content.empty())
+        refuse(key, fmt::format("'{}' would write {}, which holds {}", item.name, file, content));
+      const auto [known, isNew] = writtenBy_.emplace(file, entry);
+      if (!isNew)
+        refuse(key, fmt::format("'{}' would write {}, as entries[{}] does", item.name, file,
+                                known->second - 1));
+    }
+  }
+
+ private:
+  std::map<std::string, std::size_t> writtenBy_;  // file -> number of the entry
 };
 
 void addEntry(Batch& batch, const Json& json, std::size_t number,
@@ -221,9 +253,15 @@ const char* const kBatchFormat =
                 "surface.hurst": [0.3, 0.7, 1]}}]}
 An entry's scene is a file (relative to the batch's), the name of a shipped scene, or a scene itself; set and sweep take any scene
 key. A sweep is a list, or a range, logarithmic unless "spacing": "linear"; several keys make a
-grid. show: contact, curve, both, or transient. DIR gets index.html, contact_sheet.png, results.csv
-and for each scene NAME.png, NAME.json (the scene) and, of curve, both and transient, NAME.csv: the
-curve, or the motion as asperity motion writes it, in at most 2000 rows.)";
+grid. show: contact, curve, both, or transient. DIR gets index.html, results.csv, contact_sheet.png
+(many scenes: also contact_sheet_2.png and on), and for each scene NAME.png, NAME.json (the scene)
+and, of curve, both and transient, NAME.csv: the curve, or the motion as asperity motion writes it,
+in at most 2000 rows. In results.csv mu, indentation and contact_fraction are means over the
+scene's lines at its velocity, empty for a motion; line_mu and its like are of the line shown.)";
+
+std::vector<std::string> filesOf(const BatchItem& item) {
+  return {item.name + ".png", item.name + ".csv", item.name + ".json"};
+}
 
 Batch readBatch(const std::filesystem::path& file) {
   try {
@@ -238,8 +276,12 @@ Batch readBatch(const std::filesystem::path& file) {
     if (entries == root.end() || !entries->is_array() || entries->empty())
       refuse("entries", "needs a list of entries");
     std::set<std::string> names;
-    for (std::size_t i = 0; i < entries->size(); ++i)
+    OutputNames outputs;
+    for (std::size_t i = 0, first = 0; i < entries->size(); ++i) {
       addEntry(batch, (*entries)[i], i + 1, file.parent_path(), names);
+      for (; first < batch.items.size(); ++first)
+        if (batch.items[first].error.empty()) outputs.add(batch.items[first], i + 1);
+    }
     return batch;
   } catch (const InputError& error) {
     throw error.file().empty() ? error.in(file.string()) : error;

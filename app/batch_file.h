@@ -17,8 +17,12 @@ struct BatchItem {
   std::vector<std::pair<std::string, std::string>> varied;  // key and value, of the sweep
   std::string show;                                         // layout of its picture
   Scene scene;
-  std::string error;  // one sentence; empty: the scene is good
+  std::vector<std::filesystem::path> inputs;  // files that it is read from
+  std::string error;                          // one sentence; empty: the scene is good
 };
+
+/// The files that an item gives, whatever is shown of it: its picture, table and scene.
+std::vector<std::string> filesOf(const BatchItem& item);
 
 struct Batch {
   std::string title;
@@ -30,7 +34,8 @@ struct Batch {
 extern const char* const kBatchFormat;
 
 /// An entry that is wrong becomes an item with an error. Throws InputError where the file as a
-/// whole does not read.
+/// whole does not read, or where two entries would write one file or one of them a file that
+/// belongs to the whole batch.
 Batch readBatch(const std::filesystem::path& file);
 
 }  // namespace asperity

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/friction/curve_file.h"
 #include "core/friction/curve_words.h"
@@ -76,6 +77,38 @@ std::string complaintText(const std::string& english) {
   return english;
 }
 
+/// "0.0239 ± 0.0003".
+std::string withError(double value, double standardError) {
+  const std::string text = shortNumber(value, 4);
+  return std::isfinite(standardError) ? text + " \u00B1 " + shortNumber(standardError, 2) : text;
+}
+
+std::string percent(double fraction) {
+  return shortNumber(100 * fraction) + " %";
+}
+
+/// The means, each with its standard error where it has one, and the line's own beside them; of one
+/// line alone there is nothing else.
+std::string readings(const BatchResult& result) {
+  const std::string mu = shortNumber(result.lineMu, 4);
+  const std::string contact = percent(result.lineContactFraction);
+  const std::string indentation = quantity(result.lineIndentation, "m", 4);
+  const auto& mean = result.mean;
+  if (!mean || mean->realizations <= 1)
+    return row(mean ? Words::tr("coefficient of friction")
+                    : Words::tr("coefficient of friction at the end, of the line shown"),
+               mu) +
+           row(Words::tr("in contact"), contact) + row(Words::tr("indentation"), indentation);
+  const auto both = [](const std::string& all, const std::string& own) {
+    return filled(Words::tr("%1 (line shown: %2)"), {all, own});
+  };
+  return row(filled(Words::tr("coefficient of friction, mean of %1 lines"),
+                    {std::to_string(mean->realizations)}),
+             both(withError(mean->mu, mean->muStandardError), mu)) +
+         row(Words::tr("in contact"), both(percent(mean->contactFraction), contact)) +
+         row(Words::tr("indentation"), both(quantity(mean->indentation, "m", 4), indentation));
+}
+
 std::string article(const BatchResult& result) {
   const BatchItem& item = result.item;
   if (!item.error.empty())
@@ -86,14 +119,19 @@ std::string article(const BatchResult& result) {
       "<table>",
       xmlText(translated(item.scene.title)), result.files.front());
   for (const auto& [key, value] : item.varied) html += variedRow(key, value);
-  html += row(Words::tr("coefficient of friction"), shortNumber(result.mu, 4));
-  html += row(Words::tr("in contact"), shortNumber(100 * result.contactFraction) + " %");
-  html += row(Words::tr("indentation"), quantity(result.indentation, "m", 4));
+  html += readings(result);
   html += "</table><p class=\"quiet\">" + xmlText(translated(parametersInWords(item.scene))) +
           "</p><p>";
   for (const std::string& file : result.files)
     html += fmt::format("<a href=\"{0}\">{0}</a> ", file);
   return html + "</p></article>\n";
+}
+
+std::string countText(std::size_t all, std::size_t bad) {
+  if (all == 1) return bad > 0 ? Words::tr("One scene, and it failed.") : Words::tr("One scene.");
+  const std::string count = std::to_string(all);
+  return bad > 0 ? filled(Words::tr("%1 scenes, %2 of them failed."), {count, std::to_string(bad)})
+                 : filled(Words::tr("%1 scenes."), {count});
 }
 
 std::string quoted(const std::string& text) {
@@ -105,18 +143,20 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::string batchPage(const Batch& batch, const std::vector<BatchResult>& results) {
+std::string batchPage(const Batch& batch, const std::vector<BatchResult>& results,
+                      const std::vector<std::string>& sheets) {
   const auto bad = std::count_if(results.begin(), results.end(),
                                  [](const BatchResult& r) { return !r.item.error.empty(); });
   std::string html =
       filled(kHead, {std::string(presentLanguage())}) +
       fmt::format("<title>{0}</title>\n</head>\n<body>\n<h1>{0}</h1>\n", xmlText(batch.title));
-  const std::string count = std::to_string(results.size());
-  html += "<p>" + (bad > 0 ? filled(Words::tr("%1 scenes, %2 of them failed."),
-                                    {count, std::to_string(bad)})
-                           : filled(Words::tr("%1 scenes."), {count}));
-  html += " <a href=\"contact_sheet.png\">" + Words::tr("All on one sheet") + "</a>, " +
-          "<a href=\"results.csv\">" + Words::tr("all results as a table") + "</a>.</p>\n<main>\n";
+  html += "<p>" + countText(results.size(), static_cast<std::size_t>(bad)) + " ";
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    html +=
+        fmt::format("<a href=\"{}\">{}</a>, ", sheets[i],
+                    sheets.size() == 1 ? Words::tr("All on one sheet")
+                                       : filled(Words::tr("Sheet %1"), {std::to_string(i + 1)}));
+  html += "<a href=\"results.csv\">" + Words::tr("all results as a table") + "</a>.</p>\n<main>\n";
   for (const BatchResult& result : results) html += article(result);
   return html + "</main>\n<p class=\"quiet\">" +
          filled(Words::tr("Made by Asperity %1."), {ASPERITY_VERSION}) + "</p>\n</body>\n</html>\n";
@@ -129,7 +169,10 @@ std::string batchTable(const std::vector<BatchResult>& results) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
   std::string text = joinedColumns({"name"}) + ",";
   for (const std::string& key : keys) text += quoted(key) + ",";
-  text += joinedColumns({"mu", "indentation", "contact_fraction", "error"}) + "\n";
+  text +=
+      joinedColumns({"mu", "indentation", "contact_fraction", "mu_standard_error", "realizations",
+                     "line_mu", "line_indentation", "line_contact_fraction", "error"}) +
+      "\n";
   for (const BatchResult& result : results) {
     text += result.item.name + ",";
     for (const std::string& key : keys) {
@@ -137,8 +180,16 @@ std::string batchTable(const std::vector<BatchResult>& results) {
         if (own == key) text += quoted(value);
       text += ",";
     }
-    text += fmt::format("{},{},{},{}\n", csvNumber(result.mu), csvNumber(result.indentation),
-                        csvNumber(result.contactFraction), quoted(result.item.error));
+    const auto& mean = result.mean;
+    const auto ofMean = [&](double CurvePoint::*member) {
+      return mean ? csvNumber((*mean).*member) : std::string();
+    };
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", ofMean(&CurvePoint::mu),
+                        ofMean(&CurvePoint::indentation), ofMean(&CurvePoint::contactFraction),
+                        ofMean(&CurvePoint::muStandardError),
+                        mean ? std::to_string(mean->realizations) : "", csvNumber(result.lineMu),
+                        csvNumber(result.lineIndentation), csvNumber(result.lineContactFraction),
+                        quoted(result.item.error));
   }
   return text;
 }

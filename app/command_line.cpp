@@ -13,11 +13,14 @@
 #include <functional>
 
 #include "app/batch_file.h"
+#include "app/interruption.h"
 #include "app/option_words.h"
+#include "app/vector_target.h"
 #include "core/friction/figures/figure.h"
 #include "core/scene/input_error.h"
 #include "core/scene/known_words.h"
 #include "core/scene/parameter_table.h"
+#include "core/scene/printable_text.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/window/scene_library.h"
@@ -49,8 +52,10 @@ class CommandLine {
     addAccuracy();
     addExplain();
     addColumns();
-    app_.footer(fmt::format("Exit status: {} done, {} the run failed, {} bad input or usage.",
-                            kDone, kRunFailed, kBadInput));
+    app_.footer(fmt::format(
+        "Exit status: {} done, {} the run failed, {} bad input or usage, {} interrupted, {} "
+        "terminated.\n{}",
+        kDone, kRunFailed, kBadInput, kInterrupted, kTerminated, vectorTargetHelp()));
     refuseEmptyWords(app_);
   }
 
@@ -210,7 +215,8 @@ class CommandLine {
     std::string words;
     for (const FigureEntry& entry : figureEntries())
       words += fmt::format("  {:8} {}\n", entry.word, entry.headline);
-    verb->add_option("NAME", figure_.names, "One or more of the figures below, or all for 1 to 6")
+    verb->add_option("NAME", figure_.names,
+                     "One or more of the figures below, paper for 1 to 6, or all")
         ->required();
     verb->add_option("-o,--output", figure_.output, "Folder for CSV, PNG, SVG and claims.json")
         ->required();
@@ -281,7 +287,8 @@ class CommandLine {
 
 /// To a stderr that may be closed or full: there is nobody else to tell.
 int complain(const std::string& sentence, int status) {
-  std::fputs(("asperity: " + sentence + "\n").c_str(), stderr);
+  while (isInterrupted()) ::pause();  // that was the reason, and is said already
+  std::fputs(("asperity: " + printable(sentence) + "\n").c_str(), stderr);
   return status;
 }
 
@@ -308,7 +315,9 @@ int runCommandLine(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
   fillClosedStreams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
+  endCleanlyOnInterruption();
   try {
+    chooseVectorTarget();
     CommandLine commandLine;
     commandLine.checkVerb(argc, argv);
     const int status = commandLine.run(argc, argv);

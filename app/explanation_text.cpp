@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/scene/printable_text.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -83,10 +84,18 @@ std::string mebibytes(double bytes) {
 
 std::string explanationText(const Explanation& explanation) {
   const Scene& scene = explanation.scene;
-  std::string text = scene.title.empty() ? std::string() : translated(scene.title) + "\n";
+  std::string text =
+      scene.title.empty() ? std::string() : printable(translated(scene.title)) + "\n";
   text += filled(Words::tr("asperity %1 runs"), {explanation.verb}) + "\n" +
           stageLines(explanation.stages, true) + Words::tr("and leaves out") + "\n" +
           stageLines(explanation.stages, false);
+  if (std::isfinite(explanation.fewSummitsVelocity))
+    text +=
+        filled(Words::tr("above %1 few summits carry the load (region IV): F_N / (4 eta v), the "
+                         "height that the contacts of one period climb together, is below 0.1 "
+                         "h; the border belongs to the finite period and moves with it"),
+               {quantity(explanation.fewSummitsVelocity, "m/s")}) +
+        "\n";
   if (const auto& predicted = explanation.predicted)
     text += Words::tr("predicted") + "\n" +
             costLines(filled(Words::tr("%1 on %2 (%3)"),

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+#include <utility>
+
 namespace asperity {
 namespace {
 
@@ -46,26 +49,47 @@ Words encodingFor(const std::string& extension, const FilmOptions& options) {
                              : webp(options.transparent);
 }
 
+/// What ends a value or begins a key is text behind a backslash; a zero ends the line even so.
+std::string escaped(const std::string& value) {
+  std::string text;
+  for (const char letter : value) {
+    if (std::string_view("=;#\\\n\r").find(letter) != std::string_view::npos) text += '\\';
+    text += letter == '\0' ? ' ' : letter;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> ffmpegArguments(const std::string& extension, const FilmOptions& options,
-                                         const std::string& output) {
+                                         const std::string& output, const std::string& metadata) {
   // clang-format off
   Words words{"ffmpeg", "-hide_banner", "-nostdin", "-xerror", "-loglevel", "error", "-y",
               "-threads", "1", "-filter_threads", "1", "-filter_complex_threads", "1",
               "-f", "rawvideo", "-pix_fmt", "rgba",
               "-s", fmt::format("{}x{}", options.width, options.height),
-              "-r", fmt::format("{}", options.framesPerSecond), "-i", "pipe:0",
-              "-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"};
+              "-r", fmt::format("{}", options.framesPerSecond), "-i", "pipe:0"};
   // clang-format on
   const auto add = [&words](const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
   };
+  if (metadata.empty())
+    add({"-map_metadata", "-1"});
+  else
+    add({"-f", "ffmetadata", "-i", metadata, "-map", "0:v", "-map_metadata", "1"});
+  add({"-fflags", "+bitexact", "-flags:v", "+bitexact"});
   add(encodingFor(extension, options));
-  if (!options.title.empty()) add({"-metadata", "title=" + options.title});
-  if (!options.metadata.empty()) add({"-metadata", "comment=" + options.metadata});
   add({"-threads", "1", output});
   return words;
+}
+
+std::string filmMetadata(const std::string& extension, const FilmOptions& options) {
+  if (extension == ".gif" || extension == ".webp") return {};
+  std::string text;
+  for (const auto& [key, value] :
+       {std::pair{"title", &options.title}, {"comment", &options.metadata}})
+    if (!value->empty()) text += fmt::format("{}={}\n", key, escaped(*value));
+  return text.empty() ? text : ";FFMETADATA1\n" + text;
 }
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -20,13 +21,14 @@
 #include "app/output.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/printable_text.h"
 #include "ui/picture/xml_text.h"
 
 namespace asperity {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kOutput = 3;  // descriptor of the film in ffmpeg
+constexpr int kOutput = 3, kMetadata = 4;  // descriptors of the film and of its metadata in ffmpeg
 
 /// The program in PATH; empty where it is not there.
 std::string findFfmpeg() {
@@ -72,6 +74,17 @@ class NoPipeSignal {
   void (*before_)(int);
 };
 
+/// What the bytes of every film of a kind have, and where.
+struct FilmBegin {
+  std::size_t offset;
+  std::string_view bytes;
+};
+FilmBegin filmBegin(std::string_view extension) {
+  if (extension == ".mp4") return {4, "ftyp"};
+  if (extension == ".webm") return {0, "\x1A\x45\xDF\xA3"};
+  return extension == ".gif" ? FilmBegin{0, "GIF89a"} : FilmBegin{8, "WEBP"};
+}
+
 void putLittleEndian(std::string& bytes, std::size_t at, std::size_t number) {
   for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(number >> (8 * i) & 255U);
 }
@@ -98,6 +111,7 @@ struct FilmFile::Body {
     complaints.slot() = ::memfd_create("ffmpeg", MFD_CLOEXEC);
     int ends[2] = {-1, -1};
     if (complaints.number() < 0 || ::pipe2(ends, O_CLOEXEC) != 0) fail(std::strerror(errno));
+    makeMetadata();
     const Descriptor reading(ends[0]);
     pictures.slot() = ends[1];
     start(reading.number());
@@ -110,9 +124,22 @@ struct FilmFile::Body {
     wait();
   }
 
+  void makeMetadata() {
+    const std::string text = filmMetadata(extension, options);
+    if (text.empty()) return;
+    metadata.slot() = ::memfd_create("metadata", MFD_CLOEXEC);
+    for (std::size_t at = 0; at < text.size();) {
+      const ssize_t written = ::write(metadata.number(), text.data() + at, text.size() - at);
+      if (written < 0 && errno != EINTR) fail(std::strerror(errno));
+      at += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+    }
+  }
+
   void start(int reading) {
+    const auto pathOf = [](int number) { return fmt::format("file:/proc/self/fd/{}", number); };
     std::vector<std::string> words =
-        ffmpegArguments(extension, options, fmt::format("file:/proc/self/fd/{}", kOutput));
+        ffmpegArguments(extension, options, pathOf(kOutput),
+                        metadata.number() < 0 ? std::string() : pathOf(kMetadata));
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -120,10 +147,12 @@ struct FilmFile::Body {
     posix_spawn_file_actions_init(&actions);
     // Above all that is assigned below: nothing is overwritten before it is used.
     const Descriptor copy(::fcntl(film.descriptor(), F_DUPFD_CLOEXEC, 10));
+    const Descriptor facts(::fcntl(metadata.number(), F_DUPFD_CLOEXEC, 10));
     posix_spawn_file_actions_adddup2(&actions, reading, 0);
     posix_spawn_file_actions_adddup2(&actions, complaints.number(), 1);
     posix_spawn_file_actions_adddup2(&actions, complaints.number(), 2);
     posix_spawn_file_actions_adddup2(&actions, copy.number(), kOutput);
+    if (facts.number() >= 0) posix_spawn_file_actions_adddup2(&actions, facts.number(), kMetadata);
     const int error =
         ::posix_spawn(&process, findFfmpeg().c_str(), &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
@@ -134,7 +163,7 @@ struct FilmFile::Body {
   }
 
   [[noreturn]] void fail(const std::string& why) const {
-    throw std::runtime_error(name + ": cannot be written: " + why);
+    throw std::runtime_error(printable(name) + ": cannot be written: " + printable(why));
   }
 
   int wait() {
@@ -166,6 +195,15 @@ struct FilmFile::Body {
     fail("ffmpeg failed" + (complaint.empty() ? std::string() : ": " + complaint));
   }
 
+  /// Whatever ran under the name of ffmpeg, only a film takes the place of the last one.
+  void checkContent() const {
+    const FilmBegin begin = filmBegin(extension);
+    const std::string bytes = film.content(begin.offset + begin.bytes.size());
+    if (bytes.empty()) fail("ffmpeg wrote nothing");
+    if (bytes.substr(std::min(begin.offset, bytes.size())) != begin.bytes)
+      fail("what ffmpeg wrote is no " + extension.substr(1));
+  }
+
   void write(const char* bytes, std::size_t size) {
     while (size > 0) {
       const ssize_t written = ::write(pictures.number(), bytes, size);
@@ -190,7 +228,7 @@ struct FilmFile::Body {
   std::string name, extension;
   FilmOptions options;
   AtomicFile film;
-  Descriptor pictures, complaints;
+  Descriptor pictures, complaints, metadata;
   NoPipeSignal noSignal;
   pid_t process = 0;
 };
@@ -211,6 +249,7 @@ void FilmFile::add(const QImage& given) {
 
 void FilmFile::finish() {
   body_->end();
+  body_->checkContent();
   body_->addMetadata();
   body_->film.commit();
 }

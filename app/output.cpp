@@ -11,6 +11,7 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
 #include "core/scene/known_words.h"
+#include "core/scene/printable_text.h"
 #include "ui/language/words.h"
 
 namespace asperity {
@@ -42,7 +43,15 @@ void checkNoInput(const std::string& output, const std::vector<std::filesystem::
       throw InputError("", "--output", output + " is what is read, and would be replaced");
 }
 
+void checkFolderName(const std::string& folder) {
+  if (folder == "-")
+    throw InputError("", "--output",
+                     "'-' is no folder, and standard output takes no pictures; name a file or a "
+                     "folder (./- where it is called so)");
+}
+
 void makeFolder(const std::string& folder) {
+  checkFolderName(folder);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))
@@ -50,11 +59,17 @@ void makeFolder(const std::string& folder) {
 }
 
 std::string wroteLine(const std::string& file) {
-  return filled(Words::tr("wrote %1"), {file}) + "\n";
+  return filled(Words::tr("wrote %1"), {printable(file)}) + "\n";
 }
 
-void printSummary(bool machineReads, bool quiet, const std::string& text) {
+void printSummary(bool machineReads, bool quiet, const std::string& given) {
   if (quiet) return;
+  std::string text;
+  for (std::size_t at = 0; at < given.size();) {
+    const std::size_t end = std::min(given.find('\n', at), given.size());
+    text += printable(std::string_view(given).substr(at, end - at)) + "\n";
+    at = end + 1;
+  }
   if (machineReads)
     std::fputs(text.c_str(), stderr);
   else

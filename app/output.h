@@ -20,13 +20,18 @@ void checkOutputs(const std::vector<std::string>& files,
 /// Throws InputError where an output would replace a file that was read.
 void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs);
 
+/// Throws InputError where the folder's name is "-": pictures and tables do not go to standard
+/// output together, and a folder of that name is hardly ever meant.
+void checkFolderName(const std::string& folder);
+
 /// Makes the folder, with those above it, where it is not there. Throws InputError.
 void makeFolder(const std::string& folder);
 
 /// "wrote a.png" in the language in use, with its line's end.
 std::string wroteLine(const std::string& file);
 
-/// What a person reads: to stdout, or to stderr where stdout is the machine's.
-void printSummary(bool machineReads, bool quiet, const std::string& text);
+/// What a person reads, in whole lines of printable characters: to stdout, or to stderr where
+/// stdout is the machine's.
+void printSummary(bool machineReads, bool quiet, const std::string& given);
 
 }  // namespace asperity

@@ -19,7 +19,10 @@ namespace {
 // Told from the means, in front of which it may stand.
 constexpr int kPresentColour = 1;
 
-constexpr float kStripText = 0.8F;  // strips are low, which would make their texts small
+// Strips are low, which would make their texts small; where they are lower than so many heights of
+// a number, the texts make room for them all the same.
+constexpr float kStripText = 0.8F, kLeastStripText = 0.5F;
+constexpr float kGoodStrip = 3, kLeastStrip = 2;
 
 constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Contact},
                                                    {"curve", PictureLayout::Curve},
@@ -80,9 +83,9 @@ DrawList PictureComposer::compose(const Frame& frame) {
     return stacked(contact(frame, above), *below_);
   }
   const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
-  return stacked(contact(frame, above),
-                 diagram(transientSheet(*frame.scene, samples, frame.spacing, frame.length),
-                         style_.height - above, kStripText));
+  const DiagramSheet strips = transientSheet(*frame.scene, samples, frame.spacing, frame.length);
+  const int below = style_.height - above;
+  return stacked(contact(frame, above), diagram(strips, below, stripText(strips, below)));
 }
 
 int PictureComposer::contactHeight() const {
@@ -91,7 +94,34 @@ int PictureComposer::contactHeight() const {
       std::lround((hasDifference ? kContactPartOfThree : kContactPart) * style_.height));
 }
 
-void PictureComposer::checkRoom() const {
+float PictureComposer::stripText(const DiagramSheet& strips, int height) const {
+  float text = kStripText;
+  while (text > kLeastStripText && lowestFrame(strips, optionsFor(height, text)) < kGoodStrip)
+    text -= 0.1F;
+  return std::max(text, kLeastStripText);
+}
+
+void PictureComposer::checkStrips(const Scene& scene) const {
+  if (content_.layout != PictureLayout::Transient) return;
+  const DiagramSheet strips = transientSheet(scene, {}, 0, 0);
+  const auto hasRoom = [&](int height) {
+    return lowestFrame(strips, optionsFor(height, stripText(strips, height))) >= kLeastStrip;
+  };
+  int height = style_.height - contactHeight();
+  if (hasRoom(height)) return;
+  constexpr int kHighest = 20000, kStep = 10;
+  while (height < kHighest && !hasRoom(height)) height += kStep;
+  const std::string given = fmt::format("{}x{}", style_.width, style_.height);
+  if (height >= kHighest)
+    throw InputError("", "--size", given + " is too narrow for strips over time");
+  const int least = kStep * (static_cast<int>(height / (1 - kContactPart)) / kStep + 1);
+  throw InputError("", "--size",
+                   fmt::format("{} leaves no room for the strips over time; {}x{} does", given,
+                               style_.width, least));
+}
+
+void PictureComposer::checkRoom(const Scene& scene) const {
+  checkStrips(scene);
   const PictureLayout layout = content_.layout;
   if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;
   DiagramSheet sheet = curveSheet(content_.curves);
@@ -112,14 +142,12 @@ DrawList PictureComposer::contact(const Frame& frame, int height) {
   return composeContact(frame, options);
 }
 
+DiagramOptions PictureComposer::optionsFor(int height, float leastText) const {
+  return {style_.width, height, style_.scale, style_.theme, leastText};
+}
+
 DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float leastText) const {
-  DiagramOptions options;
-  options.width = style_.width;
-  options.height = height;
-  options.scale = style_.scale;
-  options.theme = style_.theme;
-  options.leastText = leastText;
-  return composeDiagrams(sheet, options);
+  return composeDiagrams(sheet, optionsFor(height, leastText));
 }
 
 /// The curve and on it the line and the velocity of the frame, and the way that a motion came.

@@ -11,6 +11,7 @@
 #include "core/friction/curve_set.h"
 #include "core/friction/diagram.h"
 #include "core/run/frame.h"
+#include "ui/picture/diagram_picture.h"
 
 namespace asperity {
 
@@ -37,8 +38,9 @@ class PictureComposer {
  public:
   PictureComposer(const PictureStyle& style, PictureContent content);
 
-  /// Throws InputError naming --size where a panel of the curve would find no room.
-  void checkRoom() const;
+  /// Throws InputError naming --size where a panel of the curve, or a strip over time of this
+  /// scene, would find no room.
+  void checkRoom(const Scene& scene) const;
 
   DrawList compose(const Frame& frame);
 
@@ -46,6 +48,9 @@ class PictureComposer {
   int contactHeight() const;  // pixels, above a diagram
   DrawList contact(const Frame& frame, int height);
   DrawList diagram(const DiagramSheet& sheet, int height, float leastText = 0) const;
+  DiagramOptions optionsFor(int height, float leastText) const;
+  float stripText(const DiagramSheet& strips, int height) const;
+  void checkStrips(const Scene& scene) const;
   DiagramSheet curveWithPresent(const Frame& frame) const;
 
   PictureStyle style_;

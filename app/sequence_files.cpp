@@ -9,6 +9,7 @@
 #include "app/output.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/input_error.h"
+#include "core/scene/json_text.h"
 #include "core/scene/provenance.h"
 #include "ui/picture/png_file.h"
 
@@ -27,11 +28,33 @@ std::string headOf(const std::string& file) {
   return bytes;
 }
 
+/// "frame_0061.png", with any number of digits from four on.
+bool isFrameName(const std::string& name) {
+  constexpr std::string_view kFront = "frame_", kEnd = ".png";
+  if (!name.starts_with(kFront) || !name.ends_with(kEnd)) return false;
+  const std::string_view digits =
+      std::string_view(name).substr(kFront.size(), name.size() - kFront.size() - kEnd.size());
+  return digits.size() >= 4 && digits.find_first_not_of("0123456789") == digits.npos;
+}
+
+/// Whether this program wrote the file as one of a sequence.
+bool isOwnFrame(const std::string& file) {
+  constexpr int kDeepest = 12;  // of a scene in a provenance, with room to spare
+  try {
+    const auto made = parseJson(pngMetadata(headOf(file)), kDeepest);
+    const auto verb = made.find("verb"), picture = made.find("picture");
+    return verb != made.end() && *verb == "render" && picture != made.end() &&
+           picture->contains("frame");
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 SequenceFiles::SequenceFiles(const std::string& folder, std::int64_t count,
                              nlohmann::ordered_json origin)
-    : origin_(std::move(origin)) {
+    : folder_(folder), origin_(std::move(origin)) {
   makeFolder(folder);
   const std::size_t digits = std::max<std::size_t>(4, std::to_string(count).size());
   for (std::int64_t i = 1; i <= count; ++i)
@@ -57,6 +80,19 @@ std::vector<std::int64_t> SequenceFiles::missing() const {
                        "made anew");
   }
   return missing;
+}
+
+std::int64_t SequenceFiles::removeLeftOver() const {
+  std::int64_t removed = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+    const std::string file = (fs::path(folder_) / entry.path().filename()).string();
+    if (!isFrameName(entry.path().filename().string()) || !entry.is_regular_file() ||
+        std::ranges::binary_search(files_, file) || !isOwnFrame(file))
+      continue;
+    std::error_code ignored;  // one that cannot be removed stays
+    removed += fs::remove(file, ignored) ? 1 : 0;
+  }
+  return removed;
 }
 
 }  // namespace asperity

@@ -26,7 +26,12 @@ class SequenceFiles {
   /// Those that are not there yet. Throws InputError where one is there that says something else.
   std::vector<std::int64_t> missing() const;
 
+  /// Removes frames in the folder that a sequence of this program left there and that are not of
+  /// this one; returns how many. A file that does not say that it is such a frame stays.
+  std::int64_t removeLeftOver() const;
+
  private:
+  std::string folder_;
   std::vector<std::string> files_;
   nlohmann::ordered_json origin_;
 };

@@ -4,21 +4,24 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "app/batch_file.h"
 #include "app/batch_page.h"
 #include "app/command_line.h"
+#include "app/contact_sheets.h"
 #include "app/frame_source.h"
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/picture_composer.h"
 #include "app/progress_bar.h"
+#include "core/accuracy/target_curve.h"
 #include "core/friction/curve_file.h"
-#include "core/friction/ensemble.h"
 #include "core/run/motion_table.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
+#include "core/scene/printed_number.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/translated.h"
@@ -32,27 +35,42 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kThumbnail = 480;             // pixels wide
-constexpr std::int64_t kMotionRows = 2000;  // of a motion's table
+/// Rows of a motion's table.
+constexpr std::int64_t kMotionRows = 2000;
+
+/// One over the scene's lines at its own velocity; none of a motion, or of a line at rest.
+std::optional<CurvePoint> meanOverLines(const Scene& scene, const CurveOptions& options) {
+  if (scene.sliding.kind != SlidingKind::Steady || !(scene.sliding.velocity > 0))
+    return std::nullopt;
+  Scene here = scene;
+  here.sweep.velocityFrom = here.sweep.velocityTo = scene.sliding.velocity;
+  here.sweep.points = 1;
+  return curveOf(here, options).points.front();
+}
+
+Json numberOr(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
 
 class BatchRun {
  public:
   explicit BatchRun(const BatchCommand& command)
       : command_(command), batch_(readBatch(command.common.scene)) {
     style_ = readStyle();
+    grid_.emplace(static_cast<int>(batch_.items.size()), style_.width, style_.height);
     small_ = style_;
-    small_.width = kThumbnail;
-    small_.height = kThumbnail * style_.height / style_.width;
+    small_.width = grid_->cellWidth();
+    small_.height = grid_->cellHeight();
     small_.scale = 0.5F;
-    columns_ = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(batch_.items.size()))));
-    const auto rows = (static_cast<int>(batch_.items.size()) + columns_ - 1) / columns_;
-    sheet_.width = columns_ * small_.width;
-    sheet_.height = rows * small_.height;
-    sheet_.background = style_.theme.background;
+    for (int i = 0; i < grid_->sheets(); ++i) {
+      DrawList& sheet = sheets_.emplace_back();
+      sheet.width = grid_->widthOf(i);
+      sheet.height = grid_->heightOf(i);
+      sheet.background = style_.theme.background;
+    }
     makeFolder(command.output);
     checkWritable(fileIn("index.html"));
-    for (const BatchItem& item : batch_.items)
-      checkNoInput(fileIn(item.name + ".json"), {command.common.scene});
+    checkInputs();
   }
 
   int run() {
@@ -65,17 +83,49 @@ class BatchRun {
         bar.show(static_cast<std::int64_t>(results_.size()), total);
       }
     }
+    finishPictures(pictures);
+    // What is small and says what was found comes first: sheets are large, and may fail.
     const std::string made = provenanceLine(origin());
-    pictures.write(fileIn("contact_sheet.png"), sheet_, {batch_.title, made, style_.scale});
-    pictures.finish();
+    const std::vector<std::string> names = grid_->names();
     writeFileAtomically(fileIn("results.csv"), "# asperity: " + made + "\n" + batchTable(results_));
-    writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_));
+    writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
+    for (std::size_t i = 0; i < sheets_.size(); ++i)
+      pictures.write(fileIn(names[i]), sheets_[i], {batch_.title, made, style_.scale});
+    pictures.finish();
     return report();
   }
 
  private:
   std::string fileIn(const std::string& name) const {
     return (std::filesystem::path(command_.output) / name).string();
+  }
+
+  /// No output may replace a file that the batch is read from.
+  void checkInputs() const {
+    std::error_code missing;  // what is not there cannot be replaced
+    std::set<std::filesystem::path> inputs{
+        std::filesystem::canonical(command_.common.scene, missing)};
+    for (const BatchItem& item : batch_.items)
+      for (const std::filesystem::path& input : item.inputs)
+        inputs.insert(std::filesystem::canonical(input, missing));
+    inputs.erase(std::filesystem::path());
+    const auto check = [&](const std::string& name) {
+      const std::filesystem::path present = std::filesystem::canonical(fileIn(name), missing);
+      if (inputs.contains(present)) checkNoInput(fileIn(name), {present});
+    };
+    for (const BatchItem& item : batch_.items)
+      for (const std::string& name : filesOf(item)) check(name);
+    for (const std::string& name : grid_->names()) check(name);
+    check("results.csv");
+  }
+
+  /// The last picture may fail after its scene was done.
+  void finishPictures(HeadlessPictures& pictures) {
+    try {
+      pictures.finish();
+    } catch (const std::runtime_error& error) {
+      results_.back().item.error = error.what();
+    }
   }
 
   /// A size that the file gives is said of the file.
@@ -103,38 +153,43 @@ class BatchRun {
       result.item.error = error.what();
     }
     if (!result.item.error.empty()) {
-      const auto [x, y] = cell();
-      addLabel(sheet_, filled(Words::tr("%1 failed"), {item.name}), {x + 16, y + 32}, 16,
-               TextAnchor::Left, style_.theme.text);
+      const auto [sheet, left, top] = cell();
+      addLabel(sheets_[sheet], filled(Words::tr("%1 failed"), {item.name}),
+               {static_cast<float>(left + 16), static_cast<float>(top + 32)}, 16, TextAnchor::Left,
+               style_.theme.text);
     }
     return result;
   }
 
-  /// Where the next scene stands on the sheet.
-  Place cell() const {
-    const int place = static_cast<int>(results_.size());
-    return {static_cast<float>(place % columns_ * small_.width),
-            static_cast<float>(place / columns_ * small_.height)};
-  }
+  /// Where the next scene stands.
+  ContactSheets::Cell cell() const { return grid_->cell(static_cast<int>(results_.size())); }
 
   void fill(BatchResult& result, HeadlessPictures& pictures) {
     const Scene& scene = result.item.scene;
     const PictureLayout layout = layoutFrom(result.item.show);
     PictureContent content{layout};
+    CurveOptions options;
+    options.threads = command_.common.threads;
     if (layout == PictureLayout::Curve || layout == PictureLayout::Both) {
       needSteadySliding(scene, "\"show\": \"" + result.item.show + "\"");
-      CurveOptions options;
-      options.threads = command_.common.threads;
-      content.curves.present = {{}, scene, frictionCurve(scene, options).points, 0};
+      const Curve curve = curveOf(scene, options);
+      if (!curve.isTargetMet)
+        throw InputError("", "accuracy.target_relative_error",
+                         "is not reached within the lines and memory allowed: " +
+                             printedNumber(curve.achievedError, 2));
+      content.curves.present = {{}, scene, curve.points, 0};
     }
+    result.mean = meanOverLines(scene, options);
     FrameSource source(scene, {}, true);
     const Frame frame = source.frame(0);
-    result.mu = frame.transient ? frame.muMarch : frame.muSteady;
-    result.indentation = frame.indentation;
-    result.contactFraction = frame.contactFraction;
+    result.lineMu = frame.transient ? frame.muMarch : frame.muSteady;
+    result.lineIndentation = frame.indentation;
+    result.lineContactFraction = frame.contactFraction;
 
     const std::string& name = result.item.name;
-    pictures.write(fileIn(name + ".png"), PictureComposer(style_, content).compose(frame),
+    PictureComposer composer(style_, content);
+    composer.checkRoom(scene);
+    pictures.write(fileIn(name + ".png"), composer.compose(frame),
                    {translated(scene.title), pictureOrigin("batch", scene), style_.scale});
     result.files = {name + ".png"};
     const std::vector<CurvePoint>& curve = content.curves.present.points;
@@ -144,10 +199,10 @@ class BatchRun {
       result.files.push_back(name + ".csv");
     }
     if (layout == PictureLayout::Transient) {
-      MotionOptions options;
-      options.mostRows = kMotionRows;
-      options.threads = command_.common.threads;
-      const MotionTable table = marchMotion(scene, options);
+      MotionOptions motion;
+      motion.mostRows = kMotionRows;
+      motion.threads = command_.common.threads;
+      const MotionTable table = marchMotion(scene, motion);
       writeFileAtomically(fileIn(name + ".csv"),
                           "# asperity: " + provenanceLine(motionProvenance("batch", scene, table)) +
                               "\n" + motionCsv(table));
@@ -156,8 +211,9 @@ class BatchRun {
     writeFileAtomically(fileIn(name + ".json"), writeScene(scene));
     result.files.push_back(name + ".json");
 
-    const auto [x, y] = cell();
-    addPicture(sheet_, PictureComposer(small_, content).compose(frame), x, y);
+    const auto [sheet, left, top] = cell();
+    addPicture(sheets_[sheet], PictureComposer(small_, content).compose(frame),
+               static_cast<float>(left), static_cast<float>(top));
   }
 
   static Json header() {
@@ -191,7 +247,12 @@ class BatchRun {
                    stderr);
         std::fputs("\n", stderr);
       } else {
-        entry["mu"] = std::isfinite(result.mu) ? Json(result.mu) : Json();
+        const CurvePoint none{.mu = kNotApplicable};
+        const CurvePoint& mean = result.mean ? *result.mean : none;
+        entry["mu"] = numberOr(mean.mu);
+        entry["mu_standard_error"] = numberOr(mean.muStandardError);
+        entry["realizations"] = result.mean ? Json(mean.realizations) : Json();
+        entry["line_mu"] = numberOr(result.lineMu);
         entry["provenance"] = provenance("batch", result.item.scene);
       }
       list.push_back(std::move(entry));
@@ -209,8 +270,8 @@ class BatchRun {
   const BatchCommand& command_;
   Batch batch_;
   PictureStyle style_, small_;
-  int columns_ = 1;
-  DrawList sheet_;
+  std::optional<ContactSheets> grid_;
+  std::vector<DrawList> sheets_;
   std::vector<BatchResult> results_;
 };
 

@@ -7,6 +7,7 @@
 #include "core/friction/law.h"
 #include "core/scene/element_law.h"
 #include "core/scene/input_error.h"
+#include "core/scene/printable_text.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "ui/language/translated.h"
@@ -26,7 +27,8 @@ LawInput lawInputOf(const Scene& scene, const LineSource& source) {
 std::string summaryOf(const Scene& scene, const LineSource& source, const LawInput& in) {
   const auto number = [](double value) { return shortNumber(value, 6); };
   const double spacing = source.length() / static_cast<double>(source.elements());
-  std::string text = scene.title.empty() ? Words::tr("a valid scene") : translated(scene.title);
+  std::string text =
+      scene.title.empty() ? Words::tr("a valid scene") : printable(translated(scene.title));
   const auto add = [&text](const std::string& line) { text += "\n  " + line; };
   add(filled(Words::tr("line: L = %1 m, %2 elements of %3 m, rms height %4 m, rms slope %5"),
              {number(source.length()), std::to_string(source.elements()), number(spacing),

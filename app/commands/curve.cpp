@@ -60,10 +60,13 @@ void writePictures(const CurveCommand& command, const CurveSet& set, const Pictu
 
 std::string summaryOf(const Curve& curve, const std::vector<std::string>& outputs) {
   const std::int64_t lines = curve.points.front().realizations;
-  std::string text = filled(Words::tr("%1 velocities"), {std::to_string(curve.points.size())}) +
-                     ", " +
-                     (lines == 1 ? Words::tr("one realization")
-                                 : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
+  const std::size_t velocities = curve.points.size();
+  std::string text =
+      (velocities == 1 ? Words::tr("one velocity")
+                       : filled(Words::tr("%1 velocities"), {std::to_string(velocities)})) +
+      ", " +
+      (lines == 1 ? Words::tr("one realization")
+                  : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
   if (curve.marginalFraction > 0)
     text += ", " + filled(Words::tr("%1 % of the balances with a partly loaded element"),
                           {shortNumber(100 * curve.marginalFraction, 2)});
@@ -74,6 +77,14 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
                        : Words::tr("relative error at most %1 at every velocity, target not met"),
                    {shortNumber(curve.achievedError, 2)}) +
             "\n";
+  const auto unresolved = std::ranges::count_if(
+      curve.points, [](const CurvePoint& point) { return !notesOf(point).empty(); });
+  if (unresolved > 0)
+    text +=
+        filled(Words::tr("at %1 velocities friction is below what the elements resolve, see the "
+                         "column notes"),
+               {std::to_string(unresolved)}) +
+        "\n";
   for (const std::string& output : outputs) text += wroteLine(output);
   return text;
 }

@@ -26,34 +26,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<FigureName> allOfThePaper() {
+/// Those that a word stands for: one, "paper" for Figs. 1 to 6, "all" for these and the two that
+/// the paper does not have.
+std::vector<FigureName> namesOf(const std::string& word) {
   std::vector<FigureName> names;
-  for (const FigureEntry& entry : figureEntries())
-    if (entry.name < FigureName::Master) names.push_back(entry.name);
-  return names;
-}
-
-FigureName nameOf(const std::string& word) {
   std::vector<std::string_view> words;
   for (const FigureEntry& entry : figureEntries()) {
-    if (entry.word == word) return entry.name;
+    if (entry.word == word) return {entry.name};
     words.push_back(entry.word);
+    if (word == "all" || entry.name < FigureName::Master) names.push_back(entry.name);
   }
-  words.push_back("all");
+  if (word == "all" || word == "paper") return names;
+  words.insert(words.end(), {"paper", "all"});
   throw InputError("", "NAME", notOneOf(word, words));
 }
 
 /// Each once, in the order given.
 std::vector<FigureName> namesOf(const std::vector<std::string>& words) {
   std::vector<FigureName> names;
-  const auto add = [&](FigureName name) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  };
   for (const std::string& word : words)
-    if (word == "all")
-      for (const FigureName name : allOfThePaper()) add(name);
-    else
-      add(nameOf(word));
+    for (const FigureName name : namesOf(word))
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   return names;
 }
 

@@ -36,6 +36,7 @@ using Json = nlohmann::ordered_json;
 enum class Kind { Picture, Film, Sequence };
 
 Kind kindOf(const std::string& output) {
+  checkFolderName(output);
   const std::string extension = extensionOf(output);
   if (extension == ".png" || extension == ".svg" || extension == ".pdf") return Kind::Picture;
   if (isFilm(extension)) return Kind::Film;
@@ -71,7 +72,7 @@ class Rendering {
       if (showsCurve()) computeCurves();
     });
     composer_.emplace(style_, content());
-    composer_->checkRoom();
+    composer_->checkRoom(scene_);
   }
 
   void run() {
@@ -90,12 +91,17 @@ class Rendering {
     if (std::isfinite(last_.muError)) text += " \u00B1 " + shortNumber(last_.muError, 2);
     text += "\n";
     if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
-    text += filled(kind_ == Kind::Film ? Words::tr("wrote %1 frames to %2")
-                                       : Words::tr("wrote %1 frames in %2"),
-                   {std::to_string(drawn_), command_.output}) +
-            "\n";
-    if (drawn_ < count())
-      text += filled(Words::tr("%1 were there already"), {std::to_string(count() - drawn_)}) + "\n";
+    text += framesText() + "\n";
+    if (const std::int64_t kept = count() - drawn_; kept > 0)
+      text += (kept == 1 ? Words::tr("one was there already")
+                         : filled(Words::tr("%1 were there already"), {std::to_string(kept)})) +
+              "\n";
+    if (removed_ > 0)
+      text += (removed_ == 1
+                   ? Words::tr("removed one frame that an earlier, longer sequence left")
+                   : filled(Words::tr("removed %1 frames that an earlier, longer sequence left"),
+                            {std::to_string(removed_)})) +
+              "\n";
     return text;
   }
 
@@ -114,6 +120,17 @@ class Rendering {
 
  private:
   std::int64_t count() const { return frames_->plan().count; }
+
+  /// "wrote 60 frames in out".
+  std::string framesText() const {
+    const bool isFilm = kind_ == Kind::Film;
+    if (drawn_ == 1)
+      return filled(
+          isFilm ? Words::tr("wrote one frame to %1") : Words::tr("wrote one frame in %1"),
+          {command_.output});
+    return filled(isFilm ? Words::tr("wrote %1 frames to %2") : Words::tr("wrote %1 frames in %2"),
+                  {std::to_string(drawn_), command_.output});
+  }
 
   void checkUsage() const {
     if (kind_ == Kind::Picture) checkStill();
@@ -191,6 +208,7 @@ class Rendering {
   /// Of the whole run: scene, verb, version, seed and how it is shown.
   Json origin() const {
     Json origin = provenance("render", scene_);
+    if (showsCurve()) addCurveOversampling(origin, scene_);
     Json& picture = origin["picture"] = style_.json();
     picture["layout"] = command_.layout;
     if (overlay_ != ContactOverlay::Pressure) picture["overlay"] = command_.overlay;
@@ -285,6 +303,7 @@ class Rendering {
     };
     runStages(missing, stages);
     if (missing.empty()) last_ = frames_->frame(count() - 1);
+    removed_ = sequence.removeLeftOver();
   }
 
   std::vector<std::int64_t> allIndices() const {
@@ -331,7 +350,7 @@ class Rendering {
   std::optional<PictureComposer> composer_;
   Frame last_;  // touched by the composing thread only while it runs
   std::vector<std::string> files_;
-  std::int64_t drawn_ = 0;
+  std::int64_t drawn_ = 0, removed_ = 0;
   StageSeconds seconds_;
   double elapsed_ = 0;
 };

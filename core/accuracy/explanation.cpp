@@ -8,8 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/accuracy/target_curve.h"
+#include "core/friction/few_summits.h"
 #include "core/friction/line_plan.h"
 #include "core/scene/provenance.h"
+#include "core/surface/line_source.h"
 
 namespace asperity {
 namespace {
@@ -38,16 +40,21 @@ Json budgetJson(const ErrorBudget& error) {
           {"model_difference", numberOrNull(error.modelDifference)}};
 }
 
+/// Of a line that is as rough as the scene says, or as its file is.
+double rmsHeightOf(const Scene& scene) {
+  return scene.surface.kind == SurfaceKind::Profile ? LineSource(scene, 1).statistics().rmsHeight
+                                                    : scene.surface.rmsHeight;
+}
+
 }  // namespace
 
 Explanation explain(const Scene& scene, int threads) {
   const bool isSteady = scene.sliding.kind == SlidingKind::Steady;
-  Explanation explanation{scene,
-                          isSteady ? "curve" : "render",
-                          planOnLine(scene, isSteady ? Purpose::Curve : Purpose::Picture),
-                          {},
-                          {}};
-  if (isSteady) explanation.predicted = predictCurve(scene, threads);
+  Explanation explanation{scene, isSteady ? "curve" : "render",
+                          planOnLine(scene, isSteady ? Purpose::Curve : Purpose::Picture)};
+  if (!isSteady) return explanation;
+  explanation.fewSummitsVelocity = fewSummitsVelocity(scene, rmsHeightOf(scene));
+  explanation.predicted = predictCurve(scene, threads);
   return explanation;
 }
 
@@ -68,11 +75,13 @@ void analyze(Explanation& explanation, int threads) {
 
 std::string explanationJson(const Explanation& explanation) {
   Json root = provenance("explain", explanation.scene);
+  root["oversampling_used"] = provenance(explanation.verb, explanation.scene)["oversampling_used"];
   root["of_verb"] = explanation.verb;
   Json stages = Json::array();
   for (const PlanStage& stage : explanation.stages)
     stages.push_back({{"name", stage.name}, {"runs", stage.runs}, {"reason", stage.reason}});
   root["stages"] = std::move(stages);
+  root["few_summits_above"] = numberOrNull(explanation.fewSummitsVelocity);
   root["predicted"] = nullptr;
   root["measured"] = nullptr;
   if (const auto& predicted = explanation.predicted)

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/accuracy/prediction.h"
+#include "core/friction/curve_point.h"
 #include "core/scene/plan.h"
 #include "core/scene/scene.h"
 
@@ -22,8 +23,10 @@ struct Explanation {
   Scene scene;
   std::string verb;  // "curve" or "render"
   std::vector<PlanStage> stages;
-  std::optional<Prediction> predicted;
-  std::optional<Measurement> measured;
+  /// m/s, above which few summits carry the load (core/friction/few_summits.h); NaN: nowhere.
+  double fewSummitsVelocity = kNotApplicable;
+  std::optional<Prediction> predicted{};
+  std::optional<Measurement> measured{};
 };
 
 /// The plan of `curve` for steady sliding, else of `render`, with the prediction of a curve; that

@@ -1,17 +1,25 @@
 #include "core/accuracy/level_sampler.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/friction/realizations.h"
 
 namespace asperity {
 namespace {
 
-/// Nodes of the finest line that a run may make.
+/// Nodes of the finest line that a run may make, and of x4, without which no error of a line is
+/// known.
 constexpr std::int64_t kMostNodes = std::int64_t{1} << 23;
+constexpr std::int64_t kMostNodesOfThree = std::int64_t{1} << 25;
 
-/// Realizations of different levels and purposes must be different lines.
+/// Realizations of different strata must be different lines.
 constexpr std::int64_t kApart = std::int64_t{1} << 32;
+
+bool isAllowed(std::int64_t elements, int level) {
+  const std::int64_t nodes = elements * oversamplingOf(level);
+  return level <= 1 || nodes <= (level == 2 ? kMostNodesOfThree : kMostNodes);
+}
 
 }  // namespace
 
@@ -19,8 +27,7 @@ LevelSampler::LevelSampler(const Scene& scene, const CurveOptions& options)
     : scene_(scene), options_(options) {
   sources_.push_back(std::make_unique<LineSource>(scene_, 1));
   for (int level = 1; level < kMostLevels; ++level)
-    if (level <= 1 || source(0).elements() * oversamplingOf(level) <= kMostNodes)
-      sources_.push_back(nullptr);
+    if (isAllowed(source(0).elements(), level)) sources_.push_back(nullptr);
 }
 
 const LineSource& LevelSampler::source(int level) {
@@ -40,47 +47,45 @@ bool LevelSampler::slide(int level, const States& states, std::int64_t first, st
       [&](std::span<const SteadyResult> row) { results.emplace_back(row.begin(), row.end()); });
 }
 
-void LevelSampler::count(LevelSums& sums, const SteadyResult& result, int level) {
+double LevelSampler::count(const SteadyResult& result, int level) {
   const double nodes = static_cast<double>(source(level).elements() * oversamplingOf(level));
   const double operations = static_cast<double>(result.passes) * nodes;
-  sums.operations.add(operations);
-  sums.value.add(result.mu);
   cost_.operations += operations;
   cost_.passes += result.passes;
   ++cost_.solves;
   cost_.largestResidual = std::max(cost_.largestResidual, result.residual);
+  return operations;
 }
 
-bool LevelSampler::sampleDirect(int level, const States& states, std::int64_t lines) {
-  const auto place = static_cast<std::size_t>(level);
-  const std::int64_t first = 2 * level * kApart + directDone_[place];
-  directDone_[place] += lines;
-  std::vector<std::vector<SteadyResult>> results;
-  if (!slide(level, states, first, lines, results)) return false;
-  for (const auto& row : results)
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      LevelSums& sums = states[i]->levels[place];
-      count(sums, row[i], level);
-      sums.direct.add(row[i].mu);
-      states[i]->facts.add(row[i]);
-    }
-  return true;
+void LevelSampler::add(LevelSums& sums, const SteadyResult& result, int level) {
+  sums.operations.add(count(result, level));
+  sums.value.add(result.mu);
 }
 
-bool LevelSampler::sampleCorrection(int level, const States& states, std::int64_t lines) {
-  const auto place = static_cast<std::size_t>(level);
-  const std::int64_t first = (2 * level + 1) * kApart + correctionDone_[place];
-  correctionDone_[place] += lines;
+std::int64_t LevelSampler::lines() const {
+  return std::accumulate(done_.begin(), done_.end(), std::int64_t{0});
+}
+
+bool LevelSampler::sample(const Stratum& stratum, const States& states, std::int64_t lines) {
+  const auto& [level, isDirect, half] = stratum;
+  const std::int64_t number = 4 * level + (isDirect ? 0 : 2) + static_cast<std::int64_t>(half);
+  std::int64_t& done = done_[static_cast<std::size_t>(number)];
+  const std::int64_t first = number * kApart + done;
+  done += lines;
   std::vector<std::vector<SteadyResult>> coarse, fine;
-  if (!slide(level - 1, states, first, lines, coarse)) return false;
+  if (!isDirect && !slide(level - 1, states, first, lines, coarse)) return false;
   if (!slide(level, states, first, lines, fine)) return false;
   for (std::size_t r = 0; r < fine.size(); ++r)
     for (std::size_t i = 0; i < states.size(); ++i) {
-      LevelSums& sums = states[i]->levels[place];
-      count(states[i]->levels[place - 1], coarse[r][i], level - 1);
-      count(sums, fine[r][i], level);
-      sums.correction.add(fine[r][i].mu - coarse[r][i].mu);
+      LevelSums& sums = states[i]->sums(half, level);
+      add(sums, fine[r][i], level);
       states[i]->facts.add(fine[r][i]);
+      if (isDirect) {
+        sums.direct.add(fine[r][i].mu);
+      } else {
+        add(states[i]->sums(half, level - 1), coarse[r][i], level - 1);
+        sums.correction.add(fine[r][i].mu - coarse[r][i].mu);
+      }
     }
   return true;
 }

@@ -6,100 +6,165 @@
 namespace asperity {
 namespace {
 
-/// At most this part of the error is left to the resolution.
-constexpr double kResolutionShare = 0.5;
-constexpr std::int64_t kFewestLines = 8;
+/// At most this part of the error is left to the resolution, so that what the finest line is off by
+/// stays small against the interval.
+constexpr double kResolutionShare = 0.3;
 
-/// Variance and cost of one line of each level of a plan, from `first` to `last`.
+/// Lines that differ by so much may agree on the average by chance.
+constexpr double kChance = 0.25;
+
+const LevelSums& sumsOf(const Halves& halves, std::size_t half, int level) {
+  return halves[half][static_cast<std::size_t>(level)];
+}
+
+/// Of both halves together.
+RunningMean pooled(const Halves& halves, int level, RunningMean LevelSums::*part) {
+  RunningMean mean = sumsOf(halves, 0, level).*part;
+  mean.add(sumsOf(halves, 1, level).*part);
+  return mean;
+}
+
+RunningMean LevelSums::*meanOn(int level, int first) {
+  return level == first ? &LevelSums::direct : &LevelSums::correction;
+}
+
+/// Friction as one half knows it on a level, before or after lines were drawn for its mean.
+double frictionOf(const Halves& halves, std::size_t half, int first, int last) {
+  const LevelSums& lowest = sumsOf(halves, half, first);
+  double mean = lowest.direct.count() > 0 ? lowest.direct.mean() : lowest.value.mean();
+  for (int l = first + 1; l <= last; ++l) mean += sumsOf(halves, half, l).correction.mean();
+  return mean;
+}
+
+/// Variance (as one half knows it), cost and fewest lines on each level from `first` to `last`.
 struct Terms {
   std::vector<double> variances, costs;
+  std::vector<std::int64_t> fewest;
 };
 
-Terms termsOf(std::span<const LevelSums> levels, int first, int last) {
+Terms termsOf(const Halves& halves, std::size_t half, int first, int last) {
   Terms terms;
   for (int l = first; l <= last; ++l) {
-    const LevelSums& here = levels[static_cast<std::size_t>(l)];
+    const LevelSums& sums = sumsOf(halves, half, l);
+    const double cost = pooled(halves, l, &LevelSums::operations).mean();
     if (l == first) {
-      terms.variances.push_back(here.value.variance());
-      terms.costs.push_back(here.operations.mean());
+      terms.variances.push_back(sums.value.variance());
+      terms.costs.push_back(cost);
+      terms.fewest.push_back(kFewestDirect);
     } else {
-      const LevelSums& below = levels[static_cast<std::size_t>(l - 1)];
-      terms.variances.push_back(here.correction.variance());
-      terms.costs.push_back(here.operations.mean() + below.operations.mean());
+      terms.variances.push_back(sums.correction.variance());
+      terms.costs.push_back(cost + pooled(halves, l - 1, &LevelSums::operations).mean());
+      terms.fewest.push_back(kFewestCorrections);
     }
   }
   return terms;
 }
 
-double operationsOf(const Terms& terms, const std::vector<std::int64_t>& lines) {
-  double sum = 0;
-  for (std::size_t k = 0; k < lines.size(); ++k)
-    sum += static_cast<double>(lines[k]) * terms.costs[k];
-  return sum;
-}
+/// Of all lines of a plan, and of those that are not there yet.
+struct Work {
+  double all = 0, missing = 0;
+};
 
-const RunningMean& meanOf(std::span<const LevelSums> levels, const LevelPlan& plan, int level) {
-  const LevelSums& sums = levels[static_cast<std::size_t>(level)];
-  return level == plan.first ? sums.direct : sums.correction;
+struct CostedPlan {
+  LevelPlan plan;
+  Work work;
+};
+
+CostedPlan planBetween(const Halves& halves, int first, int last, double relative,
+                       double resolution) {
+  LevelPlan plan{first, last, {}, 0, 0, resolution};
+  Work work;
+  for (const std::size_t half : {0U, 1U}) {
+    const std::size_t other = otherHalf(half);
+    const Terms terms = termsOf(halves, other, first, last);
+    const double error = relative * std::abs(frictionOf(halves, other, first, last));
+    // The mean of two means has half the variance of each. The other half may know less friction
+    // than both together, by which the resolution is judged.
+    const double allowed =
+        2 * error *
+        std::max(error - resolution * resolution / error, (1 - kResolutionShare) * error);
+    plan.lines[half] = optimalLines(terms.variances, terms.costs, allowed, terms.fewest);
+    for (int l = first; l <= last; ++l) {
+      const auto k = static_cast<std::size_t>(l - first);
+      const std::int64_t there = (sumsOf(halves, half, l).*meanOn(l, first)).count();
+      const std::int64_t lines = plan.lines[half][k];
+      work.all += static_cast<double>(lines) * terms.costs[k];
+      work.missing +=
+          static_cast<double>(std::max<std::int64_t>(0, lines - there)) * terms.costs[k];
+    }
+  }
+  plan.operations = work.all;
+  return {plan, work};
 }
 
 }  // namespace
 
 std::vector<std::int64_t> optimalLines(std::span<const double> variances,
                                        std::span<const double> costs, double allowed,
-                                       std::int64_t fewest) {
+                                       std::span<const std::int64_t> fewest) {
   double sum = 0;
   for (std::size_t k = 0; k < variances.size(); ++k) sum += std::sqrt(variances[k] * costs[k]);
   std::vector<std::int64_t> lines;
   for (std::size_t k = 0; k < variances.size(); ++k) {
     const double wanted = std::ceil(std::sqrt(variances[k] / costs[k]) * sum / allowed);
     // Beyond any run, but still a number.
-    lines.push_back(std::max(fewest, static_cast<std::int64_t>(std::min(wanted, 1e15))));
+    lines.push_back(std::max(fewest[k], static_cast<std::int64_t>(std::min(wanted, 1e15))));
   }
   return lines;
 }
 
-std::optional<double> resolutionErrorOf(std::span<const LevelSums> levels, int level) {
-  const auto above = static_cast<std::size_t>(level + 1);
-  if (above >= levels.size() || levels[above].correction.count() == 0) return {};
-  return 4.0 / 3.0 * std::abs(levels[above].correction.mean());
+double resolutionErrorOf(const Halves& halves, int level) {
+  const RunningMean last = pooled(halves, level, &LevelSums::correction);
+  const double byChance = kChance * std::sqrt(last.variance());
+  return std::max(std::abs(last.mean()), byChance) / 3;
 }
 
-std::optional<LevelPlan> planLevels(std::span<const LevelSums> levels, int known, double error) {
-  int last = 0;
-  while (last + 1 < known) {
-    const std::optional<double> resolution = resolutionErrorOf(levels, last);
-    if (resolution && *resolution <= kResolutionShare * error) break;
-    ++last;
-  }
-  const std::optional<double> resolution = resolutionErrorOf(levels, last);
-  if (!resolution) return {};
-  const double allowed = error * error - *resolution * *resolution;
-  std::optional<LevelPlan> best;
-  for (int first = 0; first <= last; ++first) {
-    const Terms terms = termsOf(levels, first, last);
-    LevelPlan plan{first, last, optimalLines(terms.variances, terms.costs, allowed, kFewestLines),
-                   0,     0,    *resolution};
-    plan.operations = operationsOf(terms, plan.lines);
-    if (!best || plan.operations < best->operations) best = plan;
-    if (first == last) best->plainOperations = plan.operations;
-  }
-  return best;
+double lineError(std::span<const double> friction) {
+  const std::size_t l = friction.size() - 1;
+  const double last = std::abs(friction[l] - friction[l - 1]);
+  const double before = std::abs(friction[l - 1] - friction[l - 2]);
+  return std::max(last, before / 4);
 }
 
-LevelEstimate estimateOf(std::span<const LevelSums> levels, const LevelPlan& plan) {
+std::optional<LevelPlan> planLevels(const Halves& halves, int known, double relative) {
+  std::optional<CostedPlan> best;
+  for (int last = 1; last < known; ++last) {
+    const double resolution = resolutionErrorOf(halves, last);
+    const double mu = (frictionOf(halves, 0, 0, last) + frictionOf(halves, 1, 0, last)) / 2;
+    if (!(resolution < kResolutionShare * relative * std::abs(mu))) continue;
+    std::optional<CostedPlan> ofLevel;
+    for (int first = 0; first <= last; ++first) {
+      const CostedPlan costed = planBetween(halves, first, last, relative, resolution);
+      if (!ofLevel || costed.work.missing < ofLevel->work.missing) ofLevel = costed;
+      if (first == last) ofLevel->plan.plainOperations = costed.work.all;
+    }
+    if (!best || ofLevel->work.missing < best->work.missing) best = ofLevel;
+  }
+  if (!best) return {};
+  return best->plan;
+}
+
+LevelEstimate estimateOf(const Halves& halves, const LevelPlan& plan) {
   LevelEstimate estimate;
   double squares = 0, spread = 0;
-  for (int l = plan.first; l <= plan.last; ++l) {
-    const RunningMean& mean = meanOf(levels, plan, l);
-    estimate.mean += mean.mean();
-    const double part = mean.variance() / static_cast<double>(mean.count());
-    squares += part;
-    spread += part * part / static_cast<double>(mean.count() - 1);
-  }
+  for (const std::size_t half : {0U, 1U})
+    for (int l = plan.first; l <= plan.last; ++l) {
+      const RunningMean& mean = sumsOf(halves, half, l).*meanOn(l, plan.first);
+      estimate.mean += 0.5 * mean.mean();
+      const double part = 0.25 * mean.variance() / static_cast<double>(mean.count());
+      squares += part;
+      spread += part * part / static_cast<double>(mean.count() - 1);
+    }
   estimate.standardError = std::sqrt(squares);
   estimate.freedom = spread > 0 ? squares * squares / spread : 1e9;
   return estimate;
+}
+
+double excessVariance(const Halves& halves, const LevelPlan& plan, double relative) {
+  const LevelEstimate estimate = estimateOf(halves, plan);
+  const double error = relative * std::abs(estimate.mean);
+  const double random = estimate.standardError / error, resolution = plan.resolutionError / error;
+  return random * random / (1 - resolution * resolution);
 }
 
 double studentQuantile(double freedom) {

@@ -1,7 +1,8 @@
 // What a friction curve will cost and how good it will be, said before it is run: a pilot on a few
-// lines gives time, spread and resolution, and the rest is arithmetic. The parts of the error are
-// told apart. Time depends on the machine and is for people; nothing is decided by it.
-// Threading: one thread at a time (time is measured). Failure: as frictionCurve; StudyStopped.
+// lines (core/accuracy/pilot.h) gives time, spread and resolution, and the rest is arithmetic. The
+// parts of the error are told apart. Time depends on the machine and is for people; nothing is
+// decided by it. Threading: one thread at a time (time is measured). Failure: as frictionCurve;
+// StudyStopped.
 #pragma once
 
 #include <cstdint>
@@ -34,13 +35,18 @@ struct Prediction {
   double simulations = 0;          // a line, a velocity, a balance
   double steps = 0, elements = 0;  // of a motion's march; 0 of a curve
   std::int64_t pilotLines = 0;
+  /// Points of lines made ready, or of a motion elements marched by a step: of the pilot, counted,
+  /// and of the run on one thread.
+  double operations = 0, runOperations = 0;
 };
 
 /// For `curve` of this scene. threads: 0 for as many as the machine has.
 Prediction predictCurve(const Scene& scene, int threads = 0, const std::stop_token& stop = {});
 
-/// The same numbers read from a finished run: its time and memory are the caller's; the resolution
-/// is measured on `lines` of its lines at four times the points.
+/// The same numbers of a finished run: its time and memory are the caller's. The standard error is
+/// read from the run. The resolution, of curves to a target as well, is measured: the difference to
+/// a line of four times the points that the run used, on at most `lines` lines; NaN where so fine a
+/// line needs too much memory.
 ErrorBudget measureError(const Scene& scene, std::int64_t lines, int threads = 0);
 
 }  // namespace asperity

@@ -2,14 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/accuracy/level_sampler.h"
 #include "core/accuracy/processor_time.h"
 #include "core/friction/study.h"
+#include "core/scene/element_law.h"
 
 namespace asperity {
 namespace {
+
+/// Two levels say nothing of the error of a line, because they may agree by chance.
+constexpr int kFirstAccepted = 2;
+
+/// Digits that friction has at best.
+constexpr double kRounding = 1e-13;
+
+/// Lines beyond those that an error too large asks for, so that more rounds are rare.
+constexpr double kSurplus = 1.02;
+
+constexpr std::int64_t kFewestAtOnce = 4;
 
 class Targeting {
  public:
@@ -18,40 +31,45 @@ class Targeting {
         options_(options),
         sampler_(scene_, options_),
         columns_(scene_, sampler_.source(0)),
-        isRandom_(sampler_.source(0).isRandom()) {
+        isRandom_(sampler_.source(0).isRandom()),
+        isFrictionless_(isFrictionless(scene_)) {
     for (const double velocity : sweepVelocities(scene_.sweep))
       states_.emplace_back().velocity = velocity;
   }
 
   TargetCurve run() {
-    const bool isWhole = isRandom_ ? runRandom() : runSingle();
+    const bool isWhole = isFrictionless_ ? runFrictionless()
+                         : isRandom_     ? runRandom()
+                                         : runSingle();
     return result(isWhole);
   }
 
   TargetPlan plan() {
     TargetPlan plan;
     const double start = threadSeconds();
-    const bool isWhole = isRandom_ ? runPilot() && planAll() : runSingle();
+    const bool isWhole = isFrictionless_ ? runFrictionless()
+                         : isRandom_     ? runPilot() && planAll()
+                                         : runSingle();
     if (!isWhole) throw StudyStopped{};
     plan.secondsOfPilot = threadSeconds() - start;
     plan.secondsOfOperation = plan.secondsOfPilot / std::max(1.0, sampler_.cost().operations);
     plan.largestResidual = sampler_.cost().largestResidual;
-    const double target = scene_.accuracy.targetRelativeError;
     double standard = 0, resolution = 0;
     for (const VelocityState& state : states_) {
       plan.operations += state.plan.operations;
       double lines = 0;
-      for (const std::int64_t count : state.plan.lines) lines += static_cast<double>(count);
+      for (const auto& half : state.plan.lines)
+        for (const std::int64_t count : half) lines += static_cast<double>(count);
       plan.mostLines = std::max(plan.mostLines, lines);
       plan.simulations += lines;
-      const double mu = sampledValue(state);
-      const double relative = state.plan.resolutionError / mu;
+      if (isFrictionless_) continue;
+      const double relative = state.plan.resolutionError / std::abs(sampledValue(state));
       resolution += relative * relative;
-      standard += isRandom_ ? std::max(0.0, target * target - relative * relative) : 0;
+      standard += isRandom_ ? std::max(0.0, target() * target() - relative * relative) : 0;
     }
     const auto count = static_cast<double>(states_.size());
-    plan.standardError = isRandom_ ? std::sqrt(standard / count) : kNotApplicable;
-    plan.resolutionError = std::sqrt(resolution / count);
+    if (isRandom_ && !isFrictionless_) plan.standardError = std::sqrt(standard / count);
+    if (!isFrictionless_) plan.resolutionError = std::sqrt(resolution / count);
     return plan;
   }
 
@@ -62,6 +80,7 @@ class Targeting {
   }
 
   bool stopped() const { return options_.stop.stop_requested(); }
+  double target() const { return scene_.accuracy.targetRelativeError; }
 
   States allStates() {
     States all;
@@ -71,22 +90,32 @@ class Targeting {
 
   // ---- A random line: pilot, plan, lines until it is met -------------------------------------
 
+  bool sampleBoth(int level, bool isDirect, const States& states, std::int64_t linesOfEach) {
+    return sampler_.sample({level, isDirect, 0}, states, linesOfEach) &&
+           sampler_.sample({level, isDirect, 1}, states, linesOfEach);
+  }
+
   bool runPilot() {
     States all = allStates();
-    if (!sampler_.sampleDirect(0, all, kPilotLines)) return false;
-    if (!sampler_.sampleCorrection(1, all, kPilotLines)) return false;
-    for (VelocityState* state : all) state->known = 2;
+    if (!sampleBoth(0, true, all, kFewestDirect)) return false;
+    if (!sampleBoth(1, false, all, kFewestCorrections)) return false;
+    for (VelocityState* state : all) {
+      state->known = 2;
+      state->plan.lines = {{{kFewestDirect}, {kFewestDirect}}};
+    }
     return true;
   }
 
   bool runRandom() {
     if (!runPilot()) return false;
     report();
-    for (;;) {
-      if (!planAll()) return false;
-      if (!sampleWanted()) return !stopped();
-      report();
+    while (!stopped() && planAll()) {
+      const bool isDone = std::all_of(states_.begin(), states_.end(), isComplete);
+      report(isDone);
+      if (isDone) return true;
+      if (!sampleWanted()) return false;
     }
+    return false;
   }
 
   /// A plan for every velocity, sampling finer levels where the resolution asks for it.
@@ -96,7 +125,7 @@ class Targeting {
       int level = kMostLevels;
       for (VelocityState& state : states_) {
         if (state.isExhausted) continue;
-        const std::optional<LevelPlan> plan = planLevels(state.levels, state.known, allowed(state));
+        const std::optional<LevelPlan> plan = planLevels(state.halves, state.known, target());
         if (plan) {
           adopt(state, *plan);
         } else if (state.known < sampler_.levelsAllowed()) {
@@ -108,121 +137,151 @@ class Targeting {
       }
       std::erase_if(unresolved, [&](const VelocityState* state) { return state->known != level; });
       if (unresolved.empty()) return true;
-      if (!sampler_.sampleCorrection(level, unresolved, kPilotLines / 2)) return false;
+      if (!sampleBoth(level, false, unresolved, kFewestCorrections)) return false;
       for (VelocityState* state : unresolved) ++state->known;
     }
   }
 
-  double allowed(const VelocityState& state) const {
-    const LevelSums& sums = state.levels[static_cast<std::size_t>(state.known - 1)];
-    return scene_.accuracy.targetRelativeError * std::abs(sums.value.mean());
-  }
-
-  /// Where all the lines of the plan are there, their own spread decides: variances were guesses.
+  /// Where all the lines of the plan are there and the error that they state is still too large,
+  /// both halves get more in proportion: that the spreads of the halves differ says nothing of
+  /// their common mean.
   void adopt(VelocityState& state, const LevelPlan& plan) const {
+    const bool isSame =
+        state.isPlanned && state.plan.first == plan.first && state.plan.last == plan.last;
+    if (!isSame)
+      for (auto& least : state.least)
+        least.assign(static_cast<std::size_t>(plan.last - plan.first + 1), 0);
     state.plan = plan;
     state.isPlanned = true;
-    bool isComplete = true;
-    for (int level = plan.first; level <= plan.last; ++level)
-      isComplete &= missing(state, level) <= 0;
-    if (isComplete) {
-      const LevelEstimate estimate = estimateOf(state.levels, plan);
-      const double error = scene_.accuracy.targetRelativeError * std::abs(estimate.mean);
-      const double tooLarge = estimate.standardError * estimate.standardError /
-                              (error * error - plan.resolutionError * plan.resolutionError);
-      if (tooLarge > 1)
-        for (int level = plan.first; level <= plan.last; ++level)
-          state.plan.lines[static_cast<std::size_t>(level - plan.first)] =
-              static_cast<std::int64_t>(
-                  std::ceil(1.05 * tooLarge * static_cast<double>(sampled(state, level).count())));
+    addLeast(state);
+    const double excess = isComplete(state) ? excessVariance(state.halves, plan, target()) : 1;
+    if (excess > 1) {
+      for (const std::size_t half : {0U, 1U})
+        for (int level = plan.first; level <= plan.last; ++level) {
+          const auto lines = static_cast<double>(state.sampled(half, level).count());
+          state.least[half][static_cast<std::size_t>(level - plan.first)] =
+              static_cast<std::int64_t>(std::min(std::ceil(kSurplus * excess * lines), 1e15));
+        }
+      addLeast(state);
     }
-    for (std::int64_t& lines : state.plan.lines)
-      if (lines > kMostLines) {
-        lines = kMostLines;
-        state.isExhausted = true;
-      }
+    for (auto& half : state.plan.lines)
+      for (std::int64_t& lines : half)
+        if (lines > kMostLines / 2) {
+          lines = kMostLines / 2;
+          state.isExhausted = true;
+        }
+  }
+
+  static void addLeast(VelocityState& state) {
+    for (const std::size_t half : {0U, 1U})
+      for (std::size_t k = 0; k < state.least[half].size(); ++k)
+        state.plan.lines[half][k] = std::max(state.plan.lines[half][k], state.least[half][k]);
   }
 
   /// The finest line there may be does not do: the best that can be had, as it is.
-  void exhaust(VelocityState& state) {
-    const int last = state.known - 2;
-    state.plan = {last, last, {kPilotLines}, 0, 0, *resolutionErrorOf(state.levels, last)};
+  void exhaust(VelocityState& state) const {
+    const int last = state.known - 1;
+    state.plan = {last, last, {}, 0, 0, resolutionErrorOf(state.halves, last)};
+    for (auto& lines : state.plan.lines) lines = {kFewestDirect};
     state.isPlanned = state.isExhausted = true;
   }
 
-  static double sampledValue(const VelocityState& state) {
-    return state.levels[static_cast<std::size_t>(state.plan.last)].value.mean();
+  double sampledValue(const VelocityState& state) const {
+    if (!isRandom_) return state.friction.back();
+    const auto last = static_cast<std::size_t>(state.plan.last);
+    return 0.5 * (state.halves[0][last].value.mean() + state.halves[1][last].value.mean());
   }
 
-  static const RunningMean& sampled(const VelocityState& state, int level) {
-    const LevelSums& sums = state.levels[static_cast<std::size_t>(level)];
-    return level == state.plan.first ? sums.direct : sums.correction;
-  }
-
-  static std::int64_t missing(const VelocityState& state, int level) {
+  static std::int64_t missing(const VelocityState& state, std::size_t half, int level) {
     if (level < state.plan.first || level > state.plan.last) return 0;
     const auto place = static_cast<std::size_t>(level - state.plan.first);
-    return state.plan.lines[place] - sampled(state, level).count();
+    return std::max<std::int64_t>(
+        0, state.plan.lines[half][place] - state.sampled(half, level).count());
   }
 
-  /// One batch for each level and purpose, as many lines as the velocity next to its goal needs;
-  /// at most twice what is there, because variances are known better then. False: nothing is
-  /// wanted.
+  static bool isComplete(const VelocityState& state) {
+    for (const std::size_t half : {0U, 1U})
+      for (int level = state.plan.first; level <= state.plan.last; ++level)
+        if (missing(state, half, level) > 0) return false;
+    return true;
+  }
+
+  /// One batch for each level, purpose and half, as many lines as the velocity next to its goal
+  /// needs; at most twice what is there, because variances are known better then. False: stopped.
   bool sampleWanted() {
-    bool any = false;
     for (int level = 0; level < sampler_.levelsAllowed(); ++level)
-      for (const bool direct : {true, false}) {
-        States wanting;
-        std::int64_t lines = kMostLines;
-        for (VelocityState& state : states_) {
-          if ((level == state.plan.first) != direct) continue;
-          const std::int64_t still = missing(state, level);
-          if (still <= 0) continue;
-          wanting.push_back(&state);
-          const std::int64_t twice = std::max(kPilotLines, sampled(state, level).count());
-          lines = std::min(lines, std::min(still, twice));
+      for (const bool isDirect : {true, false})
+        for (const std::size_t half : {0U, 1U}) {
+          States wanting;
+          std::int64_t lines = kMostLines;
+          for (VelocityState& state : states_) {
+            if ((level == state.plan.first) != isDirect) continue;
+            const std::int64_t still = missing(state, half, level);
+            if (still <= 0) continue;
+            wanting.push_back(&state);
+            const std::int64_t twice = std::max(kFewestDirect, state.sampled(half, level).count());
+            lines = std::min(lines, std::min(still, twice));
+          }
+          if (wanting.empty()) continue;
+          // Not a round for every single line.
+          if (!sampler_.sample({level, isDirect, half}, wanting, std::max(lines, kFewestAtOnce)))
+            return false;
         }
-        if (wanting.empty()) continue;
-        any = true;
-        lines = std::max<std::int64_t>(lines, 4);  // not a round for every single line
-        const bool done = direct ? sampler_.sampleDirect(level, wanting, lines)
-                                 : sampler_.sampleCorrection(level, wanting, lines);
-        if (!done) return false;
-      }
-    return any;
+    return true;
   }
 
   // ---- A single line: finer and finer ---------------------------------------------------------
 
   bool runSingle() {
     States open = allStates();
-    std::vector<std::vector<SteadyResult>> coarse, fine;
-    if (!sampler_.slide(0, open, 0, 1, coarse)) return false;
-    for (int level = 1; level < sampler_.levelsAllowed() && !open.empty(); ++level) {
-      if (!sampler_.slide(level, open, 0, 1, fine)) return false;
-      States still;
-      std::vector<SteadyResult> left;
-      for (std::size_t i = 0; i < open.size(); ++i) {
-        VelocityState& state = *open[i];
-        const SteadyResult& now = fine[0][i];
-        LevelSums& sums = state.levels[static_cast<std::size_t>(level)];
-        sums.direct = RunningMean{};
-        sums.direct.add(now.mu);
-        sampler_.count(sums, now, level);
-        state.facts = {};
-        state.facts.add(now);
-        // Of the finer one: a third of the last difference at second order.
-        const double error = std::abs(now.mu - coarse[0][i].mu) / 3;
-        state.plan = {level, level, {1}, 0, 0, error};
-        state.isPlanned = true;
-        if (error <= scene_.accuracy.targetRelativeError * std::abs(now.mu)) continue;
-        still.push_back(&state);
-        left.push_back(now);
-      }
-      open = std::move(still);
-      coarse = {std::move(left)};
+    std::vector<std::vector<SteadyResult>> results;
+    for (int level = 0; level < sampler_.levelsAllowed() && !open.empty(); ++level) {
+      if (!sampler_.slide(level, open, 0, 1, results)) return false;
+      for (std::size_t i = 0; i < open.size(); ++i) setLevel(*open[i], level, results[0][i]);
+      if (level >= kFirstAccepted)
+        std::erase_if(open, [&](const VelocityState* state) {
+          return state->plan.resolutionError <= target() * std::abs(state->friction.back());
+        });
+      report();
     }
-    for (VelocityState* state : open) state->isExhausted = true;
+    report(true);
+    return true;
+  }
+
+  void setLevel(VelocityState& state, int level, const SteadyResult& result) {
+    sampler_.count(result, level);
+    state.friction.push_back(result.mu);
+    state.facts = {};
+    state.facts.add(result);
+    const double last = level > 0 ? state.friction.end()[-2] : 0;
+    const double resolution =
+        level >= kFirstAccepted ? lineError(state.friction) : std::abs(result.mu - last);
+    const double digits = (kRounding + result.residual) * std::abs(result.mu);
+    state.plan = {level, level, {}, 0, 0, std::max(resolution, digits)};
+    state.plan.lines[0] = {1};
+    state.isPlanned = true;
+  }
+
+  // ---- No friction at all ---------------------------------------------------------------------
+
+  /// What is computed is rounding, about the 0 that the law of the elements says.
+  bool runFrictionless() {
+    const int level = std::min(kFirstAccepted, sampler_.levelsAllowed() - 1);
+    States all = allStates();
+    if (isRandom_) {
+      if (!sampleBoth(level, true, all, kFewestDirect)) return false;
+    } else {
+      std::vector<std::vector<SteadyResult>> results;
+      if (!sampler_.slide(level, all, 0, 1, results)) return false;
+      for (std::size_t i = 0; i < all.size(); ++i) setLevel(*all[i], level, results[0][i]);
+    }
+    for (VelocityState* state : all) {
+      state->plan = {level, level, {}, 0, 0, 0};
+      state->plan.lines[0] = {isRandom_ ? kFewestDirect : 1};
+      if (isRandom_) state->plan.lines[1] = state->plan.lines[0];
+      state->isPlanned = true;
+    }
+    report(true);
     return true;
   }
 
@@ -234,17 +293,21 @@ class Targeting {
     achieved.oversampling = oversamplingOf(plan.last);
     achieved.coarsest = oversamplingOf(plan.first);
     achieved.resolutionError = plan.resolutionError;
-    double mean = sampled(state, plan.first).mean(), half = plan.resolutionError;
-    achieved.lines = 1;
+    double mean = 0, random = 0;
     if (isRandom_) {
-      const LevelEstimate estimate = estimateOf(state.levels, plan);
+      const LevelEstimate estimate = estimateOf(state.halves, plan);
       mean = estimate.mean;
       achieved.standardError = estimate.standardError;
-      half = std::hypot(studentQuantile(estimate.freedom) * estimate.standardError,
-                        plan.resolutionError);
+      random = studentQuantile(estimate.freedom) * estimate.standardError;
       achieved.lines = 0;
-      for (int l = plan.first; l <= plan.last; ++l) achieved.lines += sampled(state, l).count();
+      for (const std::size_t half : {0U, 1U})
+        for (int l = plan.first; l <= plan.last; ++l)
+          achieved.lines += state.sampled(half, l).count();
+    } else {
+      mean = state.friction.back();
     }
+    if (isFrictionless_) achieved.resolutionError = std::abs(mean);
+    const double half = std::hypot(random, achieved.resolutionError);
     achieved.low = mean - half;
     achieved.high = mean + half;
     return achieved;
@@ -257,8 +320,15 @@ class Targeting {
     point.muLow = achieved.low;
     point.muHigh = achieved.high;
     point.realizations = achieved.lines;
-    columns_.addTo(point, state.facts.normalForce.mean());
+    columns_.addTo(point, state.facts);
     return point;
+  }
+
+  /// No friction by law is known exactly.
+  double relativeError(const AchievedAccuracy& achieved, double mu) const {
+    if (isFrictionless_) return 0;
+    const double error = std::hypot(achieved.standardError, achieved.resolutionError);
+    return mu != 0 ? error / std::abs(mu) : std::numeric_limits<double>::infinity();
   }
 
   TargetCurve result(bool isWhole) {
@@ -268,13 +338,13 @@ class Targeting {
       if (!state.isPlanned) continue;
       const AchievedAccuracy& achieved = result.achieved.emplace_back(achievedBy(state));
       const CurvePoint& point = result.curve.points.emplace_back(pointOf(state, achieved));
-      const double error =
-          std::hypot(achieved.standardError, achieved.resolutionError) / std::abs(point.mu);
-      if (std::isfinite(error)) result.worst = std::max(result.worst, error);
+      const double error = relativeError(achieved, point.mu);
+      result.worst = std::max(result.worst, error);
+      result.isReached &= error <= target();
+      // Two levels of a line may agree by chance: too few nodes are allowed for a third.
+      result.isReached &= isRandom_ || isFrictionless_ || state.plan.last >= kFirstAccepted;
       result.plainOperations += state.plan.plainOperations;
     }
-    // The last lines are drawn for a variance that they still change a little.
-    result.isReached &= result.worst <= 1.05 * scene_.accuracy.targetRelativeError;
     const SamplingCost& cost = sampler_.cost();
     result.operations = cost.operations;
     result.curve.isComplete = isWhole;
@@ -286,24 +356,22 @@ class Targeting {
     return result;
   }
 
-  /// Lines drawn so far, of those that the plans ask for.
-  void report() {
+  /// Lines drawn so far, and those that the plans still ask for: none in the last report, else one
+  /// at least. A line that is given is one line, done with the last level.
+  void report(bool isLast = false) {
     if (!options_.progress) return;
-    std::int64_t done = 0, total = 0;
     std::vector<CurvePoint> points;
-    for (VelocityState& state : states_) {
-      if (!state.isPlanned) {
-        state.plan = {0, 0, {kPilotLines}, 0, 0, 0};
-      }
-      for (int l = state.plan.first; l <= state.plan.last; ++l) {
-        const std::int64_t wanted =
-            state.plan.lines[static_cast<std::size_t>(l - state.plan.first)];
-        done = std::max(done, std::min(wanted, sampled(state, l).count()));
-        total = std::max(total, wanted);
-      }
+    std::int64_t still = isLast ? 0 : 1;
+    for (const VelocityState& state : states_) {
       points.push_back(pointOf(state, achievedBy(state)));
+      if (!isRandom_) continue;
+      std::int64_t lines = 0;
+      for (const std::size_t half : {0U, 1U})
+        for (int l = state.plan.first; l <= state.plan.last; ++l) lines += missing(state, half, l);
+      still = std::max(still, lines);
     }
-    options_.progress({done, std::max(done, total), points});
+    const std::int64_t done = isRandom_ ? sampler_.lines() : 1 - still;
+    options_.progress({done, done + still, points});
   }
 
   Scene scene_;
@@ -311,7 +379,7 @@ class Targeting {
   LevelSampler sampler_;
   LawColumns columns_;
   std::vector<VelocityState> states_;
-  bool isRandom_;
+  bool isRandom_, isFrictionless_;
 };
 
 }  // namespace
@@ -325,6 +393,10 @@ TargetPlan planTarget(const Scene& scene, const std::stop_token& stop) {
 
 TargetCurve targetCurve(const Scene& scene, const CurveOptions& options) {
   return Targeting(scene, options).run();
+}
+
+bool isFrictionless(const Scene& scene) {
+  return lawOf(scene.elastomer).kind() == ElementKind::Elastic;
 }
 
 Curve curveOf(const Scene& scene, const CurveOptions& options) {

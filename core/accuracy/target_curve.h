@@ -1,8 +1,9 @@
 // The friction curve of a scene to a target accuracy at least cost: at every velocity of the sweep
 // the standard error over random lines and the resolution error of the line together are to be at
 // most `accuracy.target_relative_error` of mu. Resolution and number of lines are chosen for each
-// velocity from a small pilot, by counted operations and never by a clock: the same scene gives the
-// same bytes.
+// velocity from the first lines, by counted operations and never by a clock: the same scene gives
+// the same bytes. A line that is given is refined until its last differences say that it is
+// resolved. Without friction nothing is to be reached.
 // Threading, failure: as frictionCurve.
 #pragma once
 
@@ -44,14 +45,19 @@ struct TargetPlan {
   double secondsOfOperation = 0;  // measured in the pilot; for people only
   double mostLines = 0;           // at the velocity that needs most
   double simulations = 0;
-  double standardError = 0, resolutionError = 0;  // relative, root mean square over velocities
+  /// Relative, root mean square over velocities; without friction not applicable.
+  double standardError = kNotApplicable, resolutionError = kNotApplicable;
   double largestResidual = 0;
 };
 
 TargetPlan planTarget(const Scene& scene, const std::stop_token& stop = {});
 
-/// Lines of the pilot, and how many a run may use at one velocity.
-inline constexpr std::int64_t kPilotLines = 16, kMostLines = 1000000;
+/// Lines of the pilot, and how many a run may use at one velocity and level.
+inline constexpr std::int64_t kPilotLines = 2 * kFewestDirect, kMostLines = 1000000;
+
+/// An elastic body dissipates nothing: its friction is rounding, and an error relative to it has no
+/// meaning. A curve to a target then states an interval about 0.
+bool isFrictionless(const Scene& scene);
 
 /// Both, whichever the scene asks for.
 Curve curveOf(const Scene& scene, const CurveOptions& options = {});

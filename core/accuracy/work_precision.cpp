@@ -135,11 +135,11 @@ class Comparison {
       case Scheme::Nodal:
         return {Method::Nodal, 1};
       case Scheme::Linear:
-        return {Method::Linear, pointsPerElement(scene_)};
+        return {Method::Linear, pointsPerElementOfCurve(scene_)};
       case Scheme::Cubic:
         break;
     }
-    return {Method::Cubic, pointsPerElement(scene_)};
+    return {Method::Cubic, pointsPerElementOfCurve(scene_)};
   }
 
   void step(double cost = 1) {
@@ -280,8 +280,8 @@ class Comparison {
     if (!source_.isRandom()) return;
     Scene scene = scene_;
     scene.accuracy.targetRelativeError = 0;
-    scene.accuracy.oversampling = pointsPerElement(scene_);
-    const LineSource source(scene, pointsPerElement(scene));
+    scene.accuracy.oversampling = pointsPerElementOfCurve(scene_);
+    const LineSource source(scene, pointsPerElementOfCurve(scene));
     const SceneSliding sliding(scene);
     const std::vector<double> velocity{
         std::sqrt(region.velocities.front() * region.velocities.back())};

@@ -43,6 +43,7 @@ class ArmSolver::Search {
       change_.push_back(-std::expm1(-periods));
       slowness_.push_back(periods * std::exp(-periods) / change_.back());
     }
+    forget();
   }
 
   ArmBalance run(const ArmBalance* guess) {
@@ -88,9 +89,17 @@ class ArmSolver::Search {
       if (bestWorst_ <= kWantedResidual) return best_.isComplete = true;
       for (std::size_t k = first_; k < size_; ++k) unknown_[k] -= residual[k];
     }
-    best_ = {};
-    bestWorst_ = std::numeric_limits<double>::infinity();
+    forget();
     return false;
+  }
+
+  /// No answer yet: one that is not met, with a strain for every arm, is what a search ends with
+  /// that never leaves the numbers that are none.
+  void forget() {
+    bestWorst_ = std::numeric_limits<double>::infinity();
+    best_ = {};
+    best_.force.residual = best_.closure = bestWorst_;
+    best_.strain.assign(memory_.arms(), 0);
   }
 
   void move(const Vector& from, const Vector& step) {
@@ -134,7 +143,9 @@ class ArmSolver::Search {
     if (first_ > 0) residual[0] = mean - wanted;
     for (std::size_t i = 0; i < memory_.arms(); ++i) {
       const double missing = pass_.yieldChange()[i] / change_[i];
-      closure_ = std::max(closure_, std::abs(missing) / scale);
+      // What is no number must not pass for closed: a maximum would skip it.
+      const double share = std::abs(missing) / scale;
+      closure_ = std::max(closure_, share >= 0 ? share : std::numeric_limits<double>::infinity());
       residual[i + first_] = missing;
     }
     forceResidual_ = first_ > 0 ? std::abs(residual[0]) / wanted : 0;
@@ -243,7 +254,7 @@ class ArmSolver::Search {
   Vector slowness_;    // 1 for an arm that hardly changes in a period, 0 for one that forgets it
   ArmTangent tangent_;
   double forceResidual_ = 0, closure_ = 0, worst_ = 0;
-  double bestWorst_ = std::numeric_limits<double>::infinity();
+  double bestWorst_ = 0;
   int passes_ = 0;
   ArmBalance best_;
 };

@@ -37,10 +37,11 @@ struct SteadyResult {
   double forceFromPressure = 0;  // N, integral of p over contact; equal in steady sliding
   double marginalShare = 1;      // nodal: load share of the element on the edge; 1: none
   int passes = 0;
-  double residual = 0;     // |F_N - wanted| / wanted; with arms also of their closure
-  double closure = 0;      // elements with arms: change over a period, relative
-  double depthAtRest = 0;  // m, to some digits, under that force; of sweeps over resolved lines
-  double muInterface = 0;  // of local friction, beside mu, which is that of the deformation
+  double residual = 0;      // |F_N - wanted| / wanted; with arms also of their closure
+  double closure = 0;       // elements with arms: change over a period, relative
+  double depthAtRest = 0;   // m, to some digits, under that force; of sweeps over resolved lines
+  double muInterface = 0;   // of local friction, beside mu, which is that of the deformation
+  double rmsSlopeLine = 0;  // of the whole line; of realizations, which may differ in it
 
   double muTotal() const { return mu + muInterface; }
 };

@@ -9,10 +9,14 @@ namespace asperity {
 
 void CurveAverages::add(const SteadyResult& result) {
   if (std::isfinite(result.mu)) mu.add(result.mu);
+  if (std::isfinite(result.mu) && result.rmsSlopeLine > 0)
+    normalizedMu.add(result.mu / result.rmsSlopeLine);
+  rmsSlope.add(result.rmsSlopeLine);
   if (std::isfinite(result.muInterface)) muInterface.add(result.muInterface);
   contactFraction.add(result.contactFraction);
   indentation.add(result.indentation);
   normalForce.add(result.normalForce);
+  tangentialForce.add(result.tangentialForce);
   if (std::isfinite(result.rmsSlopeContact)) rmsSlopeContact.add(result.rmsSlopeContact);
 }
 
@@ -22,6 +26,7 @@ CurvePoint CurveAverages::point(double velocity) const {
   point.mu = mu.mean();
   point.muStandardError = mu.standardError();
   point.muInterface = muInterface.mean();
+  if (normalForce.mean() != 0) point.muRatioOfMeans = tangentialForce.mean() / normalForce.mean();
   point.contactFraction = contactFraction.mean();
   point.rmsSlopeContact = rmsSlopeContact.mean();
   point.indentation = indentation.mean();
@@ -35,16 +40,33 @@ LawColumns::LawColumns(const Scene& scene, const LineSource& source)
       length_(source.length()),
       isRandom_(source.isRandom()),
       hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
-      hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)) {}
+      hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
+      slopesDiffer_(callsFor(scene, Purpose::Curve, Stage::SummitCorrelation)) {}
 
-void LawColumns::addTo(CurvePoint& point, double meanForce) const {
+/// The mean of the lines' own ratios, for a mean `mu` that may come from other lines as well.
+double LawColumns::normalized(double mu, const CurveAverages& averages) const {
+  const double sampled = averages.mu.mean();
+  if (!slopesDiffer_ || !(sampled > 0)) return mu / line_.rmsSlope;
+  return mu * (averages.normalizedMu.mean() / sampled);
+}
+
+void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   if (!hasInterface_) point.muInterface = kNotApplicable;
+  if (scene_.load.kind == LoadKind::Force) point.muRatioOfMeans = kNotApplicable;
   if (!(line_.rmsHeight > 0)) return;
   const SlidingConditions conditions = conditionsOf(scene_, point.velocity);
-  const double force = scene_.load.kind == LoadKind::Force ? scene_.load.normalForce : meanForce;
-  const LawInput in{conditions.shearModulus, conditions.relaxationTime, length_, line_.rmsHeight,
-                    line_.rmsSlope,          scene_.surface.hurst,      force,   point.velocity};
-  point.normalizedMu = point.mu / line_.rmsSlope;
+  const double force =
+      scene_.load.kind == LoadKind::Force ? scene_.load.normalForce : averages.normalForce.mean();
+  const double slope = slopesDiffer_ ? averages.rmsSlope.mean() : line_.rmsSlope;
+  const LawInput in{conditions.shearModulus,
+                    conditions.relaxationTime,
+                    length_,
+                    line_.rmsHeight,
+                    slope,
+                    scene_.surface.hurst,
+                    force,
+                    point.velocity};
+  point.normalizedMu = normalized(point.mu, averages);
   point.dimensionlessForce = dimensionlessForce(in);
   if (hasArms_) return;  // Eqs. (5) to (14) know one relaxation time
   point.dimensionlessVelocity = dimensionlessVelocity(in);

@@ -12,7 +12,9 @@ namespace asperity {
 
 /// Averages of everything in a row but mu's standard error.
 struct CurveAverages {
-  RunningMean mu, muInterface, contactFraction, rmsSlopeContact, indentation, normalForce;
+  RunningMean mu, muInterface, contactFraction, rmsSlopeContact, indentation, normalForce,
+      tangentialForce;
+  RunningMean rmsSlope, normalizedMu;  // of the whole line, and mu over that of its own line
 
   /// Pressed by nothing a line has no coefficient; what is averaged is counted.
   void add(const SteadyResult& result);
@@ -26,15 +28,18 @@ class LawColumns {
   LawColumns(const Scene& scene, const LineSource& source);
 
   /// Adds muLaw, normalizedMu and the dimensionless numbers; takes muInterface away where the scene
-  /// has no local friction. meanForce: N, where the scene gives an
-  /// indentation instead of a force.
-  void addTo(CurvePoint& point, double meanForce) const;
+  /// has no local friction, and muRatioOfMeans where it gives the force. Lines that differ in their
+  /// slope are normalized each by its own.
+  void addTo(CurvePoint& point, const CurveAverages& averages) const;
 
  private:
+  double normalized(double mu, const CurveAverages& averages) const;
+
   Scene scene_;
   LineStatistics line_;
   double length_;  // m
   bool isRandom_, hasArms_, hasInterface_;
+  bool slopesDiffer_;  // from line to line
 };
 
 }  // namespace asperity

@@ -9,6 +9,7 @@
 
 #include "core/friction/curve_regions.h"
 #include "core/friction/curve_words.h"
+#include "core/friction/few_summits.h"
 #include "core/scene/effects.h"
 
 namespace asperity {
@@ -66,6 +67,7 @@ void addRegions(Diagram& diagram, const NamedCurve& curve, CurveAxes axes) {
   for (const CurveRegion& region : regionsOfCurve(curve.scene, curve.points))
     diagram.spans.push_back({region.from * factor, region.to * factor,
                              fmt::format("{} {}", region.name, wordOfRegion(region.name))});
+  addFewSummits(diagram, fewSummitsOf(curve.scene, curve.points), factor);
 }
 
 Diagram curvesDiagram(const CurveSet& set) {
@@ -148,6 +150,10 @@ DiagramSheet curveSheet(const CurveSet& set) {
     sheet.note =
         "Regions as read from the curve: I ends 20 % below its line, III lies above 95 % of the "
         "maximum.";
+  if (!sheet.diagrams.front().shades.empty()) {
+    if (!sheet.note.empty()) sheet.note += " ";
+    sheet.note += kFewSummitsSentence;
+  }
   if (set.difference) {
     fixAlong(sheet.diagrams.front());
     sheet.diagrams.push_back(differenceDiagram(set, sheet.diagrams.front().x));

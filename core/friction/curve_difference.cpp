@@ -23,7 +23,7 @@ class Side {
  public:
   Side(Scene scene, std::vector<double> velocities)
       : scene_(std::move(scene)),
-        source_(scene_, pointsPerElement(scene_)),
+        source_(scene_, pointsPerElementOfCurve(scene_)),
         sweep_{scene_.load, std::move(velocities)},
         total_(source_.isRandom() ? scene_.ensemble.realizations : 1) {}
 

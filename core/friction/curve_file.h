@@ -17,6 +17,13 @@ std::string csvNumber(double value);
 std::string curveHeader();
 std::string curveRow(const CurvePoint& point);
 
+/// What a reader of a point has to know, in words of the column `notes`; empty for most.
+/// `unresolved_friction`: of the friction by Eq. (4) more than half is what the elastic pressure
+/// does, which gives back what it takes: too few of the paper's elements carry the load, and mu is
+/// the error of their sum, with either sign.
+std::string notesOf(const CurvePoint& point);
+
+/// With a column of notes where a point has one.
 std::string curveCsv(const std::vector<CurvePoint>& points);
 std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene);
 

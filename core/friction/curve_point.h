@@ -17,13 +17,16 @@ struct CurvePoint {
   double contactFraction = 0;                     // L_cont / L
   double rmsSlopeContact = kNotApplicable;        // grad z_cont
   double indentation = 0;                         // m, d above the line's lowest point
-  double normalizedMu = kNotApplicable;           // mu / rms slope of the whole line
+  double normalizedMu = kNotApplicable;           // mean of mu / rms slope of the whole line
   double dimensionlessVelocity = kNotApplicable;  // Eq. (13)
   double dimensionlessForce = kNotApplicable;     // Eq. (14)
   std::int64_t realizations = 0;
   double muLow = kNotApplicable;   // 95 % confidence interval of mu, resolution included; of curves
   double muHigh = kNotApplicable;  // to a target accuracy
   double muInterface = kNotApplicable;  // of local friction, where the scene has some; beside mu
+  /// Mean tangential over mean normal force, where lines carry different forces: at a constant
+  /// indentation. mu is the mean of the lines' own ratios.
+  double muRatioOfMeans = kNotApplicable;
 };
 
 }  // namespace asperity

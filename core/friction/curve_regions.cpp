@@ -23,8 +23,8 @@ constexpr std::array<RegionText, 4> kTexts{
       "Contacts carry on their leading sides only, Eq. (9). Ends where friction falls below 95 % "
       "of the maximum."},
      {"IV", "decrease",
-      "Contact is so small that the slope in contact falls, Eq. (15). Begins below 95 % of the "
-      "maximum."}}};
+      "Few summits of the finite period carry the load, and the slope in contact falls, Eq. (15). "
+      "Begins below 95 % of the maximum."}}};
 
 const RegionText* textOf(std::string_view name) {
   for (const RegionText& text : kTexts)

@@ -11,6 +11,8 @@
 namespace asperity {
 namespace {
 
+constexpr double kSlopesDiffer = 1e-9;  // relative; less is rounding
+
 /// A text as one cell.
 std::string cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == text.npos) return text;
@@ -48,9 +50,14 @@ class Rows {
 
   void addCurve(const std::string& series, const NamedCurve& curve) {
     const AxesFactors factors = factorsOf(curve.points, CurveAxes::Dimensionless);
-    for (const CurvePoint& point : curve.points)
-      if (point.realizations > 0)
-        add(series, point.velocity, point.mu, point.muStandardError, factors, point.realizations);
+    for (const CurvePoint& point : curve.points) {
+      if (point.realizations == 0) continue;
+      AxesFactors own = factors;
+      // Lines that differ in their slope have another factor at each velocity.
+      const double ratio = point.normalizedMu / point.mu;
+      if (std::abs(ratio / factors.friction - 1) > kSlopesDiffer) own.friction = ratio;
+      add(series, point.velocity, point.mu, point.muStandardError, own, point.realizations);
+    }
   }
 
   std::string take() { return std::move(text_); }

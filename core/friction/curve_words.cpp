@@ -43,9 +43,15 @@ bool isShiftIdle(const Parameter& row, const Scene& scene) {
   return shifts && scene.elastomer.temperature == scene.elastomer.shift.referenceTemperature;
 }
 
+/// The value, or what is chosen where it is left open.
+ParameterValue valueInCurve(const Parameter& row, const Scene& scene) {
+  if (row.key == "accuracy.oversampling") return pointsPerElementOfCurve(scene);
+  return valueOf(row, scene);
+}
+
 /// "seed 3", "linear", "local shear = 2 N/m": of rows that have no symbol.
 std::string inPlainWords(const Parameter& row, const Scene& scene) {
-  const ParameterValue value = valueOf(row, scene);
+  const ParameterValue value = valueInCurve(row, scene);
   if (const auto* real = std::get_if<double>(&value))
     return fmt::format(
         "{} = {}", row.label,
@@ -68,7 +74,7 @@ bool isOfNoCurve(const Parameter& row) {
 bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
   if (isOfNoCurve(row) || !isApplicable(row, scene)) return false;
   if (isShiftIdle(row, scene) && isShiftIdle(row, from)) return false;
-  return !isApplicable(row, from) || valueOf(row, scene) != valueOf(row, from);
+  return !isApplicable(row, from) || valueInCurve(row, scene) != valueInCurve(row, from);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ struct DiagramSeries {
   std::vector<DiagramPoint> points{};
 };
 
-/// A range along x that has a name ("I", "zone 1"), shaded by turns.
+/// A range along x that has a name ("I", "zone 1").
 struct DiagramSpan {
   double from = 0, to = 0;
   std::string label{};
@@ -69,10 +69,11 @@ struct Diagram {
   std::string title{};  // over this diagram; may be empty
   DiagramAxis x, y;
   std::vector<DiagramSeries> series;  // later ones over earlier ones
-  std::vector<DiagramSpan> spans;
+  std::vector<DiagramSpan> spans;  // shaded by turns, named above the frame
   std::vector<DiagramLabel> labels;
   std::optional<DiagramRamp> ramp;
   double height = 1;  // of its row among rows, where a sheet has one column
+  std::vector<DiagramSpan> shades{};  // tinted over the spans, named inside the frame at its foot
 };
 
 /// Diagrams side by side under one heading.

@@ -16,7 +16,7 @@ class Averaging {
   Averaging(const Scene& scene, const CurveOptions& options)
       : scene_(scene),
         options_(options),
-        source_(scene, pointsPerElement(scene)),
+        source_(scene, pointsPerElementOfCurve(scene)),
         velocities_(sweepVelocities(scene.sweep)),
         total_(source_.isRandom() ? scene.ensemble.realizations : 1),
         columns_(scene, source_),
@@ -57,7 +57,7 @@ class Averaging {
     std::vector<CurvePoint> points;
     for (std::size_t i = 0; i < velocities_.size(); ++i) {
       points.push_back(averages_[i].point(velocities_[i]));
-      columns_.addTo(points.back(), averages_[i].normalForce.mean());
+      columns_.addTo(points.back(), averages_[i]);
     }
     return points;
   }

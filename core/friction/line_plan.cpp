@@ -2,13 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/contact/complete_contact.h"
 #include "core/contact/scene_sliding.h"
 #include "core/friction/ensemble.h"
 #include "core/surface/line_source.h"
+#include "core/surface/profile_file.h"
 
 namespace asperity {
 namespace {
+
+constexpr std::int64_t kLongLine = std::int64_t{1} << 17;  // points
 
 /// Velocities at which the purpose asks for steady sliding.
 std::vector<double> velocitiesOf(const Scene& scene, Purpose purpose) {
@@ -23,15 +28,25 @@ std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose) {
   PlanStage& search = stages[static_cast<std::size_t>(Stage::ContactSearch)];
   if (!search.runs || scene.accuracy.scheme == Scheme::Nodal) return stages;
   const SceneSliding sliding(scene);
-  const TravelLine line =
-      prepareTravel(LineSource(scene, pointsPerElement(scene)).make(0), scene.accuracy.scheme);
+  const std::int64_t points =
+      purpose == Purpose::Curve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
+  // What a long line would say costs as much as to slide it.
+  const std::int64_t elements = scene.surface.elements > 0
+                                    ? scene.surface.elements
+                                    : expectedRows(scene.folder / scene.surface.file);
+  if (elements * points > kLongLine) return stages;
+  const TravelLine line = prepareTravel(LineSource(scene, points).make(0), scene.accuracy.scheme);
   const double depth =
       scene.load.kind == LoadKind::Indentation
           ? scene.load.depth
           : depthOfComplete(line, scene.load.normalForce / (4 * sliding.law().equilibriumModulus));
   const std::vector<double> velocities = velocitiesOf(scene, purpose);
-  std::size_t complete = 0;
-  for (const double velocity : velocities) complete += sliding.isComplete(line, depth, velocity);
+  // The faster, the deeper it has to be pressed.
+  const auto complete = static_cast<std::size_t>(
+      std::partition_point(
+          velocities.begin(), velocities.end(),
+          [&](double velocity) { return sliding.isComplete(line, depth, velocity); }) -
+      velocities.begin());
   const auto above = [&](double velocity) {
     return fmt::format("contact is complete above d = {:.3g} m at {:.3g} m/s",
                        sliding.completeAbove(line, velocity), velocity);

@@ -66,6 +66,7 @@ class Realizations {
       const auto other = others.first(others.empty() ? 0 : row.size());
       others = others.subspan(other.size());
       if (!sliding_.sweep(memory.travel, one.load, one.velocities, row, stop_, other)) return {};
+      for (SteadyResult& result : row) result.rmsSlopeLine = memory.travel.rmsSlope;
       requireBalances(one, row, realization);
     }
     return results;

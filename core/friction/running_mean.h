@@ -17,6 +17,16 @@ class RunningMean {
     mean_ += step / static_cast<double>(count_);
     squares_ += step * (value - mean_);
   }
+  /// Adds all numbers of another stream (Chan, Golub and LeVeque 1983).
+  void add(const RunningMean& other) {
+    if (other.count_ == 0) return;
+    const std::int64_t all = count_ + other.count_;
+    const double part = static_cast<double>(other.count_) / static_cast<double>(all);
+    const double step = other.mean_ - mean_;
+    squares_ += other.squares_ + step * step * part * static_cast<double>(count_);
+    mean_ += step * part;
+    count_ = all;
+  }
   double mean() const { return count_ > 0 ? mean_ : kNotApplicable; }
   /// Of one number, with n - 1; needs two.
   double variance() const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/plan.h"
+
 namespace asperity {
 
 namespace {
@@ -23,8 +25,9 @@ Study::Study(const Scene& scene, const std::vector<double>& normalForces,
 
 Study::Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions& options)
     : scene_(scene), cases_(std::move(cases)) {
-  const LineSource source(scene_, pointsPerElement(scene_));
+  const LineSource source(scene_, pointsPerElementOfCurve(scene_));
   line_ = source.statistics();
+  slopesDiffer_ = callsFor(scene_, Purpose::Curve, Stage::SummitCorrelation);
   length_ = source.length();
   realizations_ = source.isRandom() ? scene_.ensemble.realizations : 1;
   groups_ = static_cast<int>(std::min<std::int64_t>(kGroups, realizations_));
@@ -53,6 +56,7 @@ void Study::add(std::int64_t realization, std::span<const SteadyResult> results)
     const double above = result.mu - firstMu_[k];
     sums[k][Mu] += above;
     sums[k][MuSquared] += above * above;
+    sums[k][NormalizedMu] += result.mu / result.rmsSlopeLine;
     sums[k][Contact] += result.contactFraction;
     sums[k][SlopeSquares] += result.contactFraction * slope * slope;
     sums[k][Indentation] += result.indentation;
@@ -82,7 +86,7 @@ double Study::mu(std::size_t j, std::size_t i, int leftOut) const {
 }
 
 double Study::normalizedMu(std::size_t j, std::size_t i, int leftOut) const {
-  return mu(j, i, leftOut) / line_.rmsSlope;
+  return slopesDiffer_ ? mean(NormalizedMu, j, i, leftOut) : mu(j, i, leftOut) / line_.rmsSlope;
 }
 
 double Study::contactFraction(std::size_t j, std::size_t i, int leftOut) const {

@@ -57,7 +57,8 @@ class Study {
 
   /// Averages over all realizations but those of one group, at force j and velocity i.
   double mu(std::size_t j, std::size_t i, int leftOut = kAll) const;
-  double normalizedMu(std::size_t j, std::size_t i, int leftOut = kAll) const;  // mu / rms slope
+  /// Mean of mu over the rms slope of its own line.
+  double normalizedMu(std::size_t j, std::size_t i, int leftOut = kAll) const;
   double contactFraction(std::size_t j, std::size_t i, int leftOut = kAll) const;
   /// Root mean square over realizations, each weighted by its contact: of the pooled contact.
   double rmsSlopeContact(std::size_t j, std::size_t i, int leftOut = kAll) const;
@@ -74,7 +75,16 @@ class Study {
  private:
   /// Friction is summed from that of the first realization, so that no digits are lost where all
   /// lines agree.
-  enum Quantity { Mu, MuSquared, Contact, SlopeSquares, Indentation, Marginal, kQuantities };
+  enum Quantity {
+    Mu,
+    MuSquared,
+    NormalizedMu,
+    Contact,
+    SlopeSquares,
+    Indentation,
+    Marginal,
+    kQuantities
+  };
   using Sums = std::array<double, kQuantities>;
 
   void add(std::int64_t realization, std::span<const SteadyResult> results);
@@ -84,7 +94,8 @@ class Study {
   Scene scene_;
   std::vector<LoadCase> cases_;
   LineStatistics line_;
-  double length_ = 0;  // m
+  bool slopesDiffer_ = false;  // from line to line; line_ then has the first one's
+  double length_ = 0;          // m
   std::int64_t realizations_ = 0;
   int groups_ = 1;
   std::vector<std::int64_t> groupSizes_;

@@ -4,15 +4,20 @@
 #include <cmath>
 #include <vector>
 
+#include "core/accuracy/pilot.h"
 #include "core/accuracy/processor_time.h"
 #include "core/friction/study.h"
 #include "core/run/rigid_line.h"
 #include "core/run/transient.h"
+#include "core/scene/element_law.h"
 
 namespace asperity {
 namespace {
 
-constexpr double kPilotWork = 3e6;   // steps times elements of the piece
+constexpr double kPieceWork = 3e6;  // steps times elements of a piece in each region
+constexpr double kMarches = 9;  // of a pilot: halved steps two, finer elements four, settling two
+/// Steps times elements of a pilot: a tenth of the motion, at least some 10 ms and at most 0.1 s.
+constexpr double kLeastWork = 8e6, kMostWork = 3e7;
 constexpr double kWindow = 16;       // steps that friction is averaged over
 constexpr double kLeastWindows = 8;  // of a piece
 constexpr double kMemories = 6;      // distances of memory after which all is forgotten
@@ -33,15 +38,21 @@ double nodesOf(const RigidLine& rigid) {
   return static_cast<double>(rigid.line->nodes());
 }
 
-/// `part` of the motion, in whole parts of its least number of steps.
+/// `part` of the motion, in whole parts of its least number of steps; of far more steps than those
+/// any part, because then no step is as long as the least number says.
 Piece pieceOf(const Scene& scene, double steps, double part) {
   Piece piece{scene};
   const auto all = static_cast<double>(Transient::kLeastSteps);
-  const double kept = std::clamp(std::ceil(part * all), 1.0, all);
-  piece.leastSteps = static_cast<std::int64_t>(kept);
+  const double kept = part * all < 1 ? part * all : std::min(std::ceil(part * all), all);
+  piece.leastSteps = std::max<std::int64_t>(1, static_cast<std::int64_t>(kept));
   piece.scene.sliding.duration *= kept / all;
   piece.windows = std::max(1.0, std::floor(steps * kept / all / kWindow));
   return piece;
+}
+
+/// What an element costs in a step, over that of one relaxation time.
+double weightOf(const ElementLaw& law) {
+  return law.kind() == ElementKind::Arms ? 1 + static_cast<double>(law.arms.size()) : 1;
 }
 
 /// Friction in the windows of a piece, and the work that they took.
@@ -145,31 +156,61 @@ Measured measure(const Scene& scene, const std::shared_ptr<const RigidLine>& rig
 }
 
 /// Bytes of the march: what every element has, and its amplitudes.
-double memoryOf(const Transient& transient) {
-  const TimeMarch& march = transient.march();
-  constexpr double kOfElement = 16;  // numbers of march, line and travel line
-  return static_cast<double>(march.depth().size()) *
-         (kOfElement + static_cast<double>(march.modes().modes())) * sizeof(double);
+double memoryOf(const Transient& transient, double elements) {
+  constexpr double kOfElement = 22;  // numbers of march, line, travel line and transform
+  const auto modes = static_cast<double>(transient.march().modes().modes());
+  return elements * (kOfElement + modes) * sizeof(double);
 }
+
+/// The scene, or with a shorter line where the fewest steps of all elements are more than allowed.
+Scene sampleFor(const Scene& scene, double weight, double allowed) {
+  const std::int64_t points = pointsPerElement(scene);
+  const double ofElement =
+      kMarches * kLeastWindows * kWindow * weight * static_cast<double>(points);
+  Scene sample = shortened(scene, shorteningFor(scene, ofElement, allowed));
+  if (scene.accuracy.scheme != Scheme::Nodal) sample.accuracy = {scene.accuracy.scheme, points, 0};
+  return sample;
+}
+
+/// A motion at time 0, and what it took to get there.
+struct Beginning {
+  explicit Beginning(const Scene& its)
+      : scene(its),
+        start(threadSeconds()),
+        rigid(std::make_shared<const RigidLine>(scene)),
+        transient(scene, rigid),
+        seconds(threadSeconds() - start) {}
+
+  Scene scene;
+  double start;
+  std::shared_ptr<const RigidLine> rigid;
+  Transient transient;
+  double seconds;
+};
 
 }  // namespace
 
 Prediction predictMotion(const Scene& scene, const std::stop_token& stop) {
-  const double begin = threadSeconds();
-  const auto rigid = std::make_shared<const RigidLine>(scene);
-  const Transient whole(scene, rigid);
-  const double beginning = threadSeconds() - begin;
+  const double weight = weightOf(lawOf(scene.elastomer)), leastSteps = kLeastWindows * kWindow;
+  // A shorter line has as many steps, so it says first how much the pilot may do.
+  const double steps = Beginning(sampleFor(scene, weight, kLeastWork)).transient.countSteps();
   Prediction prediction;
-  prediction.steps = whole.countSteps();
-  prediction.elements = nodesOf(*rigid);
+  prediction.steps = steps;
+  prediction.elements = elementsOf(scene) * static_cast<double>(pointsPerElement(scene));
+  prediction.runOperations = steps * prediction.elements * weight;
+  const double allowed = std::clamp(0.1 * prediction.runOperations, kLeastWork, kMostWork);
+  const Beginning begin(sampleFor(scene, weight, allowed));
+  const double elements = nodesOf(*begin.rigid), larger = prediction.elements / elements;
   prediction.lines = prediction.simulations = 1;
-  prediction.memory = memoryOf(whole);
-  const double wanted = std::max(kPilotWork / prediction.elements, kLeastWindows * kWindow);
-  const Piece piece = pieceOf(scene, prediction.steps, wanted / prediction.steps);
-  const Measured measured = measure(scene, rigid, piece, stop);
+  prediction.memory = memoryOf(begin.transient, prediction.elements);
+  const double wanted = std::max(allowed / (kMarches * elements * weight), leastSteps);
+  const Piece piece = pieceOf(begin.scene, steps, wanted / steps);
+  const Measured measured = measure(begin.scene, begin.rigid, piece, stop);
+  prediction.operations = kMarches * measured.march.steps * elements * weight;
   prediction.error = measured.error;
   prediction.pilotLines = 1;
-  prediction.seconds = beginning + measured.march.seconds / measured.march.steps * prediction.steps;
+  prediction.seconds =
+      larger * (begin.seconds + measured.march.seconds / measured.march.steps * steps);
   return prediction;
 }
 
@@ -188,13 +229,13 @@ void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop) {
     sliding.velocityAfter = sliding.velocity;
     const auto rigid = std::make_shared<const RigidLine>(piece.scene);
     const double steps =
-        std::max(std::floor(kPilotWork / nodesOf(*rigid)), kLeastWindows * kWindow);
+        std::max(std::floor(kPieceWork / nodesOf(*rigid)), kLeastWindows * kWindow);
     sliding.duration = steps * rigid->line->spacing / sliding.velocity;
     piece.leastSteps = 1;  // a node in each step
     piece.windows = std::floor(steps / kWindow);
     const March march = marchThrough(piece, rigid, 1, stop);
     region.timeStepError = relativeDifference(march.mu, marchThrough(piece, rigid, 2, stop).mu);
-    region.settlingError = settlingOf(piece.scene, rigid, piece.leastSteps, 2 * kPilotWork, stop);
+    region.settlingError = settlingOf(piece.scene, rigid, piece.leastSteps, 2 * kPieceWork, stop);
   }
 }
 

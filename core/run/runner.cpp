@@ -17,20 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Posted {
-  std::shared_ptr<const Scene> scene;
-  std::uint64_t number = 0;
-};
-
-/// The part of a scene that its friction curve depends on.
-Scene curveKey(Scene scene) {
-  scene.title.clear();
-  scene.description.clear();
-  scene.chapter.clear();
-  scene.sliding = {};
-  return scene;
-}
-
 }  // namespace
 
 struct Runner::Body {
@@ -44,7 +30,7 @@ struct Runner::Body {
     curveThread.request_stop();
     {
       const std::lock_guard guard(lock);
-      curveWork.request_stop();
+      curves.end();
     }
     changed.notify_all();
   }
@@ -52,7 +38,7 @@ struct Runner::Body {
   // ---- the march -------------------------------------------------------------------------------
 
   struct Orders {
-    std::optional<Posted> scene;
+    std::optional<PostedScene> scene;
     std::optional<FrameFields> fields;
     bool reset = false;
     bool play = false;
@@ -122,27 +108,23 @@ struct Runner::Body {
   // ---- the friction curve ----------------------------------------------------------------------
 
   void average(std::stop_token stop) {
-    std::uint64_t done = 0;
+    CurveWork work;
     while (true) {
-      Posted work;
-      CurveOptions curveOptions;
       {
         std::unique_lock guard(lock);
-        changed.wait(guard, stop, [&] { return curveNumber != done; });
+        changed.wait(guard, stop, [&] { return curves.hasNewerThan(work.number); });
         if (stop.stop_requested()) return;
-        done = curveNumber;
-        work = curveScene;
-        curveWork = std::stop_source();
-        if (curveIsStopped) curveWork.request_stop();
-        curveOptions.stop = curveWork.get_token();
+        work = curves.begin();
       }
+      CurveOptions curveOptions;
+      curveOptions.stop = work.stop;
       curveOptions.threads = options.threads;
-      curveOptions.progress = [&](const CurveProgress& progress) { offer(done, progress); };
-      run(work, curveOptions);
+      curveOptions.progress = [&](const CurveProgress& progress) { offer(work.number, progress); };
+      run(work.scene, curveOptions);
     }
   }
 
-  void run(const Posted& work, const CurveOptions& curveOptions) {
+  void run(const PostedScene& work, const CurveOptions& curveOptions) {
     try {
       curveOf(*work.scene, curveOptions);
     } catch (const InputError& error) {
@@ -152,48 +134,21 @@ struct Runner::Body {
     }
   }
 
-  /// Hands an average on, under the number of the newest scene that has this curve.
   void offer(std::uint64_t curve, const CurveProgress& progress) {
     {
       const std::lock_guard guard(lock);
-      if (curve != curveNumber) return;
-      lastUpdate = {present.scene, present.number, progress.realizationsDone,
-                    progress.realizationsTotal, progress.points};
-      updates.push_back(*lastUpdate);
+      if (!curves.offer(curve, progress)) return;
     }
     if (options.curveNews) options.curveNews();
   }
 
   /// Called under the lock; the number of the scene.
   std::uint64_t take(Scene&& scene) {
-    auto shared = std::make_shared<const Scene>(std::move(scene));
-    present = {shared, present.number + 1};
+    present = {std::make_shared<const Scene>(std::move(scene)), present.number + 1};
     waiting.scene = present;
-    orderCurve(*shared);
+    curves.post(present);
     changed.notify_all();
     return present.number;
-  }
-
-  /// Called under the lock when a scene is posted.
-  void orderCurve(const Scene& scene) {
-    const bool same = curveScene.scene && curveKey(scene) == curveKey(*curveScene.scene);
-    updates.clear();
-    if (same) {
-      if (!lastUpdate) return;
-      lastUpdate->scene = present.scene;
-      lastUpdate->sceneNumber = present.number;
-      updates.push_back(*lastUpdate);
-      return;
-    }
-    curveWork.request_stop();
-    lastUpdate.reset();
-    curveScene = present;
-    beginCurve();
-  }
-
-  void beginCurve() {
-    curveIsStopped = false;
-    ++curveNumber;
   }
 
   void say(std::uint64_t number, const std::string& key, const std::string& text) {
@@ -207,14 +162,9 @@ struct Runner::Body {
   std::condition_variable_any changed;
   bool playing = true;
   Orders waiting;
-  Posted present;
+  PostedScene present;
   std::shared_ptr<const Frame> newest;
-  Posted curveScene;
-  std::uint64_t curveNumber = 0;
-  std::stop_source curveWork;
-  bool curveIsStopped = false;
-  std::optional<CurveUpdate> lastUpdate;
-  std::vector<CurveUpdate> updates;
+  CurveOrders curves;
   std::vector<RunnerMessage> messages;
   std::jthread marchThread, curveThread;  // last: they use all of the above
 };
@@ -269,14 +219,12 @@ void Runner::reset() {
 
 void Runner::stopCurve() {
   const std::lock_guard guard(body_->lock);
-  body_->curveIsStopped = true;
-  body_->curveWork.request_stop();
+  body_->curves.stop();
 }
 
 void Runner::startCurve() {
   const std::lock_guard guard(body_->lock);
-  body_->curveWork.request_stop();
-  body_->beginCurve();
+  body_->curves.start();
   body_->changed.notify_all();
 }
 
@@ -287,7 +235,7 @@ std::shared_ptr<const Frame> Runner::newestFrame() const {
 
 std::vector<CurveUpdate> Runner::takeCurveUpdates() {
   const std::lock_guard guard(body_->lock);
-  return std::exchange(body_->updates, {});
+  return body_->curves.takeUpdates();
 }
 
 std::vector<RunnerMessage> Runner::takeMessages() {

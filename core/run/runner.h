@@ -13,19 +13,11 @@
 #include <string>
 #include <vector>
 
+#include "core/run/curve_orders.h"
 #include "core/run/frame.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
-
-/// A friction curve as far as it is averaged; points with 0 realizations are not known yet.
-struct CurveUpdate {
-  std::shared_ptr<const Scene> scene;
-  std::uint64_t sceneNumber = 0;
-  std::int64_t realizationsDone = 0;
-  std::int64_t realizationsTotal = 0;
-  std::vector<CurvePoint> points;
-};
 
 struct RunnerMessage {
   std::uint64_t sceneNumber = 0;

@@ -26,7 +26,8 @@ constexpr double kContactsKept = 0.99;  // of a step's weight, in the next: bord
 std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
                                          const std::shared_ptr<const RigidLine>& known) {
   const bool same = last && last->surface == scene.surface && last->accuracy == scene.accuracy &&
-                    last->folder == scene.folder;
+                    last->folder == scene.folder &&
+                    pointsPerElement(*last) == pointsPerElement(scene);
   return same ? known : std::make_shared<RigidLine>(scene);
 }
 

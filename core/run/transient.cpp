@@ -131,14 +131,26 @@ double Transient::markAfter(double time) const {
 }
 
 double Transient::countSteps(double most) const {
-  const double rough = (motion_.duration() - time_) / stepAt(time_);
-  if (rough > most) return std::ceil(rough);
   double steps = 0;
   for (double time = time_; time < motion_.duration(); ++steps) {
+    if (steps > most) return estimateSteps();
     const double mark = markAfter(time), dt = stepAt(time);
     time = dt >= (mark - time) * (1 - kRounding) ? mark : time + dt;
   }
   return steps;
+}
+
+/// The moments lie at multiples of the golden section, which fall in step with no oscillation.
+double Transient::estimateSteps() const {
+  constexpr int kMoments = 4096;
+  constexpr double kGoldenSection = 0.6180339887498949;
+  const double left = motion_.duration() - time_;
+  double perSecond = 0;
+  for (int i = 0; i < kMoments; ++i) {
+    const double part = std::fmod((i + 0.5) * kGoldenSection, 1);
+    perSecond += 1 / stepAt(time_ + part * left) / kMoments;
+  }
+  return std::ceil(perSecond * left);
 }
 
 double Transient::shortestStep() const {

@@ -37,9 +37,9 @@ class Transient {
   /// Whether the next step ends by that time (s).
   bool canReach(double time) const;
 
-  /// Steps from here to the motion's end, counted one by one without marching, or from the first
-  /// one's length where they are more than `most`.
-  double countSteps(double most = 2e6) const;
+  /// Steps from here to the motion's end, counted one by one without marching; where they are more
+  /// than `most`, from the length of steps at moments all over the motion.
+  double countSteps(double most = 2e5) const;
 
   /// Marches the same motion on a coarser line (every second node, or every third ...) beside this
   /// one, at a quarter of its cost, and tells from the difference how far friction is from that of
@@ -67,6 +67,7 @@ class Transient {
   class Means;
   double stepAt(double time) const;
   double markAfter(double time) const;
+  double estimateSteps() const;
   bool endsAtMark(double dt) const;
   void stepOnce(double dt, Means& means);
   void addError(TransientSample& sample);

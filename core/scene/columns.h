@@ -32,7 +32,7 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "curve, curves, figure 2, figure 3, figure 4, figure master, figure spacing"},
     {"mu_standard_error", "", "Standard error of that mean; empty for one realization.",
      "s/sqrt(realizations)",
-     "curve, curves, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "curve, curves, figure 2, figure 3, figure 4, figure master, figure spacing, batch"},
     {"mu_law", "",
      "Friction by Eq. (11) of Li et al. (2013) with the rms slope of the whole line and the "
      "tabulated beta.",
@@ -55,18 +55,33 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "curve, figure 2, figure 3, figure 4, figure 6, figure master, figure spacing"},
     {"realizations", "", "Random lines that were averaged over.", "",
      "curve, curves, figure 2, figure 3, figure 4, figure 5, figure 6, figure master, figure "
-     "spacing"},
+     "spacing, batch"},
     {"mu_interface", "",
      "Coefficient of local friction in contact, beside that of the deformation; only in scenes "
      "that have some.",
      "friction_coefficient, or shear_stress L_c/F_N", "curve"},
     {"mu_total", "", "Friction of deformation and interface together.", "mu + mu_interface",
      "curve"},
+    {"mu_mean_of_ratios", "",
+     "Mean over the lines of each line's own coefficient, which is mu; only at a constant "
+     "indentation.",
+     "<F_x/F_N>", "curve"},
+    {"mu_ratio_of_means", "",
+     "Mean tangential force over mean normal force; only at a constant indentation.", "<F_x>/<F_N>",
+     "curve"},
+    {"marginal_share", "",
+     "Share of its load that the element on the edge of contact carries, mean over the lines; 1 "
+     "where the force does not jump; only with the scheme nodal.",
+     "", "curve"},
     {"mu_low", "",
      "Lower end of the 95 % confidence interval of mu, errors of resolution included; only with a "
      "target accuracy.",
      "", "curve"},
     {"mu_high", "", "Upper end of the same interval.", "", "curve"},
+    {"notes", "",
+     "What to know before the row is used, separated by blanks; only where there is something. "
+     "unresolved_friction: the elements are too few in contact for the tangential force.",
+     "", "curve"},
     {"series", "", "Which curve a row belongs to.", "", "curves"},
     {"relative_difference", "", "Difference from the present curve over that curve.",
      "mu_compared/mu - 1", "curves"},
@@ -146,6 +161,9 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"alpha", "", "Fitted exponent of the force.", "Eq. (7): mu ~ F_N^(-alpha)", "figure 5"},
     {"alpha_standard_error", "", "Standard error of alpha.", "", "figure 5"},
     {"alpha_law", "", "Exponent that the paper gives.", "H/(1 + H)", "figure 5"},
+    {"alpha_up_to_1", "", "The same exponent, fitted up to a dimensionless force of 1.",
+     "Eq. (7): mu ~ F_N^(-alpha)", "figure 5"},
+    {"alpha_up_to_1_standard_error", "", "Standard error of that exponent.", "", "figure 5"},
     {"beta", "", "Fitted prefactor.", "Eq. (11)", "figure 5"},
     {"beta_standard_error", "", "Standard error of beta.", "", "figure 5"},
     {"plateau", "", "Height of the plateau.", "largest mu/grad", "figure 6"},
@@ -165,8 +183,14 @@ inline constexpr auto kColumns = std::to_array<Column>({
     // ---- batch: with these the keys that its sweeps vary
     {"name", "", "Name of the scene and of its files.", "", "batch"},
     {"mu", "",
-     "Coefficient of friction of the first line at the scene's velocity; of a motion at its end.",
+     "Coefficient of friction at the scene's velocity: mean over the realizations; empty for a "
+     "motion.",
      "mu = |F_x|/F_N", "batch"},
+    {"line_mu", "", "Coefficient of friction of the line that the picture shows.", "mu = |F_x|/F_N",
+     "batch"},
+    {"line_indentation", "m", "Indentation of that line.", "d", "batch"},
+    {"line_contact_fraction", "", "Share of the period of that line that is in contact.", "L_c/L",
+     "batch"},
     {"error", "", "Why the scene could not be computed; empty where it could.", "", "batch"},
 });
 

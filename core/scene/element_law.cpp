@@ -14,11 +14,17 @@ namespace {
 
 constexpr double kSmallestModulus = 1e-6;  // Pa, that is not 0
 
-/// Arms of no modulus never carry, arms of no time never remember; equal times are one arm.
+/// In a shorter time nothing slides as far as 1e-130 of an element at any velocity, and what an arm
+/// or a dashpot then carries is below 1e-80 of the load. Ratios and squares of longer times stay
+/// within the range of a double.
+constexpr double kShortestTime = 1e-150;  // s
+
+/// Arms of no modulus never carry, arms of (nearly) no time never remember; equal times are one
+/// arm.
 std::vector<Arm> withStrength(const std::vector<Arm>& given, double shift) {
   std::vector<Arm> arms;
   for (const Arm& arm : given)
-    if (arm.modulus > 0 && arm.relaxationTime > 0)
+    if (arm.modulus > 0 && arm.relaxationTime * shift >= kShortestTime)
       arms.push_back({arm.modulus, arm.relaxationTime * shift});
   std::stable_sort(arms.begin(), arms.end(),
                    [](const Arm& a, const Arm& b) { return a.relaxationTime > b.relaxationTime; });
@@ -50,11 +56,14 @@ void checkArms(const Elastomer& elastomer) {
 
 }  // namespace
 
-double ElementLaw::glassyModulus() const {
-  if (viscosity > 0) return std::numeric_limits<double>::infinity();
+double ElementLaw::springModulus() const {
   double modulus = equilibriumModulus;
   for (const Arm& arm : arms) modulus += arm.modulus;
   return modulus;
+}
+
+double ElementLaw::glassyModulus() const {
+  return viscosity > 0 ? std::numeric_limits<double>::infinity() : springModulus();
 }
 
 ElementLaw lawOf(const Elastomer& elastomer) {
@@ -74,6 +83,8 @@ ElementLaw lawOf(const Elastomer& elastomer) {
   law.equilibriumModulus = elastomer.equilibriumModulus;
   law.arms = withStrength(elastomer.arms, shift);
   if (elastomer.rheology == Rheology::Prony) law.viscosity = elastomer.viscosity * shift;
+  // Beside arms, a dashpot that creeps under their springs in no time carries nothing.
+  if (!law.arms.empty() && law.viscosity < kShortestTime * law.springModulus()) law.viscosity = 0;
   if (law.viscosity > 0)
     law.relaxationTime = law.equilibriumModulus > 0 ? law.viscosity / law.equilibriumModulus
                                                     : std::numeric_limits<double>::infinity();

@@ -18,12 +18,15 @@ struct ElementLaw {
   double equilibriumModulus = 0;  // Pa, G
   double viscosity = 0;           // Pa s, eta
   double relaxationTime = 0;      // s, eta / G (infinite without G)
-  std::vector<Arm> arms;          // strictly falling relaxation times, moduli above 0
+  std::vector<Arm> arms;          // strictly falling relaxation times, moduli above 0; arms of less
+                                  // than 1e-150 s never remember anything and are left out
 
   ElementKind kind() const {
     if (!arms.empty()) return ElementKind::Arms;
     return relaxationTime > 0 ? ElementKind::Kelvin : ElementKind::Elastic;
   }
+  /// Pa, of all springs together, whatever the dashpot.
+  double springModulus() const;
   /// Pa, of a sudden deformation; infinite with a dashpot of its own.
   double glassyModulus() const;
 

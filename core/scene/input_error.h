@@ -6,16 +6,16 @@
 #include <string>
 #include <utility>
 
+#include "core/scene/printable_text.h"
+
 namespace asperity {
 
 class InputError : public std::runtime_error {
  public:
-  /// file and key may be empty. message says what is wrong and what is allowed.
-  InputError(std::string file, std::string key, std::string message)
-      : std::runtime_error(join(file, key, message)),
-        file_(std::move(file)),
-        key_(std::move(key)),
-        message_(std::move(message)) {}
+  /// file and key may be empty. message says what is wrong and what is allowed. Each may hold what
+  /// a user wrote as it is: it is quoted in printable characters, and the error is one line.
+  InputError(const std::string& file, const std::string& key, const std::string& message)
+      : InputError(Quoted{printable(file), printable(key), printable(message)}) {}
 
   const std::string& file() const { return file_; }
   const std::string& key() const { return key_; }
@@ -28,16 +28,21 @@ class InputError : public std::runtime_error {
   InputError in(const std::string& file) const { return {file, key_, message_}; }
 
  private:
-  static std::string join(const std::string& file, const std::string& key,
-                          const std::string& message) {
+  struct Quoted {
+    std::string file, key, message;
+  };
+
+  explicit InputError(Quoted quoted)
+      : std::runtime_error(join(quoted)),
+        file_(std::move(quoted.file)),
+        key_(std::move(quoted.key)),
+        message_(std::move(quoted.message)) {}
+
+  static std::string join(const Quoted& quoted) {
     std::string text;
-    for (const std::string* part : {&file, &key})
+    for (const std::string* part : {&quoted.file, &quoted.key})
       if (!part->empty()) text += *part + ": ";
-    text += message;
-    // What a user wrote may hold line breaks; an error is one line.
-    for (char& letter : text)
-      if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
-    return text;
+    return text + quoted.message;
   }
 
   std::string file_, key_, message_;

@@ -133,8 +133,8 @@ const std::array kTable{
 
     Parameter{"accuracy.scheme", "scheme", "", "", "How the line is resolved: the paper's single elements (nodal), straight segments (linear) or smooth ones (cubic).", kLive, {},
               ASPERITY_CHOICE(accuracy, scheme, kSchemes)},
-    Parameter{"accuracy.oversampling", "oversampling", "", "", "Points that resolve the line per element.", kLive, {"accuracy.scheme", "linear cubic"},
-              IntegerField{ASPERITY_MEMBER(accuracy, oversampling), 1, 64, 1, 16, kLog}},
+    Parameter{"accuracy.oversampling", "oversampling", "", "", "Points that resolve the line per element; 0: chosen, for a single line and for the mean over many, and files name the number used.", kLive, {"accuracy.scheme", "linear cubic"},
+              IntegerField{ASPERITY_MEMBER(accuracy, oversampling), 0, 64, 1, 16, kLog}},
     Parameter{"accuracy.target_relative_error", "target error", "", "", "Relative error of friction to be reached at every velocity: resolution and number of lines are then chosen by the program; 0: as scheme and realizations say.", kLive, {"accuracy.scheme", "cubic"},
               RealField{ASPERITY_MEMBER(accuracy, targetRelativeError), 0, 0.5, 0, 0.1, kLin}},
 };

@@ -1,7 +1,11 @@
 #include "core/scene/provenance.h"
 
-#include "core/scene/atomic_file.h"
+#include <set>
+
+#include "core/scene/carried_text.h"
 #include "core/scene/input_error.h"
+#include "core/scene/json_text.h"
+#include "core/scene/regular_file.h"
 #include "core/scene/scene_file.h"
 
 namespace asperity {
@@ -9,55 +13,56 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLargestOutput = std::size_t{1} << 30;  // bytes
-constexpr std::string_view kBeginning = R"({"schema":"asperity-)";
-constexpr std::string_view kEscapedBeginning = "{&quot;schema&quot;:&quot;asperity-";
+/// The bytes at each end of a file that are looked at: every kind of file has its text in one of
+/// them.
+constexpr std::size_t kEnd = std::size_t{8} << 20;
+constexpr int kDeepest = 16;  // a scene stands in an answer
 
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-    text.replace(at, what.size(), by);
-  return text;
+/// The first and the last bytes of a file, with nothing in between.
+std::string endsOf(const RegularFile& file) {
+  if (file.size() <= 2 * kEnd) return file.read(0, 2 * kEnd);
+  return file.read(0, kEnd) + file.read(file.size() - kEnd, kEnd);
 }
 
-/// Where the object that begins the text ends: braces within strings do not count.
-std::size_t endOfObject(std::string_view text, std::string_view quote) {
-  int depth = 0;
-  bool inString = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '\\' && inString) {
-      ++i;
-      if (text.substr(i).starts_with(quote)) i += quote.size() - 1;
-    } else if (text.substr(i).starts_with(quote)) {
-      inString = !inString;
-      i += quote.size() - 1;
-    } else if (!inString && text[i] == '{') {
-      ++depth;
-    } else if (!inString && text[i] == '}' && --depth == 0) {
-      return i + 1;
+bool isJson(std::string_view bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && bytes[first] == '{';
+}
+
+/// ASCII without what XML has to escape, but for quotes; each byte is looked at once.
+std::string withoutMarkup(std::string_view json) {
+  std::string line;
+  line.reserve(json.size());
+  for (const char letter : json) switch (letter) {
+      case '&':
+        line += "\\u0026";
+        break;
+      case '<':
+        line += "\\u003c";
+        break;
+      case '>':
+        line += "\\u003e";
+        break;
+      default:
+        line += letter;
     }
-  }
-  return std::string_view::npos;
+  return line;
 }
 
-std::string_view findFrom(std::string_view bytes, std::string_view beginning,
-                          std::string_view quote) {
-  const std::size_t at = bytes.find(beginning);
-  if (at == std::string_view::npos) return {};
-  const std::size_t end = endOfObject(bytes.substr(at), quote);
-  return end == std::string_view::npos ? std::string_view{} : bytes.substr(at, end);
-}
-
-/// The scene of an answer or of a provenance; anything else as it is.
-std::string sceneOf(const std::string& json, const std::string& file) {
-  const Json root = Json::parse(json, nullptr, false);
-  if (!root.is_object()) return json;
-  if (root.value("verb", Json()) == "batch" && root.contains("scenes"))
-    throw InputError(file, "", "shows many scenes; open the picture or the table of one of them");
-  const auto scene = root.find("scene");
-  return scene != root.end() && scene->is_object() ? scene->dump() : json;
+/// Null where a curve to a target accuracy has another number at each velocity.
+Json oversamplingOf(std::string_view verb, const Scene& scene) {
+  if (verb == "curve" && choosesAccuracy(scene)) return {};
+  const bool isOfCurve = verb == "curve" || verb == "figure" || verb == "accuracy";
+  return isOfCurve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
 }
 
 }  // namespace
+
+void addCurveOversampling(Json& provenance, const Scene& scene) {
+  const std::int64_t ofCurve = pointsPerElementOfCurve(scene);
+  if (provenance["oversampling_used"] != ofCurve) provenance["curve_oversampling_used"] = ofCurve;
+}
 
 Json provenance(const std::string& verb, const Scene& scene) {
   Json root;
@@ -65,37 +70,48 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["verb"] = verb;
   root["version"] = ASPERITY_VERSION;
   root["seed"] = scene.surface.kind == SurfaceKind::SelfAffine ? Json(scene.surface.seed) : Json();
+  root["oversampling_used"] = oversamplingOf(verb, scene);
+  if (verb == "batch") addCurveOversampling(root, scene);
   root["scene"] = Json::parse(writeScene(scene));
   return root;
 }
 
 std::string provenanceLine(const Json& provenance) {
-  std::string line = provenance.dump(-1, ' ', true);
-  line = replaced(std::move(line), "&", "\\u0026");
-  line = replaced(std::move(line), "<", "\\u003c");
-  return replaced(std::move(line), ">", "\\u003e");
+  return withoutMarkup(provenance.dump(-1, ' ', true));
 }
 
 std::string provenanceComment(const std::string& verb, const Scene& scene) {
   return "# asperity: " + provenanceLine(provenance(verb, scene)) + "\n";
 }
 
-std::string_view findProvenance(std::string_view bytes) {
-  const std::string_view plain = findFrom(bytes, kBeginning, "\"");
-  return plain.empty() ? findFrom(bytes, kEscapedBeginning, "&quot;") : plain;
+FoundScene findScene(std::string_view bytes, const std::string& name,
+                     const std::filesystem::path& folder) {
+  const bool isText = isJson(bytes);
+  const std::string carried = isText ? std::string() : carriedText(bytes);
+  const std::string_view json = isText ? bytes : carried;
+  try {
+    std::set<std::string> others;
+    const Json scene = isJson(json) ? memberOf(json, "scene", kDeepest, &others) : Json();
+    if (scene.is_object()) return {readScene(scene.dump(), name, folder), true};
+    if (others.contains("scenes"))
+      throw InputError("", "", "shows many scenes; open the picture or the table of one of them");
+  } catch (const InputError& error) {
+    throw error.file().empty() ? error.in(name) : error;
+  }
+  if (!isText)
+    throw InputError(name, "",
+                     "holds no scene: it was not made by Asperity, or what it said of itself was "
+                     "removed");
+  if (bytes.size() > kLargestScene) throw InputError(name, "", "is larger than a scene may be");
+  return {readScene(bytes, name, folder), false};
+}
+
+FoundScene findScene(const std::filesystem::path& file) {
+  return findScene(endsOf(RegularFile(file)), file.string(), file.parent_path());
 }
 
 Scene readProvenance(const std::filesystem::path& file) {
-  const std::string bytes = readWholeFile(file, kLargestOutput);
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  const bool isJson = first != std::string::npos && bytes[first] == '{';
-  const std::string json =
-      isJson ? bytes : replaced(std::string(findProvenance(bytes)), "&quot;", "\"");
-  if (json.empty())
-    throw InputError(file.string(), "",
-                     "holds no scene: it was not made by Asperity, or what it said of itself was "
-                     "removed");
-  return readScene(sceneOf(json, file.string()), file.string(), file.parent_path());
+  return findScene(file).scene;
 }
 
 }  // namespace asperity

@@ -1,7 +1,7 @@
 // How a result came about, in every machine-readable answer and inside every file: schema, verb,
 // version, the canonical scene and its seed; never a date, the threads or a file's name. And the
-// way back: the scene out of a file that the program wrote. Pure but for readProvenance, which
-// reads one file; any thread.
+// way back: the scene out of a file that the program wrote. Pure but for what reads one file; any
+// thread.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,14 @@
 namespace asperity {
 
 /// {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random),
-/// "scene"}.
+/// "oversampling_used", "scene"}. The number used is that of a friction curve for the verbs that
+/// compute one, else that of a single line; null where a curve to a target accuracy chooses at each
+/// velocity.
 nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);
+
+/// For what shows a curve beside a single line, as a batch always may: "curve_oversampling_used",
+/// where that is another number.
+void addCurveOversampling(nlohmann::ordered_json& provenance, const Scene& scene);
 
 /// A provenance as it stands inside pictures and films: one line of ASCII in which XML has nothing
 /// to escape but quotes.
@@ -24,13 +30,25 @@ std::string provenanceLine(const nlohmann::ordered_json& provenance);
 /// The first line of a table in a file: "# asperity: {...}" and its line end.
 std::string provenanceComment(const std::string& verb, const Scene& scene);
 
-/// The JSON that provenanceLine wrote into these bytes of a picture, film or table, plain or with
-/// XML's entity for quotes; empty where there is none.
-std::string_view findProvenance(std::string_view bytes);
+/// A scene that was read from a file.
+struct FoundScene {
+  Scene scene;
+  /// Whether it stands in what was made from it (picture, film, table, answer), and may be another
+  /// person's; otherwise the file is a scene file.
+  bool isCarried = false;
+};
 
-/// The scene in a file written by the program (picture, film, table, JSON answer), or of a scene
-/// file. What the scene names relative to itself is looked for beside the file. Throws InputError
-/// where the file does not read or holds no scene.
+/// The scene in a regular file written by the program (picture, film, table, JSON answer), or of a
+/// scene file. What the scene names relative to itself is looked for beside the file. At most the
+/// first and the last 8 MiB are read, in a time that grows with them alone. Throws InputError where
+/// the file does not read or holds no scene.
+FoundScene findScene(const std::filesystem::path& file);
+
+/// The same in the bytes of a file; `name` stands for it in errors.
+FoundScene findScene(std::string_view bytes, const std::string& name,
+                     const std::filesystem::path& folder = {});
+
+/// The scene alone.
 Scene readProvenance(const std::filesystem::path& file);
 
 }  // namespace asperity

@@ -113,7 +113,7 @@ struct Ensemble {
 
 struct Accuracy {
   Scheme scheme = Scheme::Cubic;
-  std::int64_t oversampling = 2;   // nodes per element
+  std::int64_t oversampling = 0;   // points per element; 0: chosen (core/scene/resolution.cpp)
   double targetRelativeError = 0;  // of mu; above 0 it chooses both and the realizations
 
   bool operator==(const Accuracy&) const = default;
@@ -143,13 +143,14 @@ inline bool choosesAccuracy(const Scene& scene) {
   return scene.accuracy.scheme == Scheme::Cubic && scene.accuracy.targetRelativeError > 0;
 }
 
-/// Points that resolve the line per element; the paper's separate elements have one each. With a
-/// target accuracy it is what a single state of the line needs for it; a curve chooses by itself.
-inline std::int64_t pointsPerElement(const Scene& scene) {
-  const Accuracy& accuracy = scene.accuracy;
-  if (choosesAccuracy(scene))
-    return accuracy.targetRelativeError >= 0.01 ? 2 : accuracy.targetRelativeError >= 1e-3 ? 4 : 8;
-  return accuracy.scheme == Scheme::Nodal ? 1 : accuracy.oversampling;
-}
+/// Points per element that resolve one line: of a picture, a motion, a profile. What the scene
+/// states, or what is chosen for it; the paper's separate elements have one each. With a target
+/// accuracy it is what a single state of the line needs for it.
+std::int64_t pointsPerElement(const Scene& scene);
+
+/// The same of the lines that a friction curve is averaged over: chosen so that the error of the
+/// resolution stays below half of the standard error. A curve to a target accuracy does not use it,
+/// because it chooses at each velocity.
+std::int64_t pointsPerElementOfCurve(const Scene& scene);
 
 }  // namespace asperity

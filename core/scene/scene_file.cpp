@@ -19,8 +19,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSchema = "asperity-scene/1";
-constexpr std::size_t kLargestScene = 1 << 20;
 constexpr int kDeepestScene = 8;
+constexpr std::string_view kSceneIsNeeded =
+    "a scene is JSON in UTF-8; a measured line is a CSV file, which a scene names as surface.file";
 
 /// A value of the file or of --set, on its way to its row.
 struct Assignment {
@@ -128,12 +129,12 @@ void refuseOtherKind(const Parameter& row, const Scene& scene) {
                                std::get<std::string>(valueOf(choice, scene)), row.applies.words));
 }
 
-/// One point per element is what the paper's elements have anyway.
+/// One point per element is what the paper's elements have anyway, chosen or stated.
 bool isHarmless(const Assignment& assignment) {
   if (assignment.key != "accuracy.oversampling") return false;
   Scene ignored;
   apply(assignment, ignored);
-  return ignored.accuracy.oversampling == 1;
+  return ignored.accuracy.oversampling <= 1;
 }
 
 bool isResolution(const Assignment& assignment) {
@@ -223,7 +224,7 @@ Json& placeOf(Json& root, std::string_view key) {
 Scene readScene(std::string_view json, const std::string& name, const std::filesystem::path& folder,
                 const std::vector<std::string>& assignments) {
   try {
-    std::vector<Assignment> all = flatten(parseJson(json, kDeepestScene));
+    std::vector<Assignment> all = flatten(parseJson(json, kDeepestScene, kSceneIsNeeded));
     for (const std::string& text : assignments) all.push_back(parseAssignment(text));
     chooseAccuracy(all);
     Scene scene = build(all);

@@ -11,6 +11,8 @@
 
 namespace asperity {
 
+inline constexpr std::size_t kLargestScene = std::size_t{1} << 20;  // bytes of a scene file
+
 /// Reads a scene file and applies `assignments` ("load.normal_force=0.1") over it.
 /// An assignment that changes a kind drops the file's keys that have no meaning for the new kind.
 Scene readSceneFile(const std::filesystem::path& file,

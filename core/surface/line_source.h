@@ -15,7 +15,7 @@
 namespace asperity {
 
 /// The same for every realization, because amplitudes are not random; with summit correlation the
-/// slope varies a little, and this is that of realization 0.
+/// slope varies by some per cent, and this is that of realization 0: Line::rmsSlope has its own.
 struct LineStatistics {
   double rmsHeight = 0;  // m
   double rmsSlope = 0;

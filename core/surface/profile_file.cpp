@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "core/scene/atomic_file.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/input_error.h"
 #include "core/scene/read_number.h"
+#include "core/scene/regular_file.h"
+#include "core/surface/profile_header.h"
 
 namespace asperity {
 namespace {
@@ -41,9 +44,34 @@ bool readField(std::string_view text, double& number) {
   return readNumber(text, number);
 }
 
+bool isDigit(char letter) {
+  return letter >= '0' && letter <= '9';
+}
+
+/// Whether the comma between two fields may as well stand within one number: "0,05", whose second
+/// half no program writes for a whole number, and, where no header says that there are two columns,
+/// "1,250", or any two whole numbers under the name of one column.
+bool mayBeOneNumber(std::string_view line, std::size_t namedColumns) {
+  const std::size_t comma = line.find(',');
+  if (comma == std::string_view::npos) return false;
+  if (line.find_first_of(";\t") != std::string_view::npos) return true;
+  std::string_view before = line.substr(0, comma), after = line.substr(comma + 1);
+  if (!before.empty() && (before.front() == '-' || before.front() == '+')) before.remove_prefix(1);
+  const auto isWhole = [](std::string_view text) {
+    return !text.empty() && std::ranges::all_of(text, isDigit);
+  };
+  if (!isWhole(before)) return false;
+  if (after.size() > 1 && after.front() == '0' && isDigit(after[1])) return true;
+  if (!isWhole(after) || namedColumns == 2) return false;
+  const bool isGrouped = before.size() <= 3 && before.front() != '0' && after.size() == 3;
+  return isGrouped || namedColumns == 1;
+}
+
 class Reader {
  public:
   Reader(std::string_view text, const std::string& name) : rest_(text), name_(name) {
+    if (const std::string_view kind = foreignKindOf(text); !kind.empty())
+      fail(fmt::format("is {}; a profile is CSV in UTF-8", kind));
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
   }
 
@@ -55,6 +83,7 @@ class Reader {
   }
 
  private:
+  /// Messages name places, not what stands there: a scene may name any file.
   [[noreturn]] void fail(const std::string& message) const { throw InputError(name_, "", message); }
 
   void takeLine() {
@@ -62,18 +91,29 @@ class Reader {
     const std::size_t end = rest_.find('\n');
     const std::string_view line = trimmed(rest_.substr(0, end));
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    if (!line.empty() && line.front() != '#') takeFields(fieldsOf(line));
+    if (line.empty()) return;
+    if (line.front() == '#') return takeComment(fieldsOf(line.substr(1)));
+    const std::vector<std::string_view> fields = fieldsOf(line);
+    if (height_.empty() && headerColumns_ == 0 && namesColumns(fields)) return takeHeader(fields);
+    if (mayBeOneNumber(line, headerColumns_))
+      fail(fmt::format(
+          "row {}: the comma may divide columns, thousands or decimals; numbers are written with a "
+          "point and without thousands separators",
+          row_));
+    takeNumbers(fields);
   }
 
-  void takeFields(const std::vector<std::string_view>& fields) {
+  void takeNumbers(const std::vector<std::string_view>& fields) {
     std::vector<double> numbers;
     for (const std::string_view field : fields) {
       double number = 0;
-      if (!readField(field, number)) return takeHeader(field);
+      const std::size_t column = numbers.size() + 1;
+      if (!readField(field, number))
+        fail(fmt::format("row {}: column {} is not a number", row_, column));
       if (!std::isfinite(number))
-        fail(fmt::format("row {}: {} is not a finite number", row_, field.substr(0, 40)));
+        fail(fmt::format("row {}: column {} is not a finite number", row_, column));
       if (std::abs(number) > kFarthest)
-        fail(fmt::format("row {}: {} is beyond {} m", row_, field.substr(0, 40), kFarthest));
+        fail(fmt::format("row {}: column {} is beyond {} m", row_, column, kFarthest));
       numbers.push_back(number);
     }
     if (height_.empty()) columns_ = numbers.size();
@@ -85,10 +125,22 @@ class Reader {
     height_.push_back(numbers.back());
   }
 
-  void takeHeader(std::string_view field) {
-    if (!height_.empty() || sawHeader_)
-      fail(fmt::format("row {}: '{}' is not a number", row_, field.substr(0, 40)));
-    sawHeader_ = true;
+  void takeHeader(const std::vector<std::string_view>& names) {
+    headerColumns_ = names.size();
+    refuseForeignUnits(names);
+  }
+
+  /// Some programs write the names of the columns as a comment.
+  void takeComment(const std::vector<std::string_view>& fields) const {
+    if (height_.empty() && fields.size() <= 2 && std::ranges::all_of(fields, isWordWithUnit))
+      refuseForeignUnits(fields);
+  }
+
+  void refuseForeignUnits(const std::vector<std::string_view>& names) const {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (const std::string unit = foreignUnitIn(names[i]); !unit.empty())
+        fail(fmt::format("row {}: column {} is in '{}'; positions and heights are in metres", row_,
+                         i + 1, unit));
   }
 
   double lengthOfPositions() const {
@@ -108,7 +160,7 @@ class Reader {
   std::string_view rest_;
   std::string name_;
   std::size_t row_ = 0, columns_ = 0;
-  bool sawHeader_ = false;
+  std::size_t headerColumns_ = 0;  // 0: no header
   std::vector<double> position_, height_;
 };
 
@@ -119,7 +171,14 @@ Profile parseProfile(std::string_view text, const std::string& name) {
 }
 
 Profile readProfile(const std::filesystem::path& file) {
-  return parseProfile(readWholeFile(file, kLargestProfile), file.string());
+  return parseProfile(readRegularFile(file, kLargestProfile), file.string());
+}
+
+std::int64_t expectedRows(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kBytesOfRow = 24;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return error ? 0 : static_cast<std::int64_t>(size / kBytesOfRow);
 }
 
 }  // namespace asperity

@@ -1,7 +1,8 @@
-// Measured profiles: CSV of position and height with a header, or heights alone. Pure; any thread.
-// Bad files throw InputError naming the file and the row.
+// Measured profiles: CSV of position and height with a header, or heights alone, in metres. Pure;
+// any thread. Bad files throw InputError naming the file and the row.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -17,5 +18,8 @@ struct Profile {
 Profile parseProfile(std::string_view text, const std::string& name);
 
 Profile readProfile(const std::filesystem::path& file);
+
+/// How many rows a file of its size may have, without reading it; 0 where there is none.
+std::int64_t expectedRows(const std::filesystem::path& file);
 
 }  // namespace asperity

@@ -4,6 +4,10 @@
 <context>
     <name>Words</name>
     <message>
+        <source>above %1 few summits carry the load (region IV): F_N / (4 eta v), the height that the contacts of one period climb together, is below 0.1 h; the border belongs to the finite period and moves with it</source>
+        <translation>über %1 tragen wenige Gipfel die Last (Bereich IV): F_N / (4 eta v), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h; die Grenze gehört zur endlichen Periode und wandert mit ihr</translation>
+    </message>
+    <message>
         <source>A rough rigid line</source>
         <translation>Eine raue starre Linie</translation>
     </message>
@@ -88,8 +92,32 @@
         <translation>%1 Szenen.</translation>
     </message>
     <message>
+        <source>One scene.</source>
+        <translation>Eine Szene.</translation>
+    </message>
+    <message>
+        <source>One scene, and it failed.</source>
+        <translation>Eine Szene, und sie ist fehlgeschlagen.</translation>
+    </message>
+    <message>
         <source>All on one sheet</source>
         <translation>Alle auf einem Blatt</translation>
+    </message>
+    <message>
+        <source>Sheet %1</source>
+        <translation>Blatt %1</translation>
+    </message>
+    <message>
+        <source>coefficient of friction at the end, of the line shown</source>
+        <translation>Reibungskoeffizient am Ende, der gezeigten Linie</translation>
+    </message>
+    <message>
+        <source>coefficient of friction, mean of %1 lines</source>
+        <translation>Reibungskoeffizient, Mittel über %1 Linien</translation>
+    </message>
+    <message>
+        <source>%1 (line shown: %2)</source>
+        <translation>%1 (gezeigte Linie: %2)</translation>
     </message>
     <message>
         <source>all results as a table</source>
@@ -176,6 +204,10 @@
         <translation>%1 Geschwindigkeiten</translation>
     </message>
     <message>
+        <source>one velocity</source>
+        <translation>eine Geschwindigkeit</translation>
+    </message>
+    <message>
         <source>one realization</source>
         <translation>eine Realisierung</translation>
     </message>
@@ -186,6 +218,10 @@
     <message>
         <source>%1 % of the balances with a partly loaded element</source>
         <translation>%1 % der Gleichgewichte mit einem teilweise belasteten Element</translation>
+    </message>
+    <message>
+        <source>at %1 velocities friction is below what the elements resolve, see the column notes</source>
+        <translation>bei %1 Geschwindigkeiten liegt die Reibung unter dem, was die Elemente auflösen, siehe Spalte notes</translation>
     </message>
     <message>
         <source>relative error at most %1 at every velocity, target met</source>
@@ -210,6 +246,26 @@
     <message>
         <source>wrote %1 frames in %2</source>
         <translation>%1 Bilder geschrieben nach %2</translation>
+    </message>
+    <message>
+        <source>wrote one frame to %1</source>
+        <translation>Ein Bild geschrieben in %1</translation>
+    </message>
+    <message>
+        <source>wrote one frame in %1</source>
+        <translation>Ein Bild geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>one was there already</source>
+        <translation>eines war schon da</translation>
+    </message>
+    <message>
+        <source>removed one frame that an earlier, longer sequence left</source>
+        <translation>ein Bild entfernt, das von einer früheren, längeren Folge übrig war</translation>
+    </message>
+    <message>
+        <source>removed %1 frames that an earlier, longer sequence left</source>
+        <translation>%1 Bilder entfernt, die von einer früheren, längeren Folge übrig waren</translation>
     </message>
     <message>
         <source>%1 were there already</source>
@@ -310,6 +366,10 @@
     <message>
         <source>no colours: nothing touches</source>
         <translation>keine Farben: nichts berührt sich</translation>
+    </message>
+    <message>
+        <source>no colours: contact lies between two points</source>
+        <translation>keine Farben: Kontakt liegt zwischen zwei Punkten</translation>
     </message>
     <message>
         <source>no colours: nothing is dissipated at rest</source>
@@ -468,6 +528,10 @@
 </context>
 <context>
     <name>asperity::ClaimsTable</name>
+    <message>
+        <source>Undecided: within two standard errors of that border, or without a standard error.</source>
+        <translation>Unentschieden: höchstens zwei Standardfehler neben dieser Grenze oder ohne Standardfehler.</translation>
+    </message>
     <message>
         <source>Measured: %1.</source>
         <translation>Gemessen: %1.</translation>
@@ -753,6 +817,14 @@
 <context>
     <name>asperity::FrictionSeries</name>
     <message>
+        <source>few summits carry the load</source>
+        <translation>wenige Gipfel tragen die Last</translation>
+    </message>
+    <message>
+        <source>Region IV: few summits of the finite period carry the load, and the slope in contact falls, Eq. (15). It begins below 95 % of the maximum.</source>
+        <translation>Bereich IV: Wenige Gipfel der endlichen Periode tragen die Last, und die Steigung im Kontakt fällt, Gl. (15). Er beginnt unter 95 % des Maximums.</translation>
+    </message>
+    <message>
         <source>%1 of %2 lines</source>
         <translation>%1 von %2 Linien</translation>
     </message>
@@ -795,10 +867,6 @@
     <message>
         <source>decrease</source>
         <translation>Abfall</translation>
-    </message>
-    <message>
-        <source>Region IV: the contact is so small that the slope in it falls, Eq. (15). It begins below 95 % of the maximum.</source>
-        <translation>Bereich IV: Der Kontakt ist so klein, dass die Steigung in ihm fällt, Gl. (15). Er beginnt unter 95 % des Maximums.</translation>
     </message>
     <message>
         <source>Borders are read from this curve, not from theory.</source>
@@ -1393,6 +1461,14 @@
         <translation>wie Datei</translation>
     </message>
     <message>
+        <source>chosen: %1</source>
+        <translation>gewählt: %1</translation>
+    </message>
+    <message>
+        <source>chosen: %1 / %2</source>
+        <translation>gewählt: %1 / %2</translation>
+    </message>
+    <message>
         <source>choose a profile file</source>
         <translation>Profildatei wählen</translation>
     </message>
@@ -1418,6 +1494,10 @@
     <message>
         <source>As the file says</source>
         <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>Back to the default, chosen by the scene</source>
+        <translation>Zurück zur Vorgabe, von der Szene gewählt</translation>
     </message>
     <message>
         <source>no file</source>
@@ -2058,6 +2138,10 @@
 </context>
 <context>
     <name>asperity::Words</name>
+    <message>
+        <source>undecided</source>
+        <translation>unentschieden</translation>
+    </message>
     <message>
         <source>lines compared</source>
         <translation>verglichene Linien</translation>

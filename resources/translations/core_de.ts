@@ -87,8 +87,8 @@
         <translation>Bestimmt die Zufallsphasen der Linie.</translation>
     </message>
     <message>
-        <source>Points that resolve the line per element.</source>
-        <translation>Stützpunkte der Linie je Element.</translation>
+        <source>Points that resolve the line per element; 0: chosen, for a single line and for the mean over many, and files name the number used.</source>
+        <translation>Stützpunkte der Linie je Element; 0: gewählt, für eine einzelne Linie und für das Mittel über viele; Dateien nennen die verwendete Zahl.</translation>
     </message>
     <message>
         <source>Radius of curvature at the parabola's vertex.</source>
@@ -863,10 +863,6 @@
         <translation>Bereich II kann nicht zugleich auf der Geraden der Steigung 1 beginnen und innerhalb einer Dekade nur um den Faktor zwei wachsen.</translation>
     </message>
     <message>
-        <source>F_N / G h L from 0.001 to 0.1.</source>
-        <translation>F_N / G h L von 0,001 bis 0,1.</translation>
-    </message>
-    <message>
         <source>With the rms slope of the whole line for that in contact.</source>
         <translation>Mit der RMS-Steigung der ganzen Linie anstelle der im Kontakt.</translation>
     </message>
@@ -881,10 +877,6 @@
     <message>
         <source>In the limit of low velocity.</source>
         <translation>Im Grenzfall kleiner Geschwindigkeit.</translation>
-    </message>
-    <message>
-        <source>β belongs to α = H/(1 + H).</source>
-        <translation>β gehört zu α = H/(1 + H).</translation>
     </message>
     <message>
         <source>Bars: one standard error, smaller than most marks.</source>
@@ -921,6 +913,218 @@
     <message>
         <source>Lines: Eq. (11) with the rms slope of the whole line, α = H/(1 + H) and β as measured (Fig. 5).</source>
         <translation>Linien: Gl. (11) mit der RMS-Steigung der ganzen Linie, α = H/(1 + H) und gemessenem β (Abb. 5).</translation>
+    </message>
+    <message>
+        <source>few summits carry the load</source>
+        <translation>wenige Gipfel tragen die Last</translation>
+    </message>
+    <message>
+        <source>Few summits of the finite period carry the load, and the slope in contact falls, Eq. (15). Begins below 95 % of the maximum.</source>
+        <translation>Wenige Gipfel der endlichen Periode tragen die Last, und die Steigung im Kontakt fällt, Gl. (15). Beginnt unter 95 % des Maximums.</translation>
+    </message>
+    <message>
+        <source>Tinted: Fₙ/(4ηv), the height that the contacts of one period climb together, is below 0.1 h; the border moves with the period L.</source>
+        <translation>Getönt: Fₙ/(4ηv), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h; die Grenze wandert mit der Periode L.</translation>
+    </message>
+    <message>
+        <source>p. 3, after Eq. (9)</source>
+        <translation>S. 3, nach Gl. (9)</translation>
+    </message>
+    <message>
+        <source>p. 4, Eqs. (9) and (15)</source>
+        <translation>S. 4, Gln. (9) und (15)</translation>
+    </message>
+    <message>
+        <source>p. 1, abstract; p. 4, Eq. (17)</source>
+        <translation>S. 1, Zusammenfassung; S. 4, Gl. (17)</translation>
+    </message>
+    <message>
+        <source>In the plateau region the elastomer behaves practically as a viscous fluid: the elasticity does not play any role</source>
+        <translation>Auf dem Plateau verhält sich das Elastomer praktisch wie eine zähe Flüssigkeit: Die Elastizität spielt keine Rolle</translation>
+    </message>
+    <message>
+        <source>part of the normal force that the springs carry at the maximum of the curve</source>
+        <translation>Anteil der Normalkraft, den die Federn im Maximum der Kurve tragen</translation>
+    </message>
+    <message>
+        <source>below 0.1</source>
+        <translation>unter 0,1</translation>
+    </message>
+    <message>
+        <source>below 1</source>
+        <translation>unter 1</translation>
+    </message>
+    <message>
+        <source>above 1</source>
+        <translation>über 1</translation>
+    </message>
+    <message>
+        <source>The trailing sides of the summits carry %1 % of it there.</source>
+        <translation>Die ablaufenden Seiten der Gipfel tragen dort %1 % von ihr.</translation>
+    </message>
+    <message>
+        <source>The decrease at large velocities (region IV) is related to the dependence of the rms slope on the size of the real contact</source>
+        <translation>Die Abnahme bei großen Geschwindigkeiten (Bereich IV) hängt mit der Abhängigkeit der quadratisch gemittelten Steigung von der Größe des wahren Kontakts zusammen</translation>
+    </message>
+    <message>
+        <source>mu / slope in contact at the highest velocity over that at the maximum, mean over the lines of each</source>
+        <translation>mu / Steigung im Kontakt bei der höchsten Geschwindigkeit, bezogen auf den Wert im Maximum; jeweils über die Linien gemittelt</translation>
+    </message>
+    <message>
+        <source>Friction itself falls to %1 of its maximum.</source>
+        <translation>Die Reibung selbst fällt auf %1 ihres Maximums.</translation>
+    </message>
+    <message>
+        <source>Over the slope in contact it goes from %1 to %2.</source>
+        <translation>Bezogen auf die Steigung im Kontakt geht sie von %1 auf %2.</translation>
+    </message>
+    <message>
+        <source>On a smooth summit, where the slope in contact is evenly distributed, it is %1/sqrt(%2) = %3.</source>
+        <translation>Auf einem glatten Gipfel, wo die Steigung im Kontakt gleichverteilt ist, ist sie %1/sqrt(%2) = %3.</translation>
+    </message>
+    <message>
+        <source>The plateau decreases where the contact becomes extremely small, at extremely high sliding velocities or extremely low normal forces</source>
+        <translation>Das Plateau nimmt ab, wo der Kontakt äußerst klein wird: bei äußerst hohen Geschwindigkeiten oder äußerst kleinen Normalkräften</translation>
+    </message>
+    <message>
+        <source>F_N / (4 eta v) over h where region IV begins, geometric mean over four forces and three lengths</source>
+        <translation>F_N / (4 eta v), bezogen auf h, wo Bereich IV beginnt; geometrisches Mittel über vier Kräfte und drei Längen</translation>
+    </message>
+    <message>
+        <source>0.03 to 0.3: the height that the contacts of one period climb together is about a tenth of h</source>
+        <translation>0,03 bis 0,3: Die Höhe, die alle Kontakte einer Periode zusammen erklimmen, ist etwa ein Zehntel von h</translation>
+    </message>
+    <message>
+        <source>F_N / G h L = %1</source>
+        <translation>F_N / G h L = %1</translation>
+    </message>
+    <message>
+        <source>The law of friction depends on the size of the system, which shifts the curves</source>
+        <translation>Das Reibungsgesetz hängt von der Größe des Systems ab, die die Kurven verschiebt</translation>
+    </message>
+    <message>
+        <source>exponent n of v ~ L^n where region IV begins, at given F_N / L, h and roll-off</source>
+        <translation>Exponent n von v ~ L^n, wo Bereich IV beginnt, bei gleichem F_N / L, h und gleicher Abflachung</translation>
+    </message>
+    <message>
+        <source>0.5 to 1.5; 1 by F_N / (4 eta v) = 0.1 h</source>
+        <translation>0,5 bis 1,5; 1 nach F_N / (4 eta v) = 0,1 h</translation>
+    </message>
+    <message>
+        <source>Region IV belongs to the finite period: an endless line should keep its plateau.</source>
+        <translation>Bereich IV gehört zur endlichen Periode: Eine endlose Linie sollte ihr Plateau behalten.</translation>
+    </message>
+    <message>
+        <source>n is %1 on the resolved line, which falls on as v^(%2/%3).</source>
+        <translation>n ist %1 auf der aufgelösten Linie, die wie v^(%2/%3) weiter fällt.</translation>
+    </message>
+    <message>
+        <source>Fine steps of the same N elements give n = %1 between %2 and %3.</source>
+        <translation>Feine Schritte derselben N Elemente geben n = %1 zwischen %2 und %3.</translation>
+    </message>
+    <message>
+        <source>Fine steps of the same N elements give n = %1 between %2 and %3; beyond, %4 of them per spacing are too few for %5 %, and any fixed number has a floor of its own.</source>
+        <translation>Feine Schritte derselben N Elemente geben n = %1 zwischen %2 und %3; darüber sind %4 je Abstand zu wenige für %5 %, und jede feste Zahl hat ihren eigenen Boden.</translation>
+    </message>
+    <message>
+        <source>Fine steps of the same N elements are resolved up to %1.</source>
+        <translation>Feine Schritte derselben N Elemente sind bis %1 aufgelöst.</translation>
+    </message>
+    <message>
+        <source>Fine steps of the same N elements are resolved up to %1; beyond, %2 of them per spacing are too few for %3 %, and any fixed number has a floor of its own.</source>
+        <translation>Feine Schritte derselben N Elemente sind bis %1 aufgelöst; darüber sind %2 je Abstand zu wenige für %3 %, und jede feste Zahl hat ihren eigenen Boden.</translation>
+    </message>
+    <message>
+        <source>Fine steps of the same N elements are not resolved by %1 per spacing.</source>
+        <translation>Feine Schritte derselben N Elemente sind mit %1 je Abstand nicht aufgelöst.</translation>
+    </message>
+    <message>
+        <source>The curve of fine steps ends at %1, above which %2 steps per spacing are too few for %3 %.</source>
+        <translation>Die Kurve der feinen Schritte endet bei %1; darüber sind %2 Schritte je Abstand zu wenige für %3 %.</translation>
+    </message>
+    <message>
+        <source>Fₙ/GhL = %1: up to %2 % of the maximum, at %3 of the %4 points, the whole line is in contact, and the curves are Eq. (%5), which has no fitted number.</source>
+        <translation>Fₙ/GhL = %1: bis %2 % des Maximums, an %3 der %4 Punkte, ist die ganze Linie im Kontakt, und die Kurven sind Gl. (%5), die keine angepasste Zahl hat.</translation>
+    </message>
+    <message>
+        <source>Fₙ/GhL = %1.</source>
+        <translation>Fₙ/GhL = %1.</translation>
+    </message>
+    <message>
+        <source>The term of partial contact, with alpha and beta, lowers Eq. (%1) by at most %2 % at this force: the figure does not test it.</source>
+        <translation>Das Glied des Teilkontakts mit alpha und beta senkt Gl. (%1) bei dieser Kraft um höchstens %2 %: Das Bild prüft es nicht.</translation>
+    </message>
+    <message>
+        <source>largest |alpha - H/(1+H)| at the five Hurst exponents between 0.2 and 0.8, without the ends; F_N / G h L from 0.001 to 0.1</source>
+        <translation>größtes |alpha - H/(1+H)| an den fünf Hurst-Exponenten zwischen 0,2 und 0,8, ohne die Enden; F_N / G h L von 0,001 bis 0,1</translation>
+    </message>
+    <message>
+        <source>It depends on the window: with F_N / G h L up to %1 the largest deviation is %2.</source>
+        <translation>Es hängt vom Fenster ab: Mit F_N / G h L bis %1 ist die größte Abweichung %2.</translation>
+    </message>
+    <message>
+        <source>α depends on the range of forces that it is fitted to; β belongs to α = H/(1 + H).</source>
+        <translation>α hängt vom Bereich der Kräfte ab, an den es angepasst wird; β gehört zu α = H/(1 + H).</translation>
+    </message>
+    <message>
+        <source>The points share their random lines and are correlated: neighbours in α by %1 on average.</source>
+        <translation>Die Punkte haben die Zufallslinien gemeinsam und sind korreliert: Nachbarn in α im Mittel mit %1.</translation>
+    </message>
+    <message>
+        <source>The points share their random lines and are correlated.</source>
+        <translation>Die Punkte haben die Zufallslinien gemeinsam und sind korreliert.</translation>
+    </message>
+    <message>
+        <source>beta most distant from 1 at the eleven Hurst exponents</source>
+        <translation>das am weitesten von 1 entfernte beta an den elf Hurst-Exponenten</translation>
+    </message>
+    <message>
+        <source>exponent of mu over F_N at the lowest velocity, F_N / G h L up to 0.1</source>
+        <translation>Exponent von mu über F_N bei der kleinsten Geschwindigkeit, F_N / G h L bis 0,1</translation>
+    </message>
+    <message>
+        <source>exponent of L_cont over F_N at the lowest velocity, F_N / G h L up to 0.1</source>
+        <translation>Exponent von L_cont über F_N bei der kleinsten Geschwindigkeit, F_N / G h L bis 0,1</translation>
+    </message>
+    <message>
+        <source>For a surface that is rougher on the summits than on the slopes the rms slope would decrease with indentation</source>
+        <translation>Bei einer Oberfläche, die auf den Gipfeln rauer ist als an den Hängen, nähme die quadratisch gemittelte Steigung mit der Eindrückung ab</translation>
+    </message>
+    <message>
+        <source>rms slope in contact at the smallest force over that at the largest, with surface.summit_correlation = 2</source>
+        <translation>quadratisch gemittelte Steigung im Kontakt bei der kleinsten Kraft, bezogen auf die bei der größten, mit surface.summit_correlation = 2</translation>
+    </message>
+    <message>
+        <source>With surface.summit_correlation = %1 it is %2.</source>
+        <translation>Mit surface.summit_correlation = %1 ist sie %2.</translation>
+    </message>
+    <message>
+        <source>Dimensionless velocity of about 1 gives the order of magnitude of the velocity at which the elastomer is detached on the trailing side of any asperity and all the contacts become one-sided</source>
+        <translation>Eine dimensionslose Geschwindigkeit von etwa 1 gibt die Größenordnung der Geschwindigkeit, bei der sich das Elastomer an der ablaufenden Seite jeder Unebenheit ablöst und alle Kontakte einseitig werden</translation>
+    </message>
+    <message>
+        <source>dimensionless velocity at which trailing sides carry a tenth of the load, F_N / G h L = 0.01, 0.1 and 1: the most distant</source>
+        <translation>dimensionslose Geschwindigkeit, bei der ablaufende Seiten ein Zehntel der Last tragen, F_N / G h L = 0,01, 0,1 und 1: die entfernteste</translation>
+    </message>
+    <message>
+        <source>In complete contact it grows as the force.</source>
+        <translation>Im vollen Kontakt wächst sie wie die Kraft.</translation>
+    </message>
+    <message>
+        <source>The detachment condition of the paper lacks a factor G: G (d - z) + eta v z' = 0.</source>
+        <translation>Der Ablösebedingung der Arbeit fehlt ein Faktor G: G (d - z) + eta v z' = 0.</translation>
+    </message>
+    <message>
+        <source>F_N / G h L at which 90 % of the line are in contact, at the lowest velocity</source>
+        <translation>F_N / G h L, bei dem 90 % der Linie im Kontakt sind, bei der kleinsten Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>smallest over largest plateau of the six Hurst exponents, F_N / G h L near 10</source>
+        <translation>kleinstes durch größtes Plateau der sechs Hurst-Exponenten, F_N / G h L nahe 10</translation>
+    </message>
+    <message>
+        <source>Smallest at H = %1, largest at H = %2.</source>
+        <translation>Am kleinsten bei H = %1, am größten bei H = %2.</translation>
     </message>
     <message>
         <source>Region II covers one decade of velocities</source>
@@ -1087,14 +1291,6 @@
         <translation>unter 0,1 (26 %)</translation>
     </message>
     <message>
-        <source>below 1 by more than three standard errors</source>
-        <translation>um mehr als drei Standardfehler unter 1</translation>
-    </message>
-    <message>
-        <source>below 1, and no force's slope falls by more than 0.5 %</source>
-        <translation>unter 1, und bei keiner Kraft fällt die Steigung um mehr als 0,5 %</translation>
-    </message>
-    <message>
         <source>below 1e-9, on at least one point</source>
         <translation>unter 1e-9, an mindestens einem Punkt</translation>
     </message>
@@ -1139,18 +1335,6 @@
         <translation>Exponent n des Maximums ~ grad^n, zwanzig Abstände</translation>
     </message>
     <message>
-        <source>exponent of L_cont over F_N at the lowest velocity, F_N / G h L up to 1</source>
-        <translation>Exponent von L_cont über F_N bei der kleinsten Geschwindigkeit, F_N / G h L bis 1</translation>
-    </message>
-    <message>
-        <source>exponent of mu over F_N at the lowest velocity, F_N / G h L up to 1</source>
-        <translation>Exponent von mu über F_N bei der kleinsten Geschwindigkeit, F_N / G h L bis 1</translation>
-    </message>
-    <message>
-        <source>first F_N / G h L of the twenty with more than 90 % of the line in contact</source>
-        <translation>erstes F_N / G h L der zwanzig mit mehr als 90 % der Linie in Kontakt</translation>
-    </message>
-    <message>
         <source>mean of %1 lines</source>
         <translation>Mittel aus %1 Linien</translation>
     </message>
@@ -1165,10 +1349,6 @@
     <message>
         <source>h is dominated by the long wavelengths</source>
         <translation>h wird von den langen Wellenlängen bestimmt</translation>
-    </message>
-    <message>
-        <source>largest beta of the eleven Hurst exponents</source>
-        <translation>größtes beta der elf Hurst-Exponenten</translation>
     </message>
     <message>
         <source>largest change of mu / grad where h, L, G and tau change but F_N / G h L and tau v grad / h do not</source>
@@ -1193,10 +1373,6 @@
     <message>
         <source>largest penetration over the largest depth</source>
         <translation>größte Durchdringung durch größte Tiefe</translation>
-    </message>
-    <message>
-        <source>largest |alpha - H/(1+H)| at the seven Hurst exponents from 0.2 to 0.8</source>
-        <translation>größtes |alpha - H/(1+H)| bei den sieben Hurst-Exponenten von 0,2 bis 0,8</translation>
     </message>
     <message>
         <source>largest |mu / Eq. (11) - 1| up to the maximum, beta as measured</source>
@@ -1241,10 +1417,6 @@
     <message>
         <source>mu at the end of region II over mu at its start, borders as for its width</source>
         <translation>mu am Ende von Bereich II durch mu an seinem Anfang, Grenzen wie für seine Breite</translation>
-    </message>
-    <message>
-        <source>n is %1 for the same N elements in fine steps and %2 on the resolved line, which falls on as v^(%3/%4).</source>
-        <translation>n ist %1 für dieselben N Elemente in feinen Schritten und %2 auf der aufgelösten Linie, die wie v^(%3/%4) weiter fällt.</translation>
     </message>
     <message>
         <source>The level is one node's own slope: the line moves one spacing per step, so the last contact is a single node, and more power goes in than is dissipated.</source>
@@ -1361,10 +1533,6 @@
     <message>
         <source>smallest mu at the highest velocity over the maximum</source>
         <translation>kleinstes mu bei der höchsten Geschwindigkeit durch das Maximum</translation>
-    </message>
-    <message>
-        <source>smallest over largest plateau for 0.2 &lt;= H &lt;= 0.8, F_N / G h L near 10</source>
-        <translation>kleinstes durch größtes Plateau für 0,2 &lt;= H &lt;= 0,8, F_N / G h L nahe 10</translation>
     </message>
     <message>
         <source>smallest over largest plateau, over five decades of force</source>
@@ -1715,10 +1883,6 @@
         <translation>Kontakte tragen nur an ihren Vorderseiten, Gl. (9). Endet, wo die Reibung unter 95 % des Maximums fällt.</translation>
     </message>
     <message>
-        <source>Contact is so small that the slope in contact falls, Eq. (15). Begins below 95 % of the maximum.</source>
-        <translation>Der Kontakt ist so klein, dass die Steigung im Kontakt fällt, Gl. (15). Beginnt unter 95 % des Maximums.</translation>
-    </message>
-    <message>
         <source>other arms</source>
         <translation>andere Arme</translation>
     </message>
@@ -1951,6 +2115,10 @@
         <translation>steht zweimal in demselben Objekt</translation>
     </message>
     <message>
+        <source>an object has more than %1 keys</source>
+        <translation>ein Objekt hat mehr als %1 Schlüssel</translation>
+    </message>
+    <message>
         <source>is nested too deeply</source>
         <translation>ist zu tief verschachtelt</translation>
     </message>
@@ -2007,24 +2175,116 @@
         <translation>hat mehr als %1 Zeilen</translation>
     </message>
     <message>
-        <source>row %1: %2 is not a number</source>
-        <translation>Zeile %1: %2 ist keine Zahl</translation>
+        <source>is an empty file</source>
+        <translation>ist eine leere Datei</translation>
     </message>
     <message>
-        <source>row %1: %2 is not a finite number</source>
-        <translation>Zeile %1: %2 ist keine endliche Zahl</translation>
+        <source>is text that is not JSON</source>
+        <translation>ist Text, aber kein JSON</translation>
     </message>
     <message>
-        <source>row %1: inf is not a finite number</source>
-        <translation>Zeile %1: inf ist keine endliche Zahl</translation>
+        <source>is text in UTF-16</source>
+        <translation>ist Text in UTF-16</translation>
     </message>
     <message>
-        <source>row %1: nan is not a finite number</source>
-        <translation>Zeile %1: nan ist keine endliche Zahl</translation>
+        <source>is text in UTF-32</source>
+        <translation>ist Text in UTF-32</translation>
     </message>
     <message>
-        <source>row %1: %2 is beyond %3</source>
-        <translation>Zeile %1: %2 liegt jenseits von %3</translation>
+        <source>is a PNG picture</source>
+        <translation>ist ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>is a JPEG picture</source>
+        <translation>ist ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>is a GIF picture</source>
+        <translation>ist ein GIF-Bild</translation>
+    </message>
+    <message>
+        <source>is a TIFF picture</source>
+        <translation>ist ein TIFF-Bild</translation>
+    </message>
+    <message>
+        <source>is a RIFF file (as WebP is)</source>
+        <translation>ist eine RIFF-Datei (wie WebP)</translation>
+    </message>
+    <message>
+        <source>is a PDF document</source>
+        <translation>ist ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>is a ZIP archive (as of a spreadsheet)</source>
+        <translation>ist ein ZIP-Archiv (etwa einer Tabellenkalkulation)</translation>
+    </message>
+    <message>
+        <source>is an old Office document</source>
+        <translation>ist ein altes Office-Dokument</translation>
+    </message>
+    <message>
+        <source>is a gzip archive</source>
+        <translation>ist ein gzip-Archiv</translation>
+    </message>
+    <message>
+        <source>is an xz archive</source>
+        <translation>ist ein xz-Archiv</translation>
+    </message>
+    <message>
+        <source>is a zstd archive</source>
+        <translation>ist ein zstd-Archiv</translation>
+    </message>
+    <message>
+        <source>is an HDF5 file</source>
+        <translation>ist eine HDF5-Datei</translation>
+    </message>
+    <message>
+        <source>is a WebM film</source>
+        <translation>ist ein WebM-Film</translation>
+    </message>
+    <message>
+        <source>is a binary file</source>
+        <translation>ist eine Binärdatei</translation>
+    </message>
+    <message>
+        <source>JSON in UTF-8 is needed</source>
+        <translation>nötig ist JSON in UTF-8</translation>
+    </message>
+    <message>
+        <source>a scene is JSON in UTF-8</source>
+        <translation>eine Szene ist JSON in UTF-8</translation>
+    </message>
+    <message>
+        <source>a measured line is a CSV file, which a scene names as surface.file</source>
+        <translation>eine gemessene Linie ist eine CSV-Datei, die eine Szene als surface.file nennt</translation>
+    </message>
+    <message>
+        <source>a profile is CSV in UTF-8</source>
+        <translation>ein Profil ist CSV in UTF-8</translation>
+    </message>
+    <message>
+        <source>row %1: the comma may divide columns, thousands or decimals; numbers are written with a point and without thousands separators</source>
+        <translation>Zeile %1: das Komma kann Spalten, Tausender oder Dezimalen trennen; Zahlen stehen mit Punkt und ohne Tausendertrennung</translation>
+    </message>
+    <message>
+        <source>row %1: column %2 is in %3; positions and heights are in metres</source>
+        <translation>Zeile %1: Spalte %2 ist in %3; Orte und Höhen stehen in Metern</translation>
+    </message>
+    <message>
+        <source>is a link to %1, which is not there</source>
+        <translation>ist ein Verweis auf %1, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>row %1: column %2 is not a number</source>
+        <translation>Zeile %1: in Spalte %2 steht keine Zahl</translation>
+    </message>
+    <message>
+        <source>row %1: column %2 is not a finite number</source>
+        <translation>Zeile %1: in Spalte %2 steht keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>row %1: column %2 is beyond %3</source>
+        <translation>Zeile %1: Spalte %2 liegt jenseits von %3</translation>
     </message>
     <message>
         <source>row %1: has %2 columns; position and height, or height alone, are needed</source>
@@ -2061,6 +2321,14 @@
     <message>
         <source>is a folder, not a file</source>
         <translation>ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>is a pipe or a device; only regular files are read here</source>
+        <translation>ist eine Pipe oder ein Gerät; hier werden nur gewöhnliche Dateien gelesen</translation>
+    </message>
+    <message>
+        <source>is larger than a scene may be</source>
+        <translation>ist größer, als eine Szene sein darf</translation>
     </message>
     <message>
         <source>is a folder; a file name is needed</source>

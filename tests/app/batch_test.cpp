@@ -2,9 +2,11 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
-#include "core/scene/provenance.h"
+#include "core/scene/carried_text.h"
 #include "tests/app/program_test.h"
 
 namespace asperity {
@@ -57,7 +59,7 @@ TEST_F(BatchTest, WhatShowsAllScenesNamesThemAndIsNotOpenedAsOne) {
   ASSERT_EQ(program.run("batch b.json -o out").status, 0);
   for (const std::string name : {"contact_sheet.png", "results.csv"}) {
     const std::string bytes = read("out/" + name);
-    const auto made = nlohmann::json::parse(findProvenance(bytes));
+    const auto made = nlohmann::json::parse(carriedText(bytes));
     ASSERT_EQ(made["scenes"].size(), 2U) << name;
     EXPECT_EQ(made["scenes"][1]["scene"], nlohmann::json::parse(read("out/two_02.json"))) << name;
     const Said said = program.run("open out/" + name + " --json");
@@ -80,6 +82,55 @@ TEST_F(BatchTest, ABadEntryIsToldAndTheOthersGoOn) {
                               HasSubstr("stands twice")));
   EXPECT_THAT(program.folder.names("out"), IsSupersetOf({"good.png", "partly_01.png"}));
   EXPECT_THAT(read("out/index.html"), HasSubstr("5 of them failed"));
+}
+
+/// Whatever a file says, the page shows it as text: titles, names, values and errors.
+TEST_F(BatchTest, ThePageHoldsNoMarkupOfItsScenes) {
+  const std::string evil = R"(<script>alert('x')</script> \"><img src=x onerror=\"y\"> & more)";
+  program.folder.write("b.json", R"({"schema": "asperity-batch/1", "size": "300x300", "title": ")" +
+                                     evil +
+                                     R"(", "entries": [
+      {"name": "a", "show": "contact", "scene": {"title": ")" +
+                                     evil +
+                                     R"(", "surface": {"elements": 64}}},
+      {"name": "b", "show": "contact", "scene": {"surface": {"elements": 64}},
+       "sweep": {"title": [")" + evil +
+                                     R"(", "plain"]}},
+      {"name": "c", "scene": ")" + evil +
+                                     R"(.json"},
+      {"name": "d", "scene": {"title": "x", ")" +
+                                     evil + R"(": 1}},
+      {"name": ")" + evil + R"(", "show": "contact", "scene": {"surface": {"elements": 64}}}]})");
+  const Said said = program.run("batch b.json -o out");
+  EXPECT_EQ(said.status, 1) << said.err;
+  const std::string page = read("out/index.html");
+  EXPECT_THAT(page, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<img src=x")),
+                          Not(HasSubstr("onerror=\"y")), Not(HasSubstr("& more"))));
+  // In the page's title and heading, in those of the scene and its picture, and in the errors.
+  std::size_t shown = 0;
+  for (std::size_t at = 0; (at = page.find("&lt;script&gt;", at)) != page.npos; ++at) ++shown;
+  EXPECT_GE(shown, 7U);
+  // Every tag is one of the page's own.
+  for (std::size_t at = 0; (at = page.find('<', at)) != page.npos; ++at)
+    EXPECT_THAT(
+        page.substr(at, 12),
+        testing::ContainsRegex("^</?(!DOCTYPE|html|head|meta|style|title|body|h1|h2|p|a|main|"
+                               "article|img|table|tr|td)[ >]"));
+}
+
+/// A batch holds scenes, which hold sections: nothing of ours is deeper.
+TEST_F(BatchTest, NestingHasALimit) {
+  const auto nested = [](int levels) {
+    std::string text = "1";
+    for (int i = 0; i < levels; ++i) text = "[" + text + "]";
+    return R"({"schema": "asperity-batch/1", "entries": )" + text + "}";
+  };
+  program.folder.write("b.json", nested(12));
+  expectRefused("batch b.json -o out", 2, "b.json: entries: is nested too deeply");
+  program.folder.write("b.json", nested(100000));
+  expectRefused("batch b.json -o out", 2, "b.json: entries: is nested too deeply");
+  program.folder.write("b.json", nested(11));
+  EXPECT_THAT(program.run("batch b.json -o out").err, Not(HasSubstr("nested too deeply")));
 }
 
 TEST_F(BatchTest, TheSameBatchGivesTheSameBytes) {
@@ -111,6 +162,121 @@ TEST_F(BatchTest, ShippedScenesAreFoundByName) {
   program.folder.write("wedge.json", R"({"title": "our own"})");
   ASSERT_EQ(program.run("batch b.json -o out").status, 0);
   EXPECT_THAT(read("out/shipped.json"), HasSubstr("our own"));
+}
+
+/// The row of results.csv with this name, by its columns.
+std::map<std::string, std::string> rowOf(const std::string& csv, const std::string& name) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::vector<std::string> columns;
+  while (std::getline(lines, line)) {
+    if (line.starts_with('#')) continue;
+    std::vector<std::string> cells(1);
+    for (const char c : line)
+      if (c == ',')
+        cells.emplace_back();
+      else
+        cells.back() += c;
+    if (columns.empty()) columns = cells;
+    if (cells.front() != name) continue;
+    std::map<std::string, std::string> row;
+    for (std::size_t i = 0; i < columns.size(); ++i) row[columns[i]] = cells.at(i);
+    return row;
+  }
+  return {};
+}
+
+TEST_F(BatchTest, TheCoefficientIsTheMeanOfTheLinesAndTheLinesOwnStandsBeside) {
+  write(R"({"name": "many", "scene": "s.json", "show": "contact"},
+           {"name": "one", "scene": {"surface": {"kind": "sine"}}, "show": "contact"},
+           {"name": "motion", "scene": "s.json", "set": {"sliding.kind": "start"}})");
+  const Said said = program.run("batch b.json -o out --json");
+  ASSERT_EQ(said.status, 0) << said.err;
+  // The curve at the scene's own velocity is the same mean.
+  const std::string at =
+      " --set sweep.velocity_from=1 --set sweep.velocity_to=1 --set sweep.points=1";
+  const auto curve = nlohmann::json::parse(program.run("curve s.json --json -o c.json" + at).out);
+  const auto line = nlohmann::json::parse(program.run("render s.json --json -o c.png").out);
+  const auto& mean = curve["points"][0];
+  const std::string table = read("out/results.csv");
+  auto many = rowOf(table, "many"), one = rowOf(table, "one"), motion = rowOf(table, "motion");
+  for (const char* column : {"mu", "mu_standard_error", "contact_fraction", "indentation"})
+    EXPECT_EQ(std::stod(many[column]), mean[column].get<double>()) << column;
+  EXPECT_EQ(many["realizations"], "6");
+  EXPECT_EQ(std::stod(many["line_mu"]), line["mu"].get<double>());
+  EXPECT_NE(many["line_mu"], many["mu"]);
+  EXPECT_EQ(std::stod(many["line_indentation"]), line["indentation"].get<double>());
+  EXPECT_EQ(one["realizations"], "1");
+  EXPECT_EQ(one["mu_standard_error"], "");
+  EXPECT_NEAR(std::stod(one["mu"]), std::stod(one["line_mu"]), 1e-9);
+  EXPECT_EQ(motion["mu"] + motion["indentation"] + motion["realizations"], "");
+  EXPECT_NE(motion["line_mu"], "");
+  const auto answer = nlohmann::json::parse(said.out)["scenes"][0];
+  EXPECT_EQ(answer["mu"], mean["mu"]);
+  EXPECT_EQ(answer["mu_standard_error"], mean["mu_standard_error"]);
+  EXPECT_EQ(answer["line_mu"], line["mu"]);
+  const std::string page = read("out/index.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("coefficient of friction, mean of 6 lines"), HasSubstr(" ± "),
+                          HasSubstr("(line shown: "), HasSubstr("3 scenes.")));
+}
+
+TEST_F(BatchTest, NamesThatWouldOverwriteAFileAreRefusedBeforeAnythingRuns) {
+  const std::string sweep =
+      R"({"name": "a", "scene": "s.json", "sweep": {"surface.seed": [1, 2]}})";
+  write(sweep + R"(, {"name": "a_01", "scene": "s.json"})");
+  expectRefused("batch b.json -o out", 2,
+                "b.json: entries[1].name: 'a_01' would write a_01.png, as entries[0] does");
+  write(R"({"name": "a_02", "scene": "s.json"},)" + sweep);
+  expectRefused("batch b.json -o out", 2, "entries[1].name: 'a_02' would write a_02.png");
+  for (const auto& [name, file] : {std::pair{"results", "results.csv"},
+                                   {"contact_sheet", "contact_sheet.png"},
+                                   {"contact_sheet_2", "contact_sheet_2.png"}}) {
+    write(R"({"scene": "s.json"}, {"scene": "s.json", "name": ")" + std::string(name) + "\"}");
+    expectRefused(
+        "batch b.json -o out", 2,
+        std::string("entries[1].name: '") + name + "' would write " + file + ", which holds");
+  }
+  // Harmless: no file of theirs has the name of another.
+  write(R"({"name": "index", "scene": "s.json", "show": "contact"},
+           {"name": "contact_sheets", "scene": "s.json", "show": "contact"},)" +
+        sweep);
+  EXPECT_EQ(program.run("batch b.json -o out").status, 0);
+}
+
+TEST_F(BatchTest, NoOutputReplacesAFileThatIsRead) {
+  write(R"({"name": "s", "scene": "s.json"})");
+  expectRefused("batch b.json -o .", 2, "s.json is what is read");
+  program.folder.write("p.csv", "0\n1e-6\n0\n-1e-6\n");
+  program.folder.write("q.json",
+                       R"({"surface": {"kind": "profile", "file": "p.csv", "length": 1e-3}})");
+  write(R"({"name": "p", "scene": "q.json", "show": "contact"})");
+  expectRefused("batch b.json -o .", 2, "p.csv is what is read");
+}
+
+TEST_F(BatchTest, TallPicturesFindRoomOnTheSheet) {
+  program.folder.write("b.json", R"({"schema": "asperity-batch/1", "size": "200x12000", "entries": [
+      {"name": "tall", "scene": "s.json", "show": "contact", "sweep": {"surface.seed": [1, 2]}}]})");
+  const Said said = program.run("batch b.json -o out");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(program.folder.names("out"), IsSupersetOf({"contact_sheet.png", "index.html"}));
+}
+
+TEST_F(BatchTest, WhatWasFoundIsKeptWhereASheetCannotBeWritten) {
+  write(R"({"name": "a", "scene": "s.json", "show": "contact"})");
+  // A folder under the sheet's name stands for whatever makes it fail.
+  std::filesystem::create_directories(program.folder / "out/contact_sheet.png");
+  const Said said = program.run("batch b.json -o out");
+  EXPECT_NE(said.status, 0);
+  EXPECT_THAT(said.err, HasSubstr("contact_sheet.png"));
+  EXPECT_THAT(rowOf(read("out/results.csv"), "a")["mu"], Not(testing::IsEmpty()));
+  EXPECT_THAT(read("out/index.html"), HasSubstr("a.png"));
+}
+
+TEST_F(BatchTest, OneSceneIsCalledOne) {
+  write(R"({"name": "a", "scene": "s.json", "show": "contact"})");
+  ASSERT_EQ(program.run("batch b.json -o out").status, 0);
+  EXPECT_THAT(read("out/index.html"),
+              AllOf(HasSubstr("One scene."), HasSubstr("All on one sheet")));
 }
 
 }  // namespace

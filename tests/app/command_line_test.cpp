@@ -261,5 +261,17 @@ TEST_F(CommandLineTest, AKilledRunLeavesNoHalfFile) {
   }
 }
 
+TEST_F(CommandLineTest, MoreThreadsThanTheMachineHasAreNoMatter) {
+  const Said many = program.run("curve s.json --threads 300 --quiet");
+  EXPECT_EQ(many.status, 0);
+  EXPECT_EQ(many.err, "");
+  EXPECT_EQ(many.out, program.run("curve s.json --threads 1 --quiet").out);
+}
+
+TEST_F(CommandLineTest, OneVelocityIsCalledOne) {
+  EXPECT_THAT(program.run("curve s.json -o c.csv --set sweep.points=1").out,
+              testing::StartsWith("one velocity, 6 realizations"));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -178,6 +178,48 @@ TEST_F(ExportTest, ASequenceGoesOnWhereItStopped) {
   expectRefused("render s.json -o a.png --resume", 2, "--resume");
 }
 
+TEST_F(ExportTest, AShorterSequenceLeavesNoFrameOfALongerOne) {
+  const std::string size = kSmall;
+  run("render s.json -o seq --frames 5" + size);
+  // Not frames of ours: nothing in them, or something else.
+  program.folder.write("seq/frame_0009.png", "somebody's");
+  program.folder.write("seq/frame_0007.txt", "a note");
+  run("render s.json -o curve.png --layout curve" + size);
+  std::filesystem::copy(program.folder / "curve.png", program.folder / "seq/frame_0008.png");
+  const Said said = program.run("render s.json -o seq --frames 2" + size);
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(program.folder.names("seq"),
+              testing::UnorderedElementsAre("frame_0001.png", "frame_0002.png", "frame_0009.png",
+                                            "frame_0007.txt", "frame_0008.png"));
+  EXPECT_THAT(said.out, HasSubstr("wrote 2 frames in seq\nremoved 3 frames"));
+  // With another number of digits they would be a second sequence.
+  std::filesystem::copy(program.folder / "seq/frame_0002.png",
+                        program.folder / "seq/frame_00002.png");
+  const Said resumed = program.run("render s.json -o seq --frames 2 --resume" + size);
+  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_FALSE(has("seq/frame_00002.png"));
+  EXPECT_THAT(resumed.out, HasSubstr("removed one frame"));
+}
+
+TEST_F(ExportTest, OneFrameIsCalledOne) {
+  const std::string size = kSmall;
+  const auto said = [&](const std::string& arguments) { return program.run(arguments + size).out; };
+  EXPECT_THAT(said("render s.json -o seq --frames 1"), HasSubstr("wrote one frame in seq"));
+  EXPECT_THAT(said("render s.json -o f.gif --frames 1"), HasSubstr("wrote one frame to f.gif"));
+  run("render s.json -o two --frames 2" + size);
+  std::filesystem::remove(program.folder / "two/frame_0001.png");
+  EXPECT_THAT(said("render s.json -o two --frames 2 --resume"),
+              AllOf(HasSubstr("wrote one frame in two"), HasSubstr("one was there already")));
+}
+
+TEST_F(ExportTest, ADashIsNoFolder) {
+  program.folder.write("b.json",
+                       R"({"schema": "asperity-batch/1", "entries": [{"scene": "s.json"}]})");
+  for (const char* call : {"render s.json", "accuracy s.json", "figure 1", "batch b.json"})
+    expectRefused(std::string(call) + " -o -", 2, "--output: '-' is no folder");
+  expectRefused("curve s.json -o -", 2, "is not one of .csv");
+}
+
 TEST_F(ExportTest, AKilledSequenceLeavesWholeFramesAndIsResumed) {
   const std::string arguments = std::string("render s.json -o seq --frames 40 ") + kSmall;
   for (const char* delay : {"0.3", "0.5", "0.7"}) {

@@ -1,6 +1,7 @@
 // asperity figure: files, claims, refusals.
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/program_test.h"
@@ -51,8 +52,34 @@ TEST_F(FigureCommandTest, IsTheSameEveryTime) {
     EXPECT_EQ(read("a/" + name), read("b/" + name)) << name;
 }
 
+/// A file that cannot be written is refused before any work: a folder in its place says whether the
+/// figure is meant.
+TEST_F(FigureCommandTest, AllIsEveryFigure) {
+  for (const char* word : {"1", "6", "master", "spacing"}) {
+    const std::string folder = std::string("out_") + word;
+    const std::string file = folder + "/figure_" + word + ".png";
+    std::filesystem::create_directories(program.folder / file);
+    expectRefused("figure all -o " + folder, 2, "figure_" + std::string(word) + ".png");
+  }
+}
+
+TEST_F(FigureCommandTest, PaperIsFigures1To6) {
+  std::filesystem::create_directories(program.folder / "out/figure_master.png");
+  std::filesystem::create_directories(program.folder / "out/figure_spacing.png");
+  const Said said =
+      program.run("figure paper -o out --realizations 2 --set surface.elements=200 --json");
+  ASSERT_EQ(said.status, 0) << said.err;
+  const auto json = nlohmann::json::parse(said.out);
+  EXPECT_EQ(json["figures"].size(), 6U);
+  for (const auto& claim : json["claims"]) {
+    EXPECT_TRUE(claim.contains("holds_from") && claim.contains("holds_to")) << claim["id"];
+    EXPECT_LT(claim["figure"].get<std::string>().size(), 2U);
+  }
+}
+
 TEST_F(FigureCommandTest, RefusesWhatItCannotDo) {
-  expectRefused("figure 7 -o out", 2, "7 is not one of 1, 2, 3, 4, 5, 6, master, spacing, all");
+  expectRefused("figure 7 -o out", 2,
+                "7 is not one of 1, 2, 3, 4, 5, 6, master, spacing, paper, all");
   expectRefused("figure 2", 2, "--output");
   expectRefused("figure -o out", 2, "NAME");
   expectRefused("figure 2 -o out --realizations 0", 2, "realizations");

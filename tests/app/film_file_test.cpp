@@ -1,15 +1,21 @@
-// A film's colours, as ffmpeg reads them back.
+// A film's colours, as ffmpeg reads them back; what it says of itself, however long; and programs
+// under the name of ffmpeg that make no film.
 #include "app/film_file.h"
 
 #include <gtest/gtest.h>
 
 #include <QColor>
 #include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
 
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
 namespace {
+
+using namespace std::string_literals;
 
 constexpr int kSize = 64, kFrames = 40;
 
@@ -51,6 +57,73 @@ TEST(FilmFile, AGifHasTheColoursOfItsSamplesAndNotTheirPictures) {
     EXPECT_NEAR(pixel[0], 4 * static_cast<int>(x), 12) << x;
     EXPECT_LT(pixel[1], 12) << x;
   }
+}
+
+FilmOptions smallFilm() {
+  FilmOptions options;
+  options.width = options.height = kSize;
+  return options;
+}
+
+void writeFilm(const std::filesystem::path& file, const FilmOptions& options) {
+  FilmFile film(file.string(), options);
+  for (int index = 0; index < 3 + options.samples * (file.extension() == ".gif" ? 1 : 0); ++index)
+    film.add(frame(index));
+  film.finish();
+}
+
+/// An argument of a program may have 128 KiB: what a film says of itself is no argument.
+TEST(FilmFile, ALongTitleAndOddCharactersArriveWhole) {
+  const TemporaryFolder folder;
+  FilmOptions options = smallFilm();
+  const std::string odd = "a=b; #c \\ d\r\ne [f] \u00fc";
+  options.title = odd + std::string(300000, 't') + odd;
+  options.metadata =
+      R"({"schema":"asperity-render/1","x":"\u003c=;#\\)" + std::string(300000, 'm') + "\"}";
+  for (const char* name : {"a.mp4", "a.webm"}) {
+    writeFilm(folder / name, options);
+    const std::string bytes = TemporaryFolder::read(folder / name);
+    EXPECT_NE(bytes.find(options.metadata), std::string::npos) << name;
+    EXPECT_NE(bytes.find(options.title), std::string::npos) << name;
+  }
+  for (const char* name : {"a.gif", "a.webp"}) {
+    writeFilm(folder / name, options);
+    EXPECT_NE(TemporaryFolder::read(folder / name).find(std::string(300000, 'm')),
+              std::string::npos)
+        << name;
+  }
+}
+
+/// A zero in a title ends no line that a key could follow.
+TEST(FilmFile, ATitleCannotForgeMetadata) {
+  const TemporaryFolder folder;
+  FilmOptions options = smallFilm();
+  options.title = "t\0comment=forged\n;FFMETADATA1\ncomment=forged"s;
+  options.metadata = "true";
+  writeFilm(folder / "a.mp4", options);
+  const std::string line = "cd '" + folder.path().string() +
+                           "' && ffprobe -v error -show_entries format_tags=comment -of "
+                           "default=nw=1:nk=1 a.mp4 >said";
+  ASSERT_EQ(std::system(line.c_str()), 0);
+  EXPECT_EQ(TemporaryFolder::read(folder / "said"), "true\n");
+}
+
+/// Whatever ends well without a film: the last film stays.
+TEST(FilmFile, AnFfmpegThatMakesNoFilmIsAFailureAndTheOldFilmStays) {
+  const TemporaryFolder folder;
+  const std::string path = std::getenv("PATH");
+  for (const char* program : {"cat >/dev/null", "exit 0", "cat >/dev/null; printf 'no film' >&3",
+                              "cat >/dev/null; exit 1", "cat >/dev/null; kill -9 $$"})
+    for (const char* name : {"a.mp4", "a.webm", "a.gif", "a.webp"}) {
+      folder.write("ffmpeg", std::string("#!/bin/sh\n") + program + "\n");
+      std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
+      folder.write(name, "the old film");
+      ::setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
+      EXPECT_THROW(writeFilm(folder / name, smallFilm()), std::runtime_error) << name << program;
+      ::setenv("PATH", path.c_str(), 1);
+      EXPECT_EQ(TemporaryFolder::read(folder / name), "the old film") << name << program;
+    }
+  EXPECT_EQ(folder.names().size(), 5U);
 }
 
 }  // namespace

@@ -2,10 +2,17 @@
 // line that names it, and nothing is written.
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
 #include "tests/app/program_test.h"
 
 namespace asperity {
 namespace {
+
+using namespace std::string_literals;
 
 constexpr const char* kStep =
     R"({"surface":{"elements":200},"sliding":{"kind":"step","duration":0.01}})";
@@ -170,6 +177,106 @@ TEST_F(UsageTest, HelpIsAlsoAWord) {
 TEST_F(UsageTest, TimeIsToldByEveryVerb) {
   for (const char* verb : {"check s.json", "explain s.json", "surface s.json"})
     EXPECT_THAT(program.run(std::string(verb) + " --timing").err, testing::StartsWith("time "));
+}
+
+/// The file that is missing behind a link is told before any work, and not after it.
+TEST_F(UsageTest, ALinkThatLeadsNowhereIsTold) {
+  for (const char* name : {"a.csv", "a.png", "a.mp4"})
+    std::filesystem::create_symlink("gone/away", program.folder / name);
+  // What cannot be computed in the time of a test would be computed first.
+  const std::string endless = " --set ensemble.realizations=1000000 ";
+  for (const char* verb :
+       {"curve s.json -o a.csv", "curve s.json -o a.png", "render s.json --frames 100000 -o a.mp4",
+        "render s.json -o a.png", "surface s.json -o a.csv"})
+    expectRefused(verb + endless, 2, "is a link to 'gone/away', which is not there");
+}
+
+/// What stands in names, keys, values and files reaches the terminal in printable characters.
+TEST_F(UsageTest, MessagesQuotePrintableCharactersOnly) {
+  program.folder.write("title.json",
+                       R"({"title":"a\u001b[2Jb\u202ec\nd","surface":{"elements":64}})");
+  program.folder.write("key.json", "{\"surf\\u001b[31mace\":1}");
+  program.folder.write("bytes.json", "{\"title\":\"\xff\xfe\"}");
+  program.folder.write("x.csv", "1\n2\n\x1b[31m\n");
+  program.folder.write("p.json", R"({"surface":{"kind":"profile","file":"x.csv"}})");
+  program.folder.write("b.json",
+                       R"({"schema":"asperity-batch/1","entries":[{"scene":"\u001b[31m"}]})");
+  const std::string escape = "$(printf '\\033[31m')", bytes = "$(printf '\\377\\233')";
+  for (const std::string& arguments :
+       std::vector<std::string>{"check title.json",
+                                "explain title.json",
+                                "check key.json",
+                                "check bytes.json",
+                                "check p.json",
+                                "batch b.json -o out",
+                                "check \"" + escape + "\"",
+                                "check \"" + bytes + ".json\"",
+                                "check s.json --set \"" + escape + "=1\"",
+                                "check s.json --set \"surface.hurst=" + bytes + "\"",
+                                "check s.json --set \"surface.kind=" + escape + "\"",
+                                "check s.json --\"" + escape + "\"",
+                                "check s.json \"" + escape + "\"",
+                                "curve s.json -o \"no" + escape + "/a.csv\"",
+                                "curve s.json -o \"" + escape + ".csv\"",
+                                "render s.json -o \"" + bytes + ".png\"",
+                                "check s.json --threads \"" + escape + "\"",
+                                "check s.json --language \"" + bytes + "\"",
+                                "render s.json -o a.png --theme \"" + escape + "\"",
+                                "figure \"" + escape + "\" -o out"}) {
+    const Said said = program.run(arguments);
+    for (const std::string& text : {said.out, said.err})
+      for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        ASSERT_TRUE(byte >= ' ' || byte == '\n') << arguments << ": byte " << int(byte);
+        ASSERT_TRUE(byte < 0xF5 && byte != 0x7F) << arguments << ": byte " << int(byte);
+      }
+    EXPECT_THAT(said.out + said.err,
+                testing::AnyOf(testing::HasSubstr("\\x1b"), testing::HasSubstr("\\xff")))
+        << arguments;
+    EXPECT_THAT(said.out + said.err, testing::Not(testing::HasSubstr("\u202e"))) << arguments;
+  }
+}
+
+TEST_F(UsageTest, AFileOfAnotherKindIsNamedAndNotQuoted) {
+  program.folder.write("utf16.txt", "\xFF\xFEx\0 \0(\0m\0m\0)\0\r\0\n\0"s);
+  program.folder.write("heights.csv", "x,z\n0,1e-6\n1,2e-6\n2,1e-6\n");
+  const std::string needed = "a measured line is a CSV file, which a scene names as surface.file";
+  for (const char* verb : {"surface", "check", "curve"}) {
+    expectRefused(std::string(verb) + " utf16.txt", 2, "utf16.txt: is text in UTF-16; ");
+    expectRefused(std::string(verb) + " utf16.txt", 2, needed);
+    expectRefused(std::string(verb) + " heights.csv", 2, "heights.csv: is text that is not JSON; ");
+    expectRefused(std::string(verb) + " heights.csv", 2, needed);
+  }
+}
+
+/// Each choice gives its own bytes again, and all of them the same number up to rounding.
+TEST_F(UsageTest, TheEnvironmentForcesTheVectors) {
+  const auto table = [this](const std::string& before) {
+    return program.run("curve s.json --json", before);
+  };
+  const auto best = nlohmann::json::parse(table("").out);
+  EXPECT_EQ(table("ASPERITY_TARGET=").out, table("").out);
+  int had = 0;
+  for (const char* target : {"scalar", "avx2", "avx3"}) {
+    const std::string before = std::string("ASPERITY_TARGET=") + target;
+    const Said said = table(before);
+    if (said.status != 0) {  // not every machine has all
+      EXPECT_EQ(said.status, 2);
+      EXPECT_THAT(said.err, testing::HasSubstr("is not what this machine has; "));
+      continue;
+    }
+    ++had;
+    EXPECT_EQ(table(before).out, said.out) << target;
+    const auto points = nlohmann::json::parse(said.out)["points"];
+    for (std::size_t i = 0; i < points.size(); ++i)
+      EXPECT_NEAR(points[i]["mu"].get<double>() / best["points"][i]["mu"].get<double>(), 1, 1e-10);
+  }
+  EXPECT_GE(had, 1);  // scalar is everywhere
+  for (const char* wrong : {"AVX2", "avx", "sse4", "best"})
+    expectRefused("check s.json", 2,
+                  std::string("ASPERITY_TARGET: ") + wrong + " is not one of avx3, avx2, scalar",
+                  std::string("ASPERITY_TARGET=") + wrong);
+  EXPECT_THAT(program.run("--help").out, testing::HasSubstr("ASPERITY_TARGET=avx3|avx2|scalar"));
 }
 
 }  // namespace

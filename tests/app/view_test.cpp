@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/app/program_test.h"
 
@@ -183,6 +184,16 @@ TEST_F(ViewTest, ComparedCurvesAreInPictureAndTables) {
   EXPECT_EQ(answer["points"].size(), 5U);
   EXPECT_EQ(answer["with"].size(), 2U);
   EXPECT_EQ(answer["compared"]["points"].size(), 5U);
+  // The same difference and error in every table.
+  const Json& compared = answer["compared"]["points"][2];
+  const std::string row = table.substr(table.find("compared: "));
+  std::istringstream rows(row);
+  std::string line;
+  for (int k = 0; k < 3; ++k) std::getline(rows, line);
+  const std::size_t comma = line.rfind(',');
+  EXPECT_EQ(std::stod(line.substr(comma + 1)), compared["relative_difference_standard_error"]);
+  EXPECT_EQ(std::stod(line.substr(line.rfind(',', comma - 1) + 1)),
+            compared["relative_difference"]);
   // One of the beside is the curve that its scene has by itself.
   const Said own = program.run("curve s.json --json --set load.normal_force=0.1");
   EXPECT_EQ(answer["with"][0]["points"][2]["mu"], Json::parse(own.out)["points"][2]["mu"]);

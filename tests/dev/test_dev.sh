@@ -214,7 +214,7 @@ test_without_display_renders() {
   call run check
   display='' call run
   same arguments "$out" \
-    $'<render>\n<'"$project"$'/resources/scenes/figure_1.json>\n<-o>\n<out/>'
+    $'<render>\n<'"$project"$'/resources/scenes/figure_1.json>\n<--frames>\n<1>\n<-o>\n<out/>'
   like stderr "$err" 'dev: no display*'
   same 'lines' "${err//[^$'\n']/}" ''
   display='' call run check
@@ -295,6 +295,30 @@ END
   call fuzz 30
   same 'status where something is found' "$status" 1
   like 'stderr where something is found' "$err" '*dev: an input that breaks scene*'
+}
+
+test_a_man_page_is_whole_or_not_there() {
+  local make=$repository/resources/linux/make_man_page page=$scratch/asperity.1.gz tool
+  for tool in sh dirname gzip mv; do ln -sf "$(command -v "$tool")" "$tools/$tool"; done
+  make_page() {
+    status=0
+    PATH=$tools "$tools/sh" "$make" program "$page" 2>/dev/null || status=$?
+  }
+  : >"$page" # what an earlier build left
+  make_page
+  [[ $status != 0 && ! -e $page ]] || same 'without help2man' "$status $(ls "$page")" 'no page'
+  stand_in help2man <<<'printf "a half"; exit 1'
+  make_page
+  [[ $status != 0 && ! -e $page ]] || same 'where help2man fails' "$status $(ls "$page")" 'no page'
+  stand_in help2man <<<''
+  make_page
+  [[ $status != 0 && ! -e $page ]] || same 'an empty page' "$status $(ls "$page")" 'no page'
+  stand_in help2man <<<'printf "%s\n" "${@: -1}"'
+  make_page
+  same 'status with help2man' "$status" 0
+  same 'the page' "$(gzip -dc "$page")" program
+  same 'other files' "$(echo "$page"*)" "$page"
+  rm "$tools/help2man" "$tools/dirname" "$tools/gzip" "$tools/mv" "$tools/sh"
 }
 
 test_display_for_tests() {

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
+#include <limits>
 
+#include "core/contact/arm_sliding.h"
 #include "core/contact/scene_sliding.h"
 #include "core/surface/line_source.h"
 #include "tests/stability/invariants.h"
@@ -26,7 +29,9 @@ std::vector<ArmCase> armCases() {
       {"v = 1e-12", "everything relaxes within 1e-10 of an element", one, 1e-12},
       {"v = 1e9", "nothing relaxes within 1e7 periods", one, 1e9},
       {"tau from 1e-10 to 100 s", "closes only after 5000 periods by itself", wide, 1},
-      {"tau = 1e-300", "1 / c beyond numbers", {{1e7, 1e-300}}, 1e-9},
+      {"tau = 1e-149", "c below 1e-150 of an element", {{1e7, 1e-149}}, 1e-9},
+      {"tau = 1e12 and 1e-149", "times 1e161 apart", {{1e7, 1e12}, {1e7, 1e-149}}},
+      {"tau = 1e12 and 1e-297", "1e309 apart: one never acts", {{1e7, 1e12}, {1e7, 1e-297}}},
       {"tau = 1e12", "never relaxes", {{1e7, 1e12}}, 1},
       {"two times 1e-12 apart",
        "poles next to each other",
@@ -57,6 +62,63 @@ Scene sceneOf(const ArmCase& row, Scheme scheme) {
   scene.load.normalForce = row.force;
   scene.accuracy.scheme = scheme;
   return scene;
+}
+
+/// Times so short that nothing can slide in them, down to the smallest number: such an arm is as if
+/// it were not there.
+TEST(ArmCases, ArmsOfNoTimeAreAsGood) {
+  for (const double shortest : {1e-151, 1e-297, 1e-310, 5e-324}) {
+    SCOPED_TRACE(shortest);
+    for (const std::vector<Arm>& arms :
+         {std::vector<Arm>{{1e7, shortest}}, std::vector<Arm>{{1e7, 1e-3}, {1e15, shortest}},
+          std::vector<Arm>{{1e7, 1e12}, {3e6, 2 * shortest}, {1e15, shortest}}}) {
+      Scene scene = sceneOf({"", "", arms}, Scheme::Cubic);
+      const TravelLine line = prepareTravel(LineSource(scene, 2).make(0), Scheme::Cubic);
+      const SteadyResult with = SceneSliding(scene).at(line, 1).result;
+      std::erase_if(scene.elastomer.arms,
+                    [](const Arm& arm) { return arm.relaxationTime < 1e-150; });
+      const SteadyResult without = SceneSliding(scene).at(line, 1).result;
+      EXPECT_FALSE(isRefused(with)) << with.residual;
+      EXPECT_EQ(with.mu, without.mu);
+      EXPECT_EQ(with.indentation, without.indentation);
+    }
+  }
+}
+
+/// A dashpot that yields in no time beside arms, likewise.
+TEST(ArmCases, ADashpotOfNoTimeIsAsGood) {
+  for (const double viscosity : {1e-144, 1e-300, 5e-324}) {
+    Scene scene = sceneOf({"", "", {{1e7, 1e-3}}}, Scheme::Cubic);
+    const TravelLine line = prepareTravel(LineSource(scene, 2).make(0), Scheme::Cubic);
+    const SteadyResult without = SceneSliding(scene).at(line, 1).result;
+    scene.elastomer.viscosity = viscosity;
+    const SteadyResult with = SceneSliding(scene).at(line, 1).result;
+    EXPECT_FALSE(isRefused(with)) << viscosity << ": " << with.residual;
+    EXPECT_EQ(with.mu, without.mu) << viscosity;
+  }
+}
+
+/// A search that finds nothing but what is no number ends with an answer that is not met and can be
+/// drawn: a strain for every arm.
+TEST(ArmCases, ASearchAmongNoNumbersEnds) {
+  ::fedisableexcept(FE_INVALID | FE_DIVBYZERO);  // what the other tests end at is wanted here
+  const Scene scene = sceneOf({"", "", {{1e7, 1e-3}, {1e6, 1}}}, Scheme::Cubic);
+  const TravelLine line = prepareTravel(LineSource(scene, 2).make(0), Scheme::Cubic);
+  const ElementLaw law = SceneSliding(scene).law();
+  RetardationModes modes = retardationModes(law);
+  for (double& fluidity : modes.fluidity) fluidity = std::numeric_limits<double>::quiet_NaN();
+  for (const LoadKind kind : {LoadKind::Force, LoadKind::Indentation}) {
+    Load load;
+    load.kind = kind;
+    const ArmState found = slideWithArms(line, law, modes, load, 1);
+    EXPECT_TRUE(isRefused(found.result));
+    EXPECT_FALSE(found.balance.isMet());
+    EXPECT_EQ(found.balance.strain.size(), 2U);
+    const ArmShape shape = armShapeAt(line, law, modes, 1, found.balance);
+    EXPECT_EQ(shape.nodes.depth.size(), line.segments());
+  }
+  std::feclearexcept(FE_ALL_EXCEPT);
+  ::feenableexcept(FE_INVALID | FE_DIVBYZERO);
 }
 
 /// What a result says of itself, as that of one relaxation time as long as its longest.

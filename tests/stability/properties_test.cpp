@@ -112,13 +112,14 @@ std::string written(const Scene& scene) {
   return file.string();
 }
 
-TEST(Properties, HoldForAnyScene) {
+/// Tries `scenes` of them; the first that fails is kept as a file.
+void expectToHold(const rc::Gen<std::vector<Setting>>& settings, std::uint64_t scenes) {
   rc::detail::TestParams params;
   params.seed = numberFrom("ASPERITY_SEED", 20130725);
-  params.maxSuccess = static_cast<int>(numberFrom("ASPERITY_PROPERTIES", 1500));
+  params.maxSuccess = static_cast<int>(numberFrom("ASPERITY_PROPERTIES", scenes));
   const fs::path failed = fs::temp_directory_path() / "asperity_failed_scene.json";
-  const auto property = [failed] {
-    const Scene scene = sceneWith(*anySettings());
+  const auto property = [&settings, failed] {
+    const Scene scene = sceneWith(*settings);
     const std::string file = written(scene), complaint = complaintAbout(scene);
     if (complaint.empty()) return;
     fs::copy_file(file, failed, fs::copy_options::overwrite_existing);
@@ -130,6 +131,14 @@ TEST(Properties, HoldForAnyScene) {
     rc::detail::printResultMessage(result, text);
     return text.str();
   }();
+}
+
+TEST(Properties, HoldForAnyScene) {
+  expectToHold(anySettings(), 1500);
+}
+
+TEST(Properties, HoldForAnyArms) {
+  expectToHold(anySettingsWithArms(), 500);
 }
 
 TEST(Properties, HoldForScenesThatOnceFailed) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ostream>
 
 #include "core/scene/arms_text.h"
@@ -11,6 +12,7 @@ namespace asperity {
 namespace {
 
 constexpr std::int64_t kMostElements = 400, kMostPoints = 8;  // so that many scenes are tried
+constexpr double kLeastTime = std::numeric_limits<double>::denorm_min();  // s, above 0, of an arm
 
 template <class... Handlers>
 struct Overloaded : Handlers... {
@@ -30,7 +32,8 @@ double between(double low, double high, double part) {
   if (low < 0) return low + part * (high - low);
   const double least = low > 0 ? low : high * 1e-30;
   if (low == 0 && part < 0.05) return 0;
-  return std::clamp(std::exp(std::log(least) + part * std::log(high / least)), low, high);
+  return std::clamp(std::exp(std::log(least) + part * (std::log(high) - std::log(least))), low,
+                    high);
 }
 
 rc::Gen<ParameterValue> anyValue(const RealField& field) {
@@ -61,13 +64,19 @@ std::int64_t mostOf(std::string_view key) {
   return std::int64_t{1} << 53;
 }
 
-/// Mostly moduli and times of rubber, sometimes everything that the table allows.
+/// 0 or any number up to `most`, every power of ten alike.
+double upTo(double most, double least, double part) {
+  return part < 0.05 ? 0 : between(least, most, (part - 0.05) / 0.95);
+}
+
+/// Mostly moduli and times of rubber, sometimes everything that the table allows: times down to the
+/// smallest number there is.
 rc::Gen<ParameterValue> anyArms() {
   const auto arm =
-      rc::gen::map(rc::gen::tuple(part(), part(), rc::gen::inRange(0, 4)),
+      rc::gen::map(rc::gen::tuple(part(), part(), rc::gen::resize(100, rc::gen::inRange(0, 4))),
                    [](const std::tuple<double, double, int>& at) {
                      const auto [modulus, time, wide] = at;
-                     return wide == 0 ? Arm{between(1e-6, 1e15, modulus), between(0, 1e12, time)}
+                     return wide == 0 ? Arm{upTo(1e15, 1e-6, modulus), upTo(1e12, kLeastTime, time)}
                                       : Arm{between(1e3, 1e9, modulus), between(1e-10, 1e3, time)};
                    });
   return rc::gen::map(rc::gen::resize(6, rc::gen::container<std::vector<Arm>>(arm)),
@@ -124,6 +133,24 @@ rc::Gen<std::vector<Setting>> anySettings() {
           return Setting{row, value};
         });
       }));
+}
+
+rc::Gen<std::vector<Setting>> anySettingsWithArms() {
+  const auto rowOf = [](std::string_view key) {
+    return static_cast<std::size_t>(findParameter(key) - parameters().data());
+  };
+  const Setting prony{rowOf("elastomer.rheology"), std::string("prony")};
+  const auto arms =
+      rc::gen::map(anyArms(), [row = rowOf("elastomer.arms")](const ParameterValue& value) {
+        return Setting{row, value};
+      });
+  return rc::gen::map(rc::gen::pair(anySettings(), arms),
+                      [prony](const std::pair<std::vector<Setting>, Setting>& drawn) {
+                        std::vector<Setting> settings = drawn.first;
+                        settings.push_back(prony);
+                        settings.push_back(drawn.second);
+                        return settings;
+                      });
 }
 
 std::ostream& operator<<(std::ostream& stream, const Setting& setting) {

@@ -22,6 +22,8 @@ struct Setting {
 Scene sceneWith(const std::vector<Setting>& settings);
 
 rc::Gen<std::vector<Setting>> anySettings();
+/// The same with a Prony series, whose arms lie anywhere in what the table allows.
+rc::Gen<std::vector<Setting>> anySettingsWithArms();
 
 std::ostream& operator<<(std::ostream& stream, const Setting& setting);
 

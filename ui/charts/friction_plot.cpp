@@ -180,6 +180,7 @@ Plot FrictionPlot::plot() const {
           FrictionSeries::pinned(*pinned.curve, axes_, pinned.id, pinned.place, nameOf(pinned)));
     plot.series.push_back(FrictionSeries::measured(*curve_, axes_));
     plot.spans = FrictionSeries::regions(*curve_, axes_);
+    plot.shades = FrictionSeries::shades(*curve_, axes_);
     if (difference_) {
       plot.strip = FrictionSeries::strip(*difference_, *curve_, axes_);
       plot.strip->faded = hasStaleDifference();
@@ -187,7 +188,8 @@ Plot FrictionPlot::plot() const {
   }
   if (isStale()) {
     plot.series.front().faded = plot.series.back().faded = true;
-    for (PlotSpan& span : plot.spans) span.faded = true;
+    for (std::vector<PlotSpan>* spans : {&plot.spans, &plot.shades})
+      for (PlotSpan& span : *spans) span.faded = true;
   }
   plot.marker = marker();
   plot.note = note();

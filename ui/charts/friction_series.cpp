@@ -6,6 +6,7 @@
 
 #include "core/friction/curve_regions.h"
 #include "core/friction/curve_words.h"
+#include "core/friction/few_summits.h"
 #include "core/scene/effects.h"
 #include "ui/charts/decade_range.h"
 #include "ui/language/language.h"
@@ -131,18 +132,28 @@ std::vector<PlotSpan> FrictionSeries::regions(const CurveUpdate& curve, CurveAxe
        tr("Region III: contacts carry on their leading sides only, Eq. (9). It ends where friction "
           "falls below 95 % of the maximum.")},
       {"IV", tr("decrease"),
-       tr("Region IV: the contact is so small that the slope in it falls, Eq. (15). It begins "
-          "below 95 % of the maximum.")}};
+       tr("Region IV: few summits of the finite period carry the load, and the slope in contact "
+          "falls, Eq. (15). It begins below 95 % of the maximum.")}};
   const double factor = factorsOf(curve.points, axes).velocity;
   std::vector<PlotSpan> spans;
   if (!std::isfinite(factor)) return spans;
+  const bool isTinted = fewSummitsOf(*curve.scene, curve.points).has_value();
   for (const CurveRegion& region : regionsOfCurve(*curve.scene, curve.points))
     for (const Text& text : texts)
-      if (region.name == text.name)
-        spans.push_back({text.name, text.word,
-                         text.tip + "\n" + tr("Borders are read from this curve, not from theory."),
-                         region.from * factor, region.to * factor, false});
+      if (region.name == text.name) {
+        QString tip = text.tip + "\n" + tr("Borders are read from this curve, not from theory.");
+        if (isTinted && region.name == "IV") tip += "\n" + translatedText(kFewSummitsSentence);
+        spans.push_back(
+            {text.name, text.word, tip, region.from * factor, region.to * factor, false});
+      }
   return spans;
+}
+
+std::vector<PlotSpan> FrictionSeries::shades(const CurveUpdate& curve, CurveAxes axes) {
+  const double factor = factorsOf(curve.points, axes).velocity;
+  const std::optional<VelocityRange> few = fewSummitsOf(*curve.scene, curve.points);
+  if (!few || !std::isfinite(factor)) return {};
+  return {{tr("few summits carry the load"), {}, {}, few->from * factor, few->to * factor, false}};
 }
 
 PlotStrip FrictionSeries::strip(const CurveDifference& difference, const CurveUpdate& curve,

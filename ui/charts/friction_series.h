@@ -25,6 +25,7 @@ class FrictionSeries {
   static PlotSeries pinned(const CurveUpdate& curve, CurveAxes axes, int id, int place,
                            const QString& name);
   static std::vector<PlotSpan> regions(const CurveUpdate& curve, CurveAxes axes);
+  static std::vector<PlotSpan> shades(const CurveUpdate& curve, CurveAxes axes);
   static PlotStrip strip(const CurveDifference& difference, const CurveUpdate& curve,
                          CurveAxes axes);
 

@@ -59,7 +59,7 @@ struct PlotSeries {
   bool operator==(const PlotSeries&) const = default;
 };
 
-/// A range along x that has a name, shaded by turns.
+/// A range along x that has a name.
 struct PlotSpan {
   QString name, word;  // "III", "plateau"
   QString tip;         // a sentence or two
@@ -103,7 +103,8 @@ struct PlotStrip {
 struct Plot {
   PlotAxis x, y;
   std::vector<PlotSeries> series;
-  std::vector<PlotSpan> spans;
+  std::vector<PlotSpan> spans;     // shaded by turns, named above
+  std::vector<PlotSpan> shades{};  // tinted over the spans, named at their feet
   std::optional<PlotMarker> marker;
   std::optional<PlotStrip> strip;
   QString note;         // how far it is: "37 of 200 realizations"

@@ -13,6 +13,7 @@ namespace asperity {
 namespace {
 
 constexpr double kRadius = 4;        // of a point, where there is room
+constexpr double kAside = 4;         // pixels between a shade's edges and its name
 constexpr double kGridGap = 6;       // pixels between whole decades, at least
 constexpr double kFineGridGap = 24;  // pixels a decade needs for a fine grid
 
@@ -91,6 +92,17 @@ void SpanItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     painter->setPen(colours_.faintText);
     painter->drawText(QRectF(box.left(), box.top(), box.width(), geometry_.names), Qt::AlignCenter,
                       text);
+  }
+  for (const PlotSpan& shade : plot_.shades) {
+    const double left = std::clamp(geometry_.xOf(shade.from), area.left(), area.right());
+    const double right = std::clamp(geometry_.xOf(shade.to), area.left(), area.right());
+    painter->setOpacity(shade.faded ? kFadedOpacity : 1);
+    painter->fillRect(QRectF(left, area.top(), right - left, area.height()), colours_.shade);
+    constexpr int kFoot = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
+    const QRectF room(left + kAside, area.top(), right - left - 2 * kAside, area.height() - kAside);
+    if (!room.contains(metrics.boundingRect(room, kFoot, shade.name))) continue;
+    painter->setPen(colours_.faintText);
+    painter->drawText(room, kFoot, shade.name);
   }
   painter->setOpacity(1);
 }

@@ -23,6 +23,7 @@ struct PlotColours {
   QColor grid, fineGrid;  // at whole decades, and between them
   QColor points, line, marker;
   QColor span;        // over the background, where a region is shaded
+  QColor shade;       // of a tint, with its transparency
   QColor difference;  // in the strip
   std::array<QColor, 6> pinned;
 };

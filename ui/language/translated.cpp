@@ -184,6 +184,7 @@ void translate(Diagram& diagram) {
   for (DiagramAxis* axis : {&diagram.x, &diagram.y}) translate(axis->title);
   for (DiagramSeries& series : diagram.series) translate(series.name);
   for (DiagramSpan& span : diagram.spans) translate(span.label);
+  for (DiagramSpan& shade : diagram.shades) translate(shade.label);
   for (DiagramLabel& label : diagram.labels) translate(label.text);
   if (diagram.ramp)
     for (std::string* text : {&diagram.ramp->title, &diagram.ramp->from, &diagram.ramp->to})

@@ -11,10 +11,12 @@ constexpr std::string_view kLength = "surface.length";
 constexpr std::string_view kElements = "surface.elements";
 constexpr std::string_view kFile = "surface.file";
 constexpr std::string_view kRealizations = "ensemble.realizations";
+constexpr std::string_view kOversampling = "accuracy.oversampling";
 constexpr int kDigits = 6;
 
-/// Whether 0 means: as the profile's file says.
+/// Whether 0 means: as the profile's file says, or chosen by the scene.
 bool mayBeLeftOpen(const Parameter& parameter, const Scene& scene) {
+  if (isChosenWhereOpen(parameter)) return true;
   return scene.surface.kind == SurfaceKind::Profile &&
          (parameter.key == kLength || parameter.key == kElements);
 }
@@ -22,8 +24,18 @@ bool mayBeLeftOpen(const Parameter& parameter, const Scene& scene) {
 void leaveOpen(const Parameter& parameter, Scene& scene) {
   if (parameter.key == kLength)
     scene.surface.length = 0;
-  else
+  else if (parameter.key == kElements)
     scene.surface.elements = 0;
+  else
+    scene.accuracy.oversampling = 0;
+}
+
+/// The number used for one line and, where that is another, for the curve.
+StandIn chosenOversampling(const Scene& scene) {
+  const std::int64_t line = pointsPerElement(scene), curve = pointsPerElementOfCurve(scene);
+  return {line == curve ? ParameterPanel::tr("chosen: %1").arg(line)
+                        : ParameterPanel::tr("chosen: %1 / %2").arg(line).arg(curve),
+          static_cast<double>(line), false};
 }
 
 StandIn fromFile(double known) {
@@ -42,6 +54,9 @@ std::optional<StandIn> standInFor(const Parameter& parameter, const Scene& scene
   if (parameter.key == kRealizations && scene.surface.kind != SurfaceKind::SelfAffine)
     return StandIn{QStringLiteral("1"), 1, true};
   if (!mayBeLeftOpen(parameter, scene)) return {};
+  if (isChosenWhereOpen(parameter))
+    return scene.accuracy.oversampling == 0 ? std::optional(chosenOversampling(scene))
+                                            : std::nullopt;
   if (parameter.key == kLength)
     return scene.surface.length == 0 ? std::optional(fromFile(known.length)) : std::nullopt;
   return scene.surface.elements == 0 ? std::optional(fromFile(static_cast<double>(known.elements)))
@@ -66,6 +81,10 @@ void giveText(const Parameter& parameter, Scene& scene, std::string_view text) {
     leaveOpen(parameter, scene);
   else
     setFromText(parameter, scene, text);
+}
+
+bool isChosenWhereOpen(const Parameter& parameter) {
+  return parameter.key == kOversampling;
 }
 
 bool isFile(const Parameter& parameter) {

@@ -1,6 +1,7 @@
 // What a scene leaves open and something else says: the length and the elements of a profile are
-// its file's where they are 0, a line that is not random is its only realization, and a profile
-// without a file is no scene to run yet. Plain values; any thread.
+// its file's where they are 0, an oversampling of 0 is chosen by the scene, a line that is not
+// random is its only realization, and a profile without a file is no scene to run yet. Plain
+// values; any thread.
 #pragma once
 
 #include <QString>
@@ -32,6 +33,9 @@ std::optional<StandIn> standInFor(const Parameter& parameter, const Scene& scene
 
 /// Where the reset button goes: the default, or 0 for what a profile's file says.
 ParameterValue restingValue(const Parameter& parameter, const Scene& scene);
+
+/// Whether the scene chooses a value that is left open.
+bool isChosenWhereOpen(const Parameter& parameter);
 
 /// setValue() and setFromText(), which also take what is left open: 0, or no text.
 void giveValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);

@@ -150,6 +150,8 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
   if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
   if (replace) showError({});
   showReset(value, restingValue(parameter_, scene));
+  if (isChosenWhereOpen(parameter_))
+    reset_->setToolTip(tr("Back to the default, chosen by the scene"));
   setEnabled(!(standIn && standIn->isFixed));
   setVisible(isApplicable(parameter_, scene));
 }

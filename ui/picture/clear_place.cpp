@@ -1,5 +1,6 @@
 #include "ui/picture/clear_place.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/picture/contact_glow.h"
@@ -44,6 +45,60 @@ std::optional<float> clearPlace(const Frame& frame, const ContactLayout& layout,
   for (const float x : {plot.x + margin, plot.right() - margin - width,
                         std::round(plot.x + (plot.width - width) / 2)})
     if (isClear(x)) return x;
+  return std::nullopt;
+}
+
+bool lineStaysBelow(const Frame& frame, const ContactLayout& layout, float bottom) {
+  return std::ranges::all_of(frame.lineHeight,
+                             [&](double height) { return !(layout.py(height) < bottom); });
+}
+
+bool CurveRows::crosses(const Box& box) const {
+  for (std::size_t i = 0; i < highest.size(); ++i) {
+    const float x = left + static_cast<float>(i);
+    if (x + 1 > box.x && x < box.right() && highest[i] < box.bottom() && lowest[i] > box.y)
+      return true;
+  }
+  return false;
+}
+
+CurveRows rowsOf(const Frame& frame, const std::vector<double>& heights,
+                 const ContactLayout& layout) {
+  const Box& plot = layout.plot;
+  const auto count = static_cast<std::size_t>(std::ceil(plot.width));
+  constexpr float kFar = 1e6F;
+  CurveRows rows{plot.x, std::vector<float>(count, kFar), std::vector<float>(count, -kFar)};
+  const std::vector<CurveVertex> curve =
+      decimated(frame, heights, pointsWithin(frame, layout.view.left, layout.view.width),
+                {layout.view.left, layout.pixelsPerMetreAlong()});
+  for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
+    const float xa = layout.px(curve[k].x), xb = layout.px(curve[k + 1].x);
+    const float ya = layout.py(curve[k].height), yb = layout.py(curve[k + 1].height);
+    const float first = std::clamp(std::floor(xa - plot.x), 0.0F, static_cast<float>(count));
+    const float last = std::clamp(std::floor(xb - plot.x) + 1, 0.0F, static_cast<float>(count));
+    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
+      const float x = plot.x + static_cast<float>(i);
+      for (const float at : {std::max(x, xa), std::min(x + 1, xb)}) {
+        const float y =
+            xb > xa ? ya + (yb - ya) * std::clamp((at - xa) / (xb - xa), 0.0F, 1.0F) : yb;
+        rows.highest[i] = std::min(rows.highest[i], y);
+        rows.lowest[i] = std::max(rows.lowest[i], y);
+      }
+    }
+  }
+  return rows;
+}
+
+std::optional<float> placeAbove(const CurveRows& curve, const Box& wanted, float from, float to) {
+  constexpr float kStep = 4;  // pixels
+  const auto isClear = [&](float x) {
+    // All that lies above: a label below the line is on the elastomer or in the gap.
+    const Box above{x, wanted.y - 1e6F, wanted.width, 1e6F + wanted.height};
+    return x >= from && x + wanted.width <= to && !curve.crosses(above);
+  };
+  for (float away = 0; away <= to - from; away += kStep)
+    for (const float x : {wanted.x - away, wanted.x + away})
+      if (isClear(x)) return x;
   return std::nullopt;
 }
 

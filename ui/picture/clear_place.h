@@ -1,7 +1,9 @@
-// Where a label at the bottom of the axes hides no contact. Private to ui/picture; pure.
+// Where a label hides no contact, and where one on the rigid body is not crossed by its line.
+// Private to ui/picture; pure.
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "ui/picture/contact_layout.h"
 
@@ -15,5 +17,25 @@ bool clearAcross(const Frame& frame, const ContactLayout& layout, float top);
 /// the left, at the right (`margin` from the axes) or in the middle; none where all of them would.
 std::optional<float> clearPlace(const Frame& frame, const ContactLayout& layout, float top,
                                 float width, float margin);
+
+/// Whether the rigid line, all of its period, stays below the pixel row `bottom`: then it never
+/// crosses a label above the row while it slides by.
+bool lineStaysBelow(const Frame& frame, const ContactLayout& layout, float bottom);
+
+/// The highest and the lowest pixel row that a curve of the frame reaches now, for each column of
+/// the plot.
+struct CurveRows {
+  float left = 0;  // of the first column
+  std::vector<float> highest, lowest;
+
+  /// Whether the curve passes through the rows of the box.
+  bool crosses(const Box& box) const;
+};
+CurveRows rowsOf(const Frame& frame, const std::vector<double>& heights,
+                 const ContactLayout& layout);
+
+/// The left end nearest to `wanted`, from `from` to `to`, of a box of this size at the row `top`
+/// that lies above the curve now; none where none does.
+std::optional<float> placeAbove(const CurveRows& curve, const Box& wanted, float from, float to);
 
 }  // namespace asperity

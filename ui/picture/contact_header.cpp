@@ -179,19 +179,22 @@ float titleBaseline(const Sizes& s) {
 struct TitleLine {
   std::string whole, shown, progress;
   float side = 0, room = 0, progressAt = 0;
+  float size = 0;  // of the title's font
 };
 
 TitleLine titleLine(const Frame& frame, const ContactPictureOptions& options) {
   const Sizes s = sizesFor(options);
   const auto width = static_cast<float>(options.width);
-  TitleLine line{titleOf(frame), {}, progressOf(frame), std::round(16 * s.unit), 0, 0};
+  TitleLine line{titleOf(frame), {}, progressOf(frame), std::round(16 * s.unit), 0, 0, s.title};
   const float progress = textWidth(line.progress, s.small);
   line.progressAt = std::floor(width - line.side - progress);
   const float alone = width - 2 * line.side, beside = alone - progress - 2 * line.side;
   const float wanted = textWidth(line.whole, s.title, true);
   if (!(progress < 0.4F * width) || (wanted > beside && wanted <= alone)) line.progress.clear();
   line.room = line.progress.empty() ? alone : beside;
-  line.shown = elided(line.whole, s.title, true, line.room);
+  line.size =
+      fittingSize(line.whole, s.title, std::max(7.0F, std::round(0.8F * s.title)), true, line.room);
+  line.shown = elided(line.whole, line.size, true, line.room);
   return line;
 }
 
@@ -201,7 +204,7 @@ void addTitle(DrawList& list, const Frame& frame, const ContactPictureOptions& o
   const float baseline = titleBaseline(s);
   const TitleLine line = titleLine(frame, options);
   if (!line.shown.empty())
-    addText(list, {{line.shown, true}}, {line.side, baseline}, s.title, theme.text);
+    addText(list, {{line.shown, true}}, {line.side, baseline}, line.size, theme.text);
   if (!line.progress.empty())
     addText(list, {{line.progress}}, {line.progressAt, baseline}, s.small, theme.faintText);
 }

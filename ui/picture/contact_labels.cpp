@@ -1,5 +1,5 @@
-// Labels inside the axes. They stand still in the corners, on soft plates of their body's colour
-// that lie under the curves: in a low view the line reaches up to them and stays whole.
+// Labels inside the axes. They stand still in the corners, on soft plates of their body's colour;
+// in a low view, where the line reaches up to them, they give way to it.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -81,6 +81,40 @@ std::vector<Tag> elastomerTags(const Frame& frame) {
   return {{name.before, ArrowWay::None, {{words}}}, name};
 }
 
+/// The same in places that the line leaves free now, as near to the usual ones as they are; what
+/// finds none is left out, as the line would cross it. Forces have their arrows in the labels.
+void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
+                               float y) {
+  const float gap = std::round(10 * layout.sizes.unit);
+  const CurveRows line = rowsOf(frame, frame.lineHeight, layout);
+  float left = layout.plot.x + gap;
+  const float right = layout.plot.right() - gap;
+  const auto place = [&](const Tag& tag, float wanted) {
+    const float width = painter.width(tag);
+    const Box box{std::clamp(wanted, left, std::max(left, right - width)), y, width,
+                  painter.height()};
+    const auto x = placeAbove(line, box, left, right);
+    if (!x) return false;
+    painter.paint(tag, {std::round(*x), y}, layout.theme.rigid);
+    left = std::round(*x) + width + gap;
+    return true;
+  };
+  place({{{Words::tr("rigid body"), true}}, ArrowWay::None, {}}, left);
+  std::optional<Tag> motion = slidingTag(frame, false);
+  const auto placeMotion = [&] {
+    return place(*motion, layout.plot.x + (layout.plot.width - painter.width(*motion)) / 2);
+  };
+  if (motion && !placeMotion()) {
+    motion = slidingTag(frame, true);
+    if (!placeMotion()) {
+      motion->after.clear();  // the header says how fast
+      placeMotion();
+    }
+  }
+  for (const Tag& force : forceTags(frame, {}))
+    if (place(force, right - painter.width(force))) break;  // F_N first; both have seldom room
+}
+
 /// "rigid body" on the left, the motion in the middle, the forces on the right, as far as they fit.
 void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& layout, float y) {
   const float gap = std::round(10 * layout.sizes.unit);
@@ -92,8 +126,10 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   if (motion && both() > right - left) motion = slidingTag(frame, true);
   painter.paint(name, {left, y}, plate);
   if (motion && both() > right - left) {  // a narrow picture: one below the other
-    if (painter.width(*motion) <= right - left && 6 * painter.height() < layout.plot.height)
-      painter.paint(*motion, {left, y + painter.height()}, plate);
+    const float below = y + painter.height();
+    if (painter.width(*motion) <= right - left && 6 * painter.height() < layout.plot.height &&
+        lineStaysBelow(frame, layout, below + painter.height()))
+      painter.paint(*motion, {left, below}, plate);
     return;
   }
   left += painter.width(name) + gap;
@@ -190,8 +226,13 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout)
   const float margin = std::round(9 * layout.sizes.unit);
   const float rows = 2 * painter.height() + 3 * margin;
   if (!isDrawable(frame) || rows > 0.75F * layout.plot.height) return notes;
-  addRigidRow(painter, frame, layout, layout.plot.y + margin);
-  const ForceArrows arrows = forceArrows(frame, layout);
+  const float row = layout.plot.y + margin;
+  const bool hasRow = lineStaysBelow(frame, layout, row + painter.height());
+  if (hasRow)
+    addRigidRow(painter, frame, layout, row);
+  else
+    addRigidTagsBetweenCrests(painter, frame, layout, row);
+  const ForceArrows arrows = hasRow ? forceArrows(frame, layout) : ForceArrows{};
   const float reach = arrows.pointsRight ? arrows.sideways : 0;
   if (arrows.down > 0)
     addForceArrows(

@@ -16,14 +16,30 @@ constexpr float kFarOutside = 1e5F;  // pixels; keeps coordinates small enough f
 constexpr float kNarrow = 4;         // units; a contact less wide than this is marked by a dot
 constexpr float kTitleGap = 10;      // units, from the legend's title to what follows
 
-int tickCount(float pixels, float each) {
-  return std::clamp(static_cast<int>(pixels / each), 2, 12);
+/// "20 mm": without a title the last number says the unit.
+void nameUnit(AxisTicks& axis) {
+  if (!axis.ticks.empty() && !axis.unit.empty()) axis.ticks.back().label += " " + axis.unit;
 }
 
 float widestLabel(const AxisTicks& axis, float size) {
   float widest = 0;
   for (const Tick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
   return widest;
+}
+
+/// Leaves out those before the last one along that its unit runs into.
+void dropTicksUnderLast(ContactLayout& layout) {
+  std::vector<Tick>& ticks = layout.xTicks.ticks;
+  const float size = layout.sizes.small;
+  const auto half = [&](const Tick& tick) { return textWidth(tick.label, size) / 2; };
+  while (ticks.size() > 1) {
+    const Tick& last = ticks.back();
+    const float centre =
+        std::min(layout.px(last.value), static_cast<float>(layout.width) - half(last) - 2);
+    const Tick& before = ticks[ticks.size() - 2];
+    if (layout.px(before.value) + half(before) + 0.6F * size < centre - half(last)) return;
+    ticks.erase(ticks.end() - 2);
+  }
 }
 
 /// Pixels of a row for the legend in one line, with this title, and the bar in it.
@@ -167,13 +183,18 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.plot.y = plotTop;
   layout.plot.height = std::max(1.0F, std::round(height - below) - plotTop);
   layout.heightTicks =
-      linearTicks(layout.view.bottom, layout.view.top, tickCount(layout.plot.height, 48 * u), "m");
+      ticksUp(layout.view.bottom, layout.view.top, layout.plot.height, 48 * u, s.small, "m");
+  if (!layout.axisTitles) nameUnit(layout.heightTicks);
   const float left = widestLabel(layout.heightTicks, s.small) + 9 * u + pad +
                      (layout.axisTitles ? s.small * 1.6F : 0);
   layout.plot.x = std::round(left);
   layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);
   layout.xTicks = roomyTicks(layout.view.left, layout.view.left + layout.view.width,
                              layout.plot.width, s.small, "m");
+  if (!layout.axisTitles) {
+    nameUnit(layout.xTicks);
+    dropTicksUnderLast(layout);
+  }
   layout.marked = narrowContact(frame, kNarrow * u / layout.pixelsPerMetreAlong());
   const float ticks = std::round(layout.plot.bottom() + 8 * u + s.small * 0.9F);
   layout.axisTitle = {layout.plot.x + layout.plot.width / 2, std::round(ticks + s.small * 1.45F)};

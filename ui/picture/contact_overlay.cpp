@@ -123,6 +123,9 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
   if (!isDrawable(frame) || values.size() != frame.lineHeight.size() || greatestOf(values) > 0)
     return {};
   const bool rests = velocityOf(frame) == 0;
+  const bool touches = frame.normalForce > 0 || frame.contactFraction > 0;
+  if (touches && !(greatestOf(frame.pressure) > 0))
+    return Words::tr("no colours: contact lies between two points");
   if (overlay == ContactOverlay::Pressure) return Words::tr("no colours: nothing touches");
   if (overlay == ContactOverlay::Power)
     return rests ? Words::tr("no colours: nothing is dissipated at rest")

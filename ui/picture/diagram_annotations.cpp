@@ -12,6 +12,7 @@ namespace asperity {
 namespace {
 
 constexpr float kLine = 1.3F;  // of the font's size
+constexpr float kTint = 0.1F;  // of a shade
 
 struct SpanBox {
   Box box;
@@ -19,10 +20,10 @@ struct SpanBox {
 };
 
 /// A span's part of the frame; ends without a place on the axis are the frame's.
-std::vector<SpanBox> spanBoxes(const Diagram& diagram, const DiagramAxes& axes) {
+std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const DiagramAxes& axes) {
   const Box& box = axes.plot.box;
   std::vector<SpanBox> boxes;
-  for (const DiagramSpan& span : diagram.spans) {
+  for (const DiagramSpan& span : spans) {
     const auto column = [&](double value, float otherwise) {
       const double place = axisPlace(axes.along, value);
       return std::isfinite(place) ? std::clamp(axes.plot.px(place), box.x, box.right()) : otherwise;
@@ -52,9 +53,9 @@ bool isInside(const Box& area, const Box& box) {
          box.bottom() <= area.bottom();
 }
 
-/// The best box of this size near a place: little covered, little moved.
-std::optional<Box> boxNear(const Place& at, float width, float height, const CoverMap& map,
-                           float step, int rings) {
+/// The best box of this size near a place inside the area: little covered, little moved.
+std::optional<Box> boxNear(const Place& at, float width, float height, const Box& area,
+                           const CoverMap& map, float step, int rings) {
   constexpr int kAngles = 16;
   std::optional<Box> best;
   float least = 0;
@@ -64,7 +65,7 @@ std::optional<Box> boxNear(const Place& at, float width, float height, const Cov
       const float away = static_cast<float>(ring) * step;
       const Box box{at.x + away * std::cos(angle) - width / 2,
                     at.y + away * std::sin(angle) - height / 2, width, height};
-      if (!isInside(map.area(), box) || map.greatestUnder(box) >= kTaken) continue;
+      if (!isInside(area, box) || map.greatestUnder(box) >= kTaken) continue;
       const float cost = 4 * map.under(box) + 0.05F * static_cast<float>(ring);
       if (!best || cost < least) {
         best = box;
@@ -94,6 +95,30 @@ std::vector<std::string> linesOf(const std::string& text, float size, float widt
   return lines;
 }
 
+/// A shade's name at its foot, in as many lines as it needs there; none where it is too slim.
+std::optional<PlacedLabel> placeShade(const SpanBox& shade, CoverMap& map,
+                                      const DiagramSizes& sizes) {
+  const float size = sizes.legend, air = 0.25F * size;
+  PlacedLabel out;
+  out.lines = wrapped(shade.label, size, false, shade.box.width - 4 * air);
+  std::string whole;
+  float width = 0;
+  for (const std::string& line : out.lines) {
+    whole += (whole.empty() ? "" : " ") + line;
+    width = std::max(width, textWidth(line, size));
+  }
+  if (out.lines.empty() || whole != shade.label) return std::nullopt;
+  width += 2 * air;
+  const float height = kLine * size * static_cast<float>(out.lines.size());
+  const Place foot{shade.box.x + shade.box.width / 2, shade.box.bottom() - height / 2 - 2 * air};
+  const auto box = boxNear(foot, width, height, shade.box, map, 0.6F * size, 24);
+  if (!box) return std::nullopt;
+  out.box = *box;
+  out.covers = map.greatestUnder(*box) > 0;
+  map.addBox(grown(*box, air), kTaken);
+  return out;
+}
+
 }  // namespace
 
 float aboveFrame(const Diagram& diagram, const DiagramSizes& sizes) {
@@ -109,7 +134,7 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
   DrawLayer layer;
   float taken = axes.plot.box.x;  // names of overlapping regions share the strip
   bool shaded = true;
-  for (const SpanBox& span : spanBoxes(diagram, axes)) {
+  for (const SpanBox& span : spanBoxes(diagram.spans, axes)) {
     if (!(span.box.width > 1)) continue;
     const Box whole{span.box.x, span.box.y - strip, span.box.width, span.box.height + strip};
     if (shaded) addRectangle(layer, whole, withAlpha(theme.text, 0.055F));
@@ -124,6 +149,8 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
              TextAnchor::Centre, theme.text);
     taken = centre + width / 2;
   }
+  for (const SpanBox& shade : spanBoxes(diagram.shades, axes))
+    addRectangle(layer, shade.box, withAlpha(theme.highlight, kTint));
   if (!layer.triangles.empty()) list.layers.push_back(std::move(layer));
 }
 
@@ -143,8 +170,8 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     if (out.lines.empty()) continue;
     width += 2 * air;
     const float height = kLine * size * static_cast<float>(out.lines.size());
-    const auto box = boxNear(heldInside(map.area(), at, width, height), width, height, map,
-                             0.6F * size, hasArrow ? 24 : 14);
+    const auto box = boxNear(heldInside(map.area(), at, width, height), width, height, map.area(),
+                             map, 0.6F * size, hasArrow ? 24 : 14);
     if (!box) continue;
     out.box = *box;
     out.covers = map.greatestUnder(*box) > 0;
@@ -156,6 +183,8 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     map.addBox(grown(*box, air), kTaken);
     placed.push_back(std::move(out));
   }
+  for (const SpanBox& shade : spanBoxes(diagram.shades, axes))
+    if (auto out = placeShade(shade, map, sizes)) placed.push_back(std::move(*out));
   return placed;
 }
 

@@ -1,4 +1,5 @@
-// Named regions along x and texts with arrows. Private to ui/picture. Pure; any thread.
+// Named regions and tinted ranges along x, and texts with arrows. Private to ui/picture. Pure; any
+// thread.
 #pragma once
 
 #include <string>
@@ -12,7 +13,7 @@ namespace asperity {
 /// Pixels above the frame for the names of the regions; 0 where none has one.
 float aboveFrame(const Diagram& diagram, const DiagramSizes& sizes);
 
-/// Shades every other region and writes their names above the frame.
+/// Shades every other region, writes their names above the frame, and tints the shades.
 void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
               const DiagramSizes& sizes, const Theme& theme);
 
@@ -25,8 +26,9 @@ struct PlacedLabel {
 
 inline constexpr float kTaken = 100;  // weight of what may not be covered at all
 
-/// Near their places, moved so that none covers another and little is covered of what the map has;
-/// adds them to the map. A label that finds no place is left out.
+/// Near their places, and names of shades at their feet, moved so that none covers another and
+/// little is covered of what the map has; adds them to the map. A label that finds no place is left
+/// out.
 std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes, CoverMap& map,
                                      const DiagramSizes& sizes);
 

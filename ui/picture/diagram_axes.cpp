@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "ui/picture/colours.h"
 #include "ui/picture/log_ticks.h"
@@ -12,6 +13,7 @@ namespace asperity {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr float kLeastText = 7;    // pixels, of a font
 constexpr double kFarthest = 1e6;  // pixels; keeps coordinates small enough for floats
 
 /// Grows with what it is given; empty at first.
@@ -112,24 +114,50 @@ std::string symbolOf(const std::string& name) {
   return space != name.npos && name.size() - space - 1 <= kLongest ? name.substr(space + 1) : "";
 }
 
-/// The name is left to its symbol or cut, the unit stays.
-std::string shortened(const std::string& title, float size, float pixels) {
-  if (textWidth(title, size) <= pixels) return title;
+struct TitleForm {
+  std::string text;
+  float size;
+};
+
+/// "velocity v (m/s)" in the largest size down to `least` that fits; then "v (m/s)" likewise; none
+/// where neither does.
+std::optional<TitleForm> saidInFull(const std::string& title, float size, float least,
+                                    float pixels) {
   const std::size_t unit = title.rfind(" (");
-  const std::string last = unit == title.npos ? "" : title.substr(unit);
   const std::string symbol = symbolOf(title.substr(0, unit));
-  if (!symbol.empty() && textWidth(symbol + last, size) <= pixels) return symbol + last;
-  const std::string cut =
-      elided(title.substr(0, unit), size, false, pixels - textWidth(last, size));
-  return cut.empty() ? elided(title, size, false, pixels) : cut + last;
+  std::vector<std::string> forms{title};
+  if (!symbol.empty()) forms.push_back(symbol + (unit == title.npos ? "" : title.substr(unit)));
+  for (const std::string& form : forms) {
+    const float fitting = fittingSize(form, size, least, false, pixels);
+    if (textWidth(form, fitting) <= pixels) return TitleForm{form, fitting};
+  }
+  return std::nullopt;
 }
 
-/// Smaller where it helps, then shortened.
+float leastTitle(float size) {
+  return std::max(kLeastText, std::round(0.8F * size));
+}
+
+/// What fits: words go first, the unit with its power of ten never, as the numbers on the axis
+/// would be wrong without it.
+TitleForm fittedTitle(const std::string& title, float size, float pixels) {
+  const float least = leastTitle(size);
+  if (const auto whole = saidInFull(title, size, least, pixels)) return *whole;
+  const std::size_t at = title.rfind(" (");
+  if (at == title.npos) return {elided(title, least, false, pixels), least};
+  const std::string unit = title.substr(at);
+  constexpr std::size_t kWorthReading = 6;  // letters of a name
+  const std::string cut =
+      elided(title.substr(0, at), least, false, pixels - textWidth(unit, least));
+  if (cut.size() > kWorthReading) return {cut + unit, least};
+  const std::string alone = unit.substr(1);
+  return {alone, fittingSize(alone, size, kLeastText, false, pixels)};
+}
+
 void addTitle(DrawList& list, const std::string& title, Place at, float size, float pixels,
-              const Rgba& colour, float angle) {
-  const float fitting =
-      fittingSize(title, size, std::max(7.0F, std::round(0.8F * size)), false, pixels);
-  addLabel(list, shortened(title, fitting, pixels), at, fitting, TextAnchor::Centre, colour, angle);
+              TextAnchor anchor, const Rgba& colour, float angle) {
+  const TitleForm form = fittedTitle(title, size, pixels);
+  addLabel(list, form.text, at, form.size, anchor, colour, angle);
 }
 
 }  // namespace
@@ -214,9 +242,18 @@ Place DiagramAxes::place(double x, double y) const {
   return {held(plot.px(px)), held(plot.py(py))};
 }
 
-float leftOfAxes(const PictureAxis& up, const DiagramSizes& sizes) {
-  const float title = up.title.empty() ? 0 : 1.75F * sizes.axis;
+float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
+  const PictureAxis& up = axes.plot.up;
+  const float title = up.title.empty() || axes.titleAbove ? 0 : 1.75F * sizes.axis;
   return std::ceil(title + widestLabel(up, sizes.tick) + 0.7F * sizes.tick);
+}
+
+float aboveAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
+  return axes.titleAbove ? std::ceil(1.4F * sizes.axis) : 0;
+}
+
+bool fitsUpright(const std::string& title, float height, const DiagramSizes& sizes) {
+  return saidInFull(title, sizes.axis, leastTitle(sizes.axis), height).has_value();
 }
 
 float belowAxes(const DiagramSizes& sizes) {
@@ -231,7 +268,7 @@ void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes&
 }
 
 void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
-                     const Theme& theme) {
+                     const Theme& theme, float above) {
   const Box& box = axes.plot.box;
   const float width = std::max(1.0F, std::round(1.1F * sizes.unit));
   const Rgba colour = mix(theme.text, theme.axis, 0.35F);
@@ -246,10 +283,14 @@ void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes
     addTitle(
         list, axes.plot.along.title,
         {box.x + box.width / 2, std::round(box.bottom() + 1.5F * sizes.tick + 1.5F * sizes.axis)},
-        sizes.axis, box.width, theme.text, 0);
-  const float left = box.x - leftOfAxes(axes.plot.up, sizes);
+        sizes.axis, box.width, TextAnchor::Centre, theme.text, 0);
+  if (axes.titleAbove)
+    return addTitle(list, axes.plot.up.title,
+                    {box.x, std::round(box.y - above - 0.4F * sizes.axis)}, sizes.axis, box.width,
+                    TextAnchor::Left, theme.text, 0);
+  const float left = box.x - leftOfAxes(axes, sizes);
   addTitle(list, axes.plot.up.title, {std::round(left + 1.1F * sizes.axis), box.y + box.height / 2},
-           sizes.axis, box.height, theme.text, 1.57079633F);
+           sizes.axis, box.height, TextAnchor::Centre, theme.text, 1.57079633F);
 }
 
 }  // namespace asperity

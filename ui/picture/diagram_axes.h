@@ -30,20 +30,26 @@ PictureAxis diagramAxisUp(const DiagramAxis& axis, const AxisRange& range, float
 struct DiagramAxes {
   PlotAxes plot;
   AxisScale along = AxisScale::Linear, up = AxisScale::Linear;
-  bool saysAlong = true;  // false: labels and title stand under another frame below
+  bool saysAlong = true;    // false: labels and title stand under another frame below
+  bool titleAbove = false;  // the title of the axis up lies over the frame, not upright beside it
 
   /// In pixels, at most 1e6 from the origin; NaN where a value has no place.
   Place place(double x, double y) const;
 };
 
-/// Pixels left of the frame for title and labels, and below it where it says what is along.
-float leftOfAxes(const PictureAxis& up, const DiagramSizes& sizes);
+/// Pixels left of the frame for title and labels, below it where it says what is along, and above
+/// it where the title of the axis up stands there.
+float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes);
 float belowAxes(const DiagramSizes& sizes);
+float aboveAxes(const DiagramAxes& axes, const DiagramSizes& sizes);
+
+/// Whether a title has room upright beside a frame of this height, or at least its symbol and unit.
+bool fitsUpright(const std::string& title, float height, const DiagramSizes& sizes);
 
 void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                     const Theme& theme);
-/// Frame, ticks, labels and titles.
+/// Frame, ticks, labels and titles. `above`: pixels over the frame that something else takes.
 void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
-                     const Theme& theme);
+                     const Theme& theme, float above);
 
 }  // namespace asperity

@@ -122,9 +122,9 @@ float sheetMargin(const DiagramSizes& sizes) {
 }
 
 std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& options, float top,
-                          float bottom, const DiagramSizes& sizes) {
+                          float bottom, const DiagramSizes& sizes, float between) {
   const SheetGrid grid = gridFor(sheet);
-  const float side = sheetMargin(sizes), gap = std::round(14 * sizes.unit);
+  const float side = sheetMargin(sizes), gap = std::round(between * sizes.unit);
   const auto columns = static_cast<float>(grid.columns), rows = static_cast<float>(grid.rows);
   const float width =
       (static_cast<float>(options.width) - 2 * side - (columns - 1) * gap) / columns;
@@ -181,11 +181,6 @@ float addNote(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& siz
   const float top = std::round(bottom - 10 * sizes.unit - note.height());
   addParagraph(list, note, {side, top}, false, theme.faintText);
   return top - std::round(5 * sizes.unit);
-}
-
-float fittingSize(const std::string& text, float size, float least, bool bold, float width) {
-  while (size - 1 >= least && textWidth(text, size, bold) > width) size -= 1;
-  return size;
 }
 
 }  // namespace asperity

@@ -26,9 +26,10 @@ bool hasCommonAxis(const DiagramSheet& sheet);
 /// Fonts grow with the picture, more slowly than it, and never beyond what leaves room for curves.
 DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options);
 
-/// The cells of the sheet's diagrams between `top` and `bottom`, in order.
+/// The cells of the sheet's diagrams between `top` and `bottom`, in order, with so many units
+/// between them.
 std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& options, float top,
-                          float bottom, const DiagramSizes& sizes);
+                          float bottom, const DiagramSizes& sizes, float between);
 
 /// Title and subtitle; returns the pixels they take from the top.
 float addHeading(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& sizes,
@@ -40,8 +41,5 @@ float addNote(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& siz
 
 /// Of the picture's left and right edges.
 float sheetMargin(const DiagramSizes& sizes);
-
-/// The largest whole font size from `size` down to `least` at which the text fits.
-float fittingSize(const std::string& text, float size, float least, bool bold, float width);
 
 }  // namespace asperity

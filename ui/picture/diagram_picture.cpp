@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ui/language/translated.h"
 #include "ui/picture/diagram_annotations.h"
@@ -17,14 +18,16 @@ constexpr float kHidden = 0.015F;  // share of a legend's box that may hide some
 class Panel {
  public:
   /// `above`: pixels for the title and the names of regions, the same for all of a sheet.
-  /// `saysAlong`: with labels and title of the axis along.
-  Panel(const Diagram& diagram, const Box& cell, float above, bool saysAlong,
+  /// `saysAlong`: with labels and title of the axis along. `titleAbove`: the title of the axis up
+  /// stands over the frame.
+  Panel(const Diagram& diagram, const Box& cell, float above, bool saysAlong, bool titleAbove,
         const DiagramSizes& sizes, const Theme& theme)
       : diagram_(diagram), cell_(cell), sizes_(sizes), theme_(theme) {
     axes_.along = diagram.x.scale;
     axes_.up = diagram.y.scale;
     axes_.saysAlong = saysAlong;
-    axes_.plot.box.y = std::round(cell.y + above);
+    axes_.titleAbove = titleAbove;
+    axes_.plot.box.y = std::round(cell.y + above + aboveAxes(axes_, sizes));
     const float below = saysAlong ? belowAxes(sizes) : 0;
     axes_.plot.box.height = std::max(1.0F, std::floor(cell.bottom() - below - axes_.plot.box.y));
     along_ = rangeAlong(diagram);
@@ -42,6 +45,14 @@ class Panel {
     place(0);
   }
 
+  float frameHeight() const { return axes_.plot.box.height; }
+
+  /// Whether the title of the axis up can say what the axis is of.
+  bool hasTitle() const {
+    return axes_.titleAbove || axes_.plot.up.title.empty() ||
+           fitsUpright(axes_.plot.up.title, axes_.plot.box.height, sizes_);
+  }
+
   bool isReadable() const {
     const Box& box = axes_.plot.box;
     return box.width >= 4 * sizes_.tick && box.height >= 2 * sizes_.tick;
@@ -55,12 +66,14 @@ class Panel {
     const Box& box = axes_.plot.box;
     addSpans(list, diagram_, axes_, sizes_, theme_);
     addDiagramGrid(list, axes_, sizes_, theme_);
-    addDiagramFrame(list, axes_, sizes_, theme_);  // marks at its edge lie over it
+    const float above = aboveFrame(diagram_, sizes_);
+    addDiagramFrame(list, axes_, sizes_, theme_, above);  // marks at its edge lie over it
     addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
     addLabels(list, labels_, sizes_, theme_);
     if (legendBox_.width > 0)
       addLegend(list, legend_, legendBox_, legendBox_.right() <= box.right(), sizes_, theme_);
-    const float baseline = std::round(box.y - aboveFrame(diagram_, sizes_) - 0.55F * sizes_.panel);
+    const float baseline =
+        std::round(box.y - above - aboveAxes(axes_, sizes_) - 0.55F * sizes_.panel);
     const float size =
         fittingSize(diagram_.title, sizes_.panel, std::max(7.0F, std::round(0.8F * sizes_.panel)),
                     true, cell_.right() - box.x);
@@ -92,7 +105,7 @@ class Panel {
   /// Everything, with so many pixels kept free at the right.
   void place(float right) {
     Box& box = axes_.plot.box;
-    box.x = std::round(cell_.x + std::max(left_, leftOfAxes(axes_.plot.up, sizes_)));
+    box.x = std::round(cell_.x + std::max(left_, leftOfAxes(axes_, sizes_)));
     const auto fit = [&](float overhang) {
       box.width = std::max(1.0F, std::floor(cell_.right() - right - overhang - box.x));
       axes_.plot.along = diagramAxisAlong(diagram_.x, along_, box.width, sizes_);
@@ -150,14 +163,15 @@ class Panel {
   float hidden_ = 0;  // share of the legend's box that hides something
 };
 
-/// Above the frames: titles and names of regions, the same height for all of the sheet.
-float aboveFrames(const DiagramSheet& sheet, const DiagramSizes& sizes) {
+/// Above the frames: titles and names of regions, the same height for all of the sheet, and some
+/// air, which titles of axes take with them.
+float aboveFrames(const DiagramSheet& sheet, bool titlesAbove, const DiagramSizes& sizes) {
   float title = 0, names = 0;
   for (const Diagram& diagram : sheet.diagrams) {
     if (!diagram.title.empty()) title = 1.6F * sizes.panel;
     names = std::max(names, aboveFrame(diagram, sizes));
   }
-  return title + names + std::round(0.8F * sizes.tick);
+  return title + names + std::round((titlesAbove ? 0.1F : 0.8F) * sizes.tick);
 }
 
 DrawList emptyList(const DiagramOptions& options) {
@@ -168,25 +182,38 @@ DrawList emptyList(const DiagramOptions& options) {
   return list;
 }
 
-/// The panels in their places; heading and note are put on `list`.
-std::vector<Panel> panelsOf(const DiagramSheet& sheet, const DiagramOptions& options,
-                            DrawList& list) {
+std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sheet,
+                                 const DiagramOptions& options, bool titlesAbove) {
+  constexpr float kBetween = 14, kLittle = 6;  // units
   const DiagramSizes sizes = sizesFor(sheet, options);
-  const float top = addHeading(list, sheet, sizes, options.theme);
-  const float bottom = addNote(list, sheet, sizes, options.theme);
-  const std::vector<Box> cells = cellsFor(sheet, options, top, bottom, sizes);
-  const float above = aboveFrames(sheet, sizes);
+  const std::vector<Box> cells =
+      cellsFor(sheet, options, top, bottom, sizes, titlesAbove ? kLittle : kBetween);
+  const float above = aboveFrames(sheet, titlesAbove, sizes);
   std::vector<Panel> panels;
   const bool isCommon = hasCommonAxis(sheet);
   for (std::size_t i = 0; i < sheet.diagrams.size(); ++i)
     panels.emplace_back(sheet.diagrams[i], cells[i], above,
-                        !isCommon || i + 1 == sheet.diagrams.size(), sizes, options.theme);
+                        !isCommon || i + 1 == sheet.diagrams.size(), titlesAbove, sizes,
+                        options.theme);
   if (sheet.sharesAxis) {
     float left = 0;
     for (const Panel& panel : panels) left = std::max(left, panel.left());
     for (Panel& panel : panels) panel.alignTo(left);
   }
   return panels;
+}
+
+/// The panels in their places; heading and note are put on `list`. Titles of the axes up stand
+/// upright, or over all frames where they lack the room beside one and the frames can spare it.
+std::vector<Panel> panelsOf(const DiagramSheet& sheet, const DiagramOptions& options,
+                            DrawList& list) {
+  const DiagramSizes sizes = sizesFor(sheet, options);
+  const float top = addHeading(list, sheet, sizes, options.theme);
+  const float bottom = addNote(list, sheet, sizes, options.theme);
+  std::vector<Panel> panels = panelsBetween(top, bottom, sheet, options, false);
+  if (std::ranges::all_of(panels, &Panel::hasTitle)) return panels;
+  std::vector<Panel> others = panelsBetween(top, bottom, sheet, options, true);
+  return std::ranges::all_of(others, &Panel::isReadable) ? others : panels;
 }
 
 }  // namespace
@@ -211,6 +238,15 @@ int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
       return options.height;
   }
   return 0;
+}
+
+float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
+  const DiagramSheet sheet = translated(english);
+  DrawList list = emptyList(options);
+  float lowest = std::numeric_limits<float>::infinity();
+  for (const Panel& panel : panelsOf(sheet, options, list))
+    lowest = std::min(lowest, panel.isReadable() ? panel.frameHeight() : 0);
+  return lowest / sizesFor(sheet, options).tick;
 }
 
 DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {

@@ -25,8 +25,12 @@ DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme = prin
 /// sheet has room for its frame and its name; 0 where none has, as it is not wide enough.
 int heightForAll(const DiagramSheet& sheet, const DiagramOptions& options);
 
+/// The height of the lowest frame of all, in heights of the numbers beside it; 0 where a frame has
+/// no room and would be left out.
+float lowestFrame(const DiagramSheet& sheet, const DiagramOptions& options);
+
 /// Every text on the picture and none over another, from 320 x 200 pixels on; what finds no place
-/// is shortened, then left out. Never throws for what a sheet holds.
+/// is shortened, then left out, units and powers of ten last. Never throws for what a sheet holds.
 DrawList composeDiagrams(const DiagramSheet& sheet, const DiagramOptions& options);
 
 }  // namespace asperity

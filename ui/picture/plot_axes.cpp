@@ -22,11 +22,14 @@ PictureAxis axisOf(double from, double to, const AxisTicks& ticks, const std::st
   return axis;
 }
 
-/// The title that fits; none where neither does.
-std::string titleWithin(const PictureAxis& axis, float pixels, float size) {
-  for (const std::string* title : {&axis.title, &axis.shortTitle})
-    if (textWidth(*title, size) <= pixels) return *title;
-  return {};
+/// The title that fits, the short one smaller where it must: the unit is never left out.
+void addTitleWithin(DrawList& list, const PictureAxis& axis, Place at, float pixels, float size,
+                    const Rgba& colour, float angle) {
+  constexpr float kLeast = 7;
+  const bool fits = textWidth(axis.title, size) <= pixels;
+  const std::string& title = fits || axis.shortTitle.empty() ? axis.title : axis.shortTitle;
+  while (textWidth(title, size) > pixels && size - 1 >= kLeast) size -= 1;
+  addLabel(list, title, at, size, TextAnchor::Centre, colour, angle);
 }
 
 }  // namespace
@@ -48,17 +51,25 @@ PictureAxis linearAxisAlong(double from, double to, float pixels, float size,
   return axisOf(from, to, roomyTicks(from, to, pixels, size, unit), name);
 }
 
+AxisTicks ticksUp(double from, double to, float pixels, float each, float size,
+                  std::string_view unit) {
+  int most = tickCount(pixels, each);
+  AxisTicks axis = linearTicks(from, to, most, unit);
+  // In steps of 1, 2 and 5 the next more are up to five times as many.
+  constexpr int kMost = 12;
+  while (axis.ticks.size() < 2 && most < kMost) {
+    AxisTicks closer = linearTicks(from, to, ++most, unit);
+    if (closer.ticks.size() < 2) continue;
+    const double apart = (closer.ticks[1].value - closer.ticks[0].value) / (to - from);
+    if (apart * static_cast<double>(pixels) < 1.1 * static_cast<double>(size)) break;
+    axis = std::move(closer);
+  }
+  return axis;
+}
+
 PictureAxis linearAxisUp(double from, double to, float pixels, float size, const std::string& name,
                          std::string_view unit) {
-  int most = tickCount(pixels, 4 * size);
-  AxisTicks axis = linearTicks(from, to, most, unit);
-  // A low axis has closer ticks rather than a single one, which says nothing of the scale.
-  const auto fitting = static_cast<std::size_t>(std::max(pixels / (1.5F * size), 0.0F));
-  while (axis.ticks.size() < 2 && most < 6) {
-    AxisTicks closer = linearTicks(from, to, ++most, unit);
-    if (closer.ticks.size() <= fitting) axis = std::move(closer);
-  }
-  return axisOf(from, to, axis, name);
+  return axisOf(from, to, ticksUp(from, to, pixels, 4 * size, size, unit), name);
 }
 
 PictureAxis logarithmicAxis(double from, double to, int most, std::string title,
@@ -146,10 +157,10 @@ void addPlotAxes(DrawList& list, const PlotAxes& axes, const Theme& theme, float
   addFrame(layer, box, theme.axis, unit);
   list.layers.push_back(std::move(layer));
   addTickLabels(list, axes, theme.faintText, size);
-  addLabel(list, titleWithin(axes.along, box.width, size),
-           {box.x + box.width / 2, box.bottom() + 3 * size}, size, TextAnchor::Centre, theme.text);
-  addLabel(list, titleWithin(axes.up, box.height, size), {1.5F * size, box.y + box.height / 2},
-           size, TextAnchor::Centre, theme.text, kQuarterTurn);
+  addTitleWithin(list, axes.along, {box.x + box.width / 2, box.bottom() + 3 * size}, box.width,
+                 size, theme.text, 0);
+  addTitleWithin(list, axes.up, {1.5F * size, box.y + box.height / 2}, box.height, size, theme.text,
+                 kQuarterTurn);
 }
 
 }  // namespace asperity

@@ -27,6 +27,11 @@ struct PictureAxis {
 /// Ticks whose labels, written side by side in fonts of `size`, fit `pixels`.
 AxisTicks roomyTicks(double from, double to, float pixels, float size, std::string_view unit);
 
+/// Ticks upwards, `each` pixels for one of them; a low axis has closer ones as far as labels in
+/// fonts of `size` have room, because a single tick says nothing of the scale.
+AxisTicks ticksUp(double from, double to, float pixels, float each, float size,
+                  std::string_view unit);
+
 /// A horizontal and a vertical linear axis; titles become "position (mm)".
 PictureAxis linearAxisAlong(double from, double to, float pixels, float size,
                             const std::string& name, std::string_view unit);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/scene/atomic_file.h"
+#include "core/scene/carried_text.h"
 
 namespace asperity {
 namespace {
@@ -24,13 +25,6 @@ std::string bigEndian(std::uint32_t number) {
   std::string bytes;
   for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 255U);
   return bytes;
-}
-
-std::uint32_t numberAt(std::string_view bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return number;
 }
 
 void addChunk(std::string& png, std::string_view type, std::string_view data) {
@@ -127,18 +121,7 @@ void writePng(const std::filesystem::path& path, const QImage& image, const PngO
 }
 
 std::string pngMetadata(std::string_view bytes) {
-  if (!bytes.starts_with(kSignature)) return {};
-  const std::string beginning = std::string(kMetadataKey) + std::string(5, '\0');
-  for (std::size_t at = kSignature.size(); at + 12 <= bytes.size();) {
-    const std::size_t size = numberAt(bytes, at);
-    const std::string_view type = bytes.substr(at + 4, 4);
-    if (size > bytes.size() - at - 12 || type == "IDAT") return {};
-    const std::string_view data = bytes.substr(at + 8, size);
-    if (type == "iTXt" && data.starts_with(beginning))
-      return std::string(data.substr(beginning.size()));
-    at += size + 12;
-  }
-  return {};
+  return bytes.starts_with(kSignature) ? carriedText(bytes) : std::string();
 }
 
 }  // namespace asperity

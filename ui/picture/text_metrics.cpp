@@ -26,6 +26,11 @@ float textWidth(std::string_view utf8, float size, bool bold) {
   return units * size / kAdvancesPerSize;
 }
 
+float fittingSize(const std::string& utf8, float size, float least, bool bold, float width) {
+  while (size - 1 >= least && textWidth(utf8, size, bold) > width) size -= 1;
+  return size;
+}
+
 std::vector<std::string> wrapped(const std::string& utf8, float size, bool bold, float width) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < utf8.size();) {

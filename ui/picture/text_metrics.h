@@ -11,6 +11,9 @@ namespace asperity {
 /// Pixels, for a font of `size` pixels. Characters outside the table count as wide ones.
 float textWidth(std::string_view utf8, float size, bool bold = false);
 
+/// The largest whole font size from `size` down to `least` at which the text fits.
+float fittingSize(const std::string& utf8, float size, float least, bool bold, float width);
+
 /// The text, or its beginning and an ellipsis, at most `width` pixels wide; may be empty.
 std::string elided(const std::string& utf8, float size, bool bold, float width);
 

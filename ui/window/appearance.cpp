@@ -83,6 +83,8 @@ PlotColours plotColoursOf(const Theme& theme) {
   colours.points = accent(theme);
   colours.line = dark ? QColor(0xb0, 0xb6, 0xbf) : QColor(0x6b, 0x72, 0x7c);
   colours.span = mixed(colours.background, colours.text, dark ? 0.06 : 0.04);
+  colours.shade = colourOf(theme.highlight);
+  colours.shade.setAlphaF(0.1F);
   colours.difference = colours.text;
   for (std::size_t i = 0; i < colours.pinned.size(); ++i)
     colours.pinned[i] = colourOf(seriesColour(colourOfPin(static_cast<int>(i)), theme));

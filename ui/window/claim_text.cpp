@@ -14,6 +14,7 @@ QString verdictText(const Claim& claim) {
   if (claim.holds == Verdict::OnlyForScheme)
     return QString::fromStdString(
         filled(Words::tr("only for scheme %1"), {translated(claim.scheme)}));
+  if (claim.holds == Verdict::Undecided) return QString::fromStdString(Words::tr("undecided"));
   return QString::fromStdString(claim.holds == Verdict::Yes ? Words::tr("yes") : Words::tr("no"));
 }
 

@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// "yes", "no", "only for scheme ...".
+/// "yes", "no", "undecided", "only for scheme ...".
 QString verdictText(const Claim& claim);
 
 /// "1.26 ± 0.04": as many digits as the uncertainty leaves; three where there is none.

@@ -23,8 +23,17 @@ constexpr int kAbove = 4;  // and above and below it
 
 QString markedVerdict(const Claim& claim) {
   const QString text = verdictText(claim);
-  if (claim.holds == Verdict::OnlyForScheme) return text;
-  return (claim.holds == Verdict::Yes ? QStringLiteral("✓ ") : QStringLiteral("✗ ")) + text;
+  switch (claim.holds) {
+    case Verdict::Yes:
+      return QStringLiteral("✓ ") + text;
+    case Verdict::No:
+      return QStringLiteral("✗ ") + text;
+    case Verdict::Undecided:
+      return QStringLiteral("? ") + text;
+    case Verdict::OnlyForScheme:
+      break;
+  }
+  return text;
 }
 
 QColor verdictColour(Verdict verdict, bool dark) {
@@ -33,6 +42,8 @@ QColor verdictColour(Verdict verdict, bool dark) {
       return dark ? QColor(0x6f, 0xcf, 0x97) : QColor(0x1b, 0x7a, 0x3d);
     case Verdict::No:
       return dark ? QColor(0xff, 0x8a, 0x80) : QColor(0xb4, 0x23, 0x18);
+    case Verdict::Undecided:
+      return dark ? QColor(0xb0, 0xb6, 0xbf) : QColor(0x5a, 0x63, 0x6e);
     case Verdict::OnlyForScheme:
       break;
   }
@@ -44,6 +55,9 @@ QString detailsOf(const Claim& claim) {
   QStringList lines{ClaimsTable::tr("Measured: %1.").arg(translatedText(claim.quantity))};
   if (!claim.criterion.empty())
     lines << ClaimsTable::tr("Holds when: %1.").arg(translatedText(claim.criterion));
+  if (claim.holds == Verdict::Undecided)
+    lines << ClaimsTable::tr(
+        "Undecided: within two standard errors of that border, or without a standard error.");
   if (!claim.note.empty()) lines << translatedText(claim.note);
   return lines.join('\n');
 }

@@ -23,7 +23,7 @@ struct Contact {
 };
 
 Contact contactOf(const Scene& scene) {
-  const LineSource source(scene, pointsPerElement(scene));
+  const LineSource source(scene, pointsPerElementOfCurve(scene));  // as all figures
   Contact contact{source.make(0), {}, {}, {}, {}};
   contact.travel = prepareTravel(contact.line, scene.accuracy.scheme);
   const SlidingConditions conditions = conditionsOf(scene, scene.sliding.velocity);
@@ -69,10 +69,9 @@ Claim balanceClaim(const Contact& contact) {
               "The indentation depth is determined to satisfy the condition of constant normal "
               "force",
               "relative residual of the force balance"};
-  claim.measured.value = contact.steady.residual;
   claim.expected = 0;
   claim.criterion = "below 1e-9";
-  claim.holds = verdict(contact.steady.residual < 1e-9);
+  decideExactly(claim, contact.steady.residual, below(1e-9));
   claim.note = "For separate elements F_N(d) jumps where an element enters; see Fig. 2's claims.";
   return claim;
 }
@@ -87,11 +86,11 @@ Claim unilateralClaim(const Contact& contact) {
   Claim claim{"no_penetration", "p. 2, Eqs. (1) and (2)",
               "Elements out of contact satisfy u < z - d, those in contact f > 0",
               "largest penetration over the largest depth"};
-  claim.measured.value = worst / largest;
   claim.expected = 0;
   claim.criterion = "at most 1e-12, and no negative pressure";
+  decideExactly(claim, worst / largest, below(1e-12));
   const double lowest = *std::min_element(contact.pressure.begin(), contact.pressure.end());
-  claim.holds = verdict(worst <= 1e-12 * largest && lowest >= 0);
+  if (lowest < 0) claim.holds = Verdict::No;
   claim.note =
       "The paper's own condition for leaving the contact is f > 0, not u < z - d alone. With the "
       "detachment condition d - z + eta v z' = 0 a factor G is missing: G (d - z) + eta v z' = 0.";
@@ -100,9 +99,8 @@ Claim unilateralClaim(const Contact& contact) {
 
 Claim shareClaim(const char* id, const char* text, const char* quantity, double share) {
   Claim claim{id, "p. 1, definitions of h and of the rms gradient", text, quantity};
-  claim.measured.value = share;
   claim.criterion = "more than half";
-  claim.holds = verdict(share > 0.5);
+  decideExactly(claim, share, above(0.5));
   return claim;
 }
 

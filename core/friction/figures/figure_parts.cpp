@@ -30,7 +30,7 @@ std::vector<double> elevenHurstExponents() {
 }
 
 bool isMiddle(double hurst) {
-  return hurst > 0.2 - 1e-9 && hurst < 0.8 + 1e-9;
+  return hurst > 0.2 + 1e-9 && hurst < 0.8 - 1e-9;
 }
 
 FigureWork::FigureWork(const FigureOptions& options, double totalCost)
@@ -132,10 +132,9 @@ Claim fullContactClaim(std::span<const Study> studies) {
               "In complete contact mu = 4 L eta grad^2 v / F_N, exactly confirmed",
               "largest |mu / Eq. (8) - 1| in complete contact, with the slope of the line as "
               "resolved"};
-  if (all.points > 0) claim.measured.value = all.toResolved;
   claim.expected = 0;
   claim.criterion = "below 1e-9, on at least one point";
-  claim.holds = verdict(all.points > 0 && all.toResolved < 1e-9);
+  decideExactly(claim, all.points > 0 ? all.toResolved : kNotApplicable, below(1e-9));
   claim.note = fmt::format(
       "{} points of complete contact. Against the slope of the spectrum the difference is {:.1e}: "
       "the resolution of the line, which falls with accuracy.oversampling.",

@@ -21,7 +21,7 @@ std::vector<double> paperSpacings();
 std::vector<double> sixHurstExponents();
 std::vector<double> elevenHurstExponents();
 
-/// 0.2 to 0.8, for which the paper makes its statements.
+/// 0.2 < H < 0.8, for which the paper makes its statements: without the ends.
 bool isMiddle(double hurst);
 
 /// Runs studies one after another and reports the part done of all. Costs are in any one unit.

@@ -42,7 +42,7 @@ Diagram diagramOf(const Study& study) {
 }  // namespace
 
 void addForcesFigure(Figure& figure, const FigureOptions& options) {
-  FigureWork work(options, 30);
+  FigureWork work(options, 20 + kZoneClaimsCost);
   const Study study =
       work.study(figure.scene, paperForces(), sweepVelocities(figure.scene.sweep), 20);
   figure.csv = joinedColumns({"normal_force"}) + "," + curveHeader();

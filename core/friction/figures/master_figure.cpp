@@ -46,11 +46,6 @@ std::vector<Variant> variantsOf(const Scene& base) {
   return variants;
 }
 
-/// f(Fbar): the dimensionless velocity at which region I meets the plateau of Eq. (11).
-double meetingVelocity(double force, double hurst) {
-  return std::hypot(force / 4, std::pow(force, forceExponent(hurst)) / betaOf(hurst));
-}
-
 /// What Eq. (17) divides by: velocity (m/s) and friction.
 struct Shift {
   double velocity, friction;
@@ -107,11 +102,11 @@ Claim collapseClaim(const std::vector<Study>& studies) {
               "Changing force, system size or relaxation time only shifts the curves in the double "
               "logarithmic presentation",
               "rms spread of the shifted curves in decades of mu, up to the plateau"};
-  claim.measured =
-      jackknife(studies.front().groups(), [&](int out) { return spreadAfter(studies, out); });
   claim.expected = 0;
   claim.criterion = "below 0.05 decades (12 %)";
-  claim.holds = verdict(claim.measured.value < 0.05);
+  decide(claim,
+         jackknife(studies.front().groups(), [&](int out) { return spreadAfter(studies, out); }),
+         below(0.05));
   claim.note =
       fmt::format("Before the shift it is {:.2f} decades.", spreadBefore(studies, Study::kAll));
   return claim;
@@ -140,10 +135,9 @@ Claim dimensionClaim(const Scene& base, FigureWork& work) {
               "velocity, modulus, viscosity, roughness, slope, size and the Hurst exponent",
               "largest change of mu / grad where h, L, G and tau change but F_N / G h L and "
               "tau v grad / h do not"};
-  claim.measured.value = worst;
   claim.expected = 0;
   claim.criterion = "below 1e-9";
-  claim.holds = verdict(worst < 1e-9);
+  decideExactly(claim, worst, below(1e-9));
   claim.note = "At the same number of elements; it is a third variable, by the spacing.";
   return claim;
 }
@@ -200,10 +194,9 @@ Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
                   "Curves are shifted by changes of temperature, which influences the relaxation "
                   "time (the master curve procedure)",
                   "largest |mu(v, T) / mu(v a_T, T_r) - 1|, 10 to 100 degrees Celsius"};
-  result.claim.measured.value = worst;
   result.claim.expected = 0;
   result.claim.criterion = "below 1e-9";
-  result.claim.holds = verdict(worst < 1e-9);
+  decideExactly(result.claim, worst, below(1e-9));
   result.claim.note = "WLF shift of a filled rubber: C1 = 4.41, C2 = 137.64 K, T_r = 343.15 K.";
   return result;
 }

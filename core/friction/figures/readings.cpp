@@ -55,15 +55,21 @@ double lowVelocityFactor(const Study& study, std::size_t j, std::size_t i, int l
          (in.relaxationTime * in.velocity * in.rmsSlope * in.rmsSlope);
 }
 
-namespace {
-
-/// Velocity (m/s) at which Eq. (13) has this value.
-double velocityAt(double dimensionless, const Scene& scene, double rmsSlope) {
-  return dimensionless * std::numbers::sqrt2 * scene.surface.rmsHeight /
+double velocityAt(double dimensionlessVelocity, const Scene& scene, double rmsSlope) {
+  return dimensionlessVelocity * std::numbers::sqrt2 * scene.surface.rmsHeight /
          (scene.elastomer.relaxationTime * rmsSlope);
 }
 
-}  // namespace
+double meetingVelocity(double dimensionlessForce, double hurst) {
+  return std::hypot(dimensionlessForce / 4,
+                    std::pow(dimensionlessForce, forceExponent(hurst)) / betaOf(hurst));
+}
+
+bool isInZone1(double dimensionlessForce, double to) {
+  constexpr double kRounding = 1e-9;
+  return dimensionlessForce >= kZone1From * (1 - kRounding) &&
+         dimensionlessForce <= to * (1 + kRounding);
+}
 
 FullContact fullContactOf(const Study& study) {
   FullContact found;
@@ -85,11 +91,11 @@ double forceAt(const Scene& scene, double dimensionlessForce) {
          scene.surface.length;
 }
 
-double alphaOf(const Study& study, int leftOut) {
+double alphaOf(const Study& study, int leftOut, double to) {
   std::vector<double> forces, factors;
   for (std::size_t j = 0; j < study.forces(); ++j) {
     const double force = dimensionlessForce(study.lawInput(j, 0));
-    if (force > kAlphaUpTo * (1 + 1e-9)) continue;
+    if (!isInZone1(force, to)) continue;
     forces.push_back(force);
     factors.push_back(lowVelocityFactor(study, j, 0, leftOut));
   }
@@ -116,13 +122,10 @@ std::vector<LoadCase> zone1Cases(const Scene& scene, double rmsSlope) {
 
 std::vector<LoadCase> plateauCases(const Scene& scene, double rmsSlope,
                                    const std::vector<double>& normalForces) {
-  const double hurst = scene.surface.hurst;
   std::vector<LoadCase> cases;
   for (const double normalForce : normalForces) {
-    // Region I meets the plateau at vbar = f; the maximum lies one to two decades above.
-    const double force = normalForce / forceAt(scene, 1);
-    const double meeting =
-        std::hypot(force / 4, std::pow(force, forceExponent(hurst)) / betaOf(hurst));
+    // The maximum lies one to two decades above where region I meets the plateau.
+    const double meeting = meetingVelocity(normalForce / forceAt(scene, 1), scene.surface.hurst);
     const double velocity = velocityAt(meeting, scene, rmsSlope);
     cases.push_back(
         {{LoadKind::Force, normalForce, 0}, logSpaced(3 * velocity, 300 * velocity, 9)});

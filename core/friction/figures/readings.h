@@ -47,12 +47,23 @@ FullContact fullContactOf(const Study& study);
 /// F_N (N) of a dimensionless force: Fbar G h L, Eq. (14).
 double forceAt(const Scene& scene, double dimensionlessForce);
 
+/// Velocity (m/s) at which Eq. (13) has this value.
+double velocityAt(double dimensionlessVelocity, const Scene& scene, double rmsSlope);
+
+/// The dimensionless velocity at which region I of Eq. (11) meets its plateau; f(Fbar) of Eq. (16).
+double meetingVelocity(double dimensionlessForce, double hurst);
+
+/// The dimensionless forces at which exponents of zone 1 (partial contact) are read, the same for
+/// every figure. alpha depends on the window: curves of ln mu over ln Fbar are not quite straight.
+inline constexpr double kZone1From = 1e-3, kZone1To = 0.1;
+bool isInZone1(double dimensionlessForce, double to = kZone1To);
+
 /// Eq. (5)'s exponent and prefactor in zone 1, from forces at velocity index 0. alpha is the slope
-/// of ln mu over ln Fbar up to kAlphaUpTo; beta goes with alpha = H/(1+H), the mean of the
-/// logarithm up to kBetaUpTo.
-double alphaOf(const Study& study, int leftOut = Study::kAll);
+/// of ln mu over ln Fbar up to `to`. beta goes with alpha = H/(1+H) and is the mean of the
+/// logarithm up to kBetaUpTo: it stands in Eq. (11), which has to serve until contact is complete.
+double alphaOf(const Study& study, int leftOut = Study::kAll, double to = kZone1To);
 double betaOf(const Study& study, int leftOut = Study::kAll);
-inline constexpr double kZone1From = 1e-3, kAlphaUpTo = 0.1, kBetaUpTo = 1;
+inline constexpr double kBetaUpTo = 1;
 
 /// Thirteen forces that span the window, and one velocity in the limit of slow sliding.
 std::vector<LoadCase> zone1Cases(const Scene& scene, double rmsSlope);

@@ -6,10 +6,11 @@
 
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/few_summits.h"
 #include "core/friction/figures/element_curves.h"
 #include "core/friction/figures/figure_parts.h"
 #include "core/friction/figures/figures_each.h"
-#include "core/friction/fit.h"
+#include "core/friction/figures/region_claims.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
@@ -20,31 +21,39 @@ constexpr double kFineFrom = 0.1;  // m/s; below, all three agree
 struct Curves {
   Study resolved;
   std::vector<ElementPoint> literal, fine;
-  std::int64_t lines;  // of the two marched ones
+  bool isFineCut;  // it ends where the steps that are affordable are too few
 };
 
-Curves computeCurves(const Scene& scene, const FigureOptions& options) {
-  FigureWork work(options, 10);
+/// Of a figure's realizations this part, but two at least and `most` at most.
+std::int64_t partOfLines(std::int64_t realizations, std::int64_t part, std::int64_t most) {
+  return std::min(realizations, std::clamp<std::int64_t>(realizations / part, 2, most));
+}
+
+Curves computeCurves(const Scene& scene, const FigureOptions& options, FigureWork& work) {
   const std::vector<double> velocities = sweepVelocities(scene.sweep);
   std::vector<double> fast;
   for (const double velocity : velocities)
     if (velocity >= kFineFrom) fast.push_back(velocity);
-  // A march costs what thousands of steady passes do.
-  const std::int64_t lines = std::clamp<std::int64_t>(options.realizations / 50, 1, 4);
+  // A march costs what hundreds of steady passes do, one in fine steps what ten thousands do.
+  const std::int64_t literalLines = partOfLines(options.realizations, 5, 40);
+  const std::int64_t fineLines = partOfLines(options.realizations, 33, 6);
   Study resolved = work.study(scene, {scene.load.normalForce}, velocities, 1);
-  std::vector<ElementPoint> literal = literalCurve(scene, velocities, lines, work.next(6));
-  std::vector<ElementPoint> fine = fineStepCurve(scene, fast, lines, {}, work.next(3));
-  return {std::move(resolved), std::move(literal), std::move(fine), lines};
+  std::vector<ElementPoint> literal =
+      literalCurve(scene, velocities, literalLines, {}, work.next(4));
+  std::vector<ElementPoint> fine = fineStepCurve(scene, fast, fineLines, {}, work.next(10));
+  const bool isCut = fine.size() < fast.size();
+  return {std::move(resolved), std::move(literal), std::move(fine), isCut};
 }
 
-DiagramSeries elementSeries(const std::vector<ElementPoint>& points, std::string name,
+DiagramSeries elementSeries(const std::vector<ElementPoint>& points, const std::string& name,
                             SeriesMark mark) {
+  const std::size_t lines = points.front().normalizedMu.size();
   DiagramSeries series;
-  series.name = std::move(name);
+  series.name = fmt::format("{} ({} line{})", name, lines, lines > 1 ? "s" : "");
   series.mark = mark;
   series.stroke = SeriesStroke::Dotted;
   for (const ElementPoint& point : points) {
-    const auto [value, error] = point.normalizedMu;
+    const auto [value, error] = point.estimate();
     series.points.push_back({point.velocity, value, value - error, value + error});
   }
   return series;
@@ -54,11 +63,11 @@ Diagram diagramOf(const Curves& curves) {
   const Study& study = curves.resolved;
   Diagram diagram = frictionDiagram();
   diagram.series.push_back(lawSeries(study, 0, "Eq. (11)"));
-  const std::string lines = fmt::format(" ({} line{})", curves.lines, curves.lines > 1 ? "s" : "");
   diagram.series.push_back(
-      elementSeries(curves.literal, "the paper's literal rule" + lines, SeriesMark::Square));
-  diagram.series.push_back(
-      elementSeries(curves.fine, "N elements, fine steps" + lines, SeriesMark::Triangle));
+      elementSeries(curves.literal, "the paper's literal rule", SeriesMark::Square));
+  if (!curves.fine.empty())
+    diagram.series.push_back(
+        elementSeries(curves.fine, "N elements, fine steps", SeriesMark::Triangle));
   DiagramSeries band = frictionSeries(study, 0, "");
   band.isBand = true;
   band.stroke = SeriesStroke::None;
@@ -73,6 +82,8 @@ Diagram diagramOf(const Curves& curves) {
   const std::vector<double>& v = study.velocities();
   for (const CurveRegion& region : regionsWithin(regionBorders(study, 0), v.front(), v.back()))
     diagram.spans.push_back({region.from, region.to, region.name});
+  const double few = fewSummitsVelocity(study.scene(), study.line().rmsHeight);
+  addFewSummits(diagram, fewSummitsWithin(few, v.front(), v.back()));
   return diagram;
 }
 
@@ -86,14 +97,15 @@ std::string tableOf(const Curves& curves) {
       at.velocity = element.velocity;
       CurvePoint point;
       point.velocity = element.velocity;
-      point.normalizedMu = element.normalizedMu.value;
-      point.mu = point.normalizedMu * in.rmsSlope;
-      point.muStandardError = element.normalizedMu.standardError * in.rmsSlope;
+      const auto [value, error] = element.estimate();
+      point.normalizedMu = value;
+      point.mu = value * in.rmsSlope;
+      point.muStandardError = error * in.rmsSlope;
       point.muLaw = frictionLaw(at);
       point.contactFraction = point.indentation = kNotApplicable;
       point.dimensionlessVelocity = dimensionlessVelocity(at);
       point.dimensionlessForce = dimensionlessForce(at);
-      point.realizations = curves.lines;
+      point.realizations = static_cast<std::int64_t>(element.normalizedMu.size());
       text += lead + curveRow(point);
     }
   };
@@ -115,11 +127,12 @@ Claim linearClaim(const Study& study) {
   Claim claim{"region_1_is_linear", "p. 2, Fig. 2",
               "At first the coefficient of friction increases linearly with velocity (region I)",
               "exponent n of mu ~ v^n"};
-  claim.measured =
-      jackknife(study.groups(), [&](int out) { return velocityExponent(study, 0, 0, last, out); });
   claim.expected = 1;
   claim.criterion = "within 0.02 of 1, at velocities below a tenth of region I's end";
-  claim.holds = verdict(std::abs(claim.measured.value - 1) < 0.02);
+  decide(
+      claim,
+      jackknife(study.groups(), [&](int out) { return velocityExponent(study, 0, 0, last, out); }),
+      within(1, 0.02));
   return claim;
 }
 
@@ -140,10 +153,10 @@ double factorOf(const Study& study, int out, const BorderRule& rule = {}) {
 Claim widthClaim(const Study& study) {
   Claim claim{"region_2_width", "p. 2, Fig. 2", "Region II covers one decade of velocities",
               "decades from 80 % of the line through region I to 95 % of the maximum"};
-  claim.measured = jackknife(study.groups(), [&](int out) { return widthOf(study, out); });
   claim.expected = 1;
   claim.criterion = "0.7 to 1.3 decades";
-  claim.holds = verdict(std::abs(claim.measured.value - 1) <= 0.3);
+  decide(claim, jackknife(study.groups(), [&](int out) { return widthOf(study, out); }),
+         within(1, 0.3));
   claim.note = fmt::format(
       "The paper does not say where it reads the borders. From 90 % of the line to 90 % of the "
       "maximum it is {:.2f} decades.",
@@ -155,10 +168,10 @@ Claim factorClaim(const Study& study) {
   Claim claim{"region_2_factor", "p. 2, Fig. 2",
               "The coefficient of friction increases in region II by a factor of two",
               "mu at the end of region II over mu at its start, borders as for its width"};
-  claim.measured = jackknife(study.groups(), [&](int out) { return factorOf(study, out); });
   claim.expected = 2;
   claim.criterion = "1.5 to 2.5";
-  claim.holds = verdict(std::abs(claim.measured.value - 2) <= 0.5);
+  decide(claim, jackknife(study.groups(), [&](int out) { return factorOf(study, out); }),
+         within(2, 0.5));
   claim.note = fmt::format(
       "From 90 % of the line to 90 % of the maximum it is {:.2f}. Region II cannot both begin on "
       "the line of slope 1 and grow by two only within a decade.",
@@ -170,48 +183,67 @@ Claim plateauClaim(const Study& study) {
   Claim claim{"plateau_height", "p. 3, Eq. (9)",
               "On the plateau (region III) mu is about sqrt(2) times the rms slope",
               "largest mu / rms slope of the line"};
-  claim.measured =
-      jackknife(study.groups(), [&](int out) { return plateauOf(study, 0, out).normalizedMu; });
   claim.expected = std::sqrt(2.0);
   claim.criterion = "within 10 % of sqrt(2)";
-  claim.holds = verdict(std::abs(claim.measured.value / claim.expected - 1) < 0.1);
+  decide(claim,
+         jackknife(study.groups(), [&](int out) { return plateauOf(study, 0, out).normalizedMu; }),
+         within(claim.expected, 0.1 * claim.expected));
   const Plateau plateau = plateauOf(study, 0);
   claim.note =
       fmt::format("At {:.2g} m/s. Mind the fall already at this small force.", plateau.velocity);
   return claim;
 }
 
-double lastExponent(const std::vector<ElementPoint>& points) {
-  std::vector<double> velocities, mu;
-  for (const ElementPoint& point : points)
-    if (point.velocity * 10 * (1 + 1e-9) >= points.back().velocity) {
-      velocities.push_back(point.velocity);
-      mu.push_back(point.normalizedMu.value);
-    }
-  return fitPower(velocities, mu).slope;
+constexpr double kLevel = 0.1;  // |n| of a level that counts as constant
+
+/// What fine steps of the same elements give where their number does not matter.
+std::string fineStepsNote(const Curves& curves) {
+  if (curves.fine.empty())
+    return fmt::format("Fine steps of the same N elements are not resolved by {} per spacing.",
+                       FineSteps{}.most);
+  // A decade is longer than the fall that they show.
+  const double end = curves.fine.back().velocity, from = end / std::sqrt(10.0);
+  const double exponent = exponentFrom(curves.fine, from).value;
+  const std::string measured =
+      std::isfinite(exponent)
+          ? fmt::format(
+                "Fine steps of the same N elements give n = {:.2f} between {:.2g} and "
+                "{:.2g} m/s",
+                exponent, from, end)
+          : fmt::format("Fine steps of the same N elements are resolved up to {:.2g} m/s", end);
+  if (!curves.isFineCut) return measured + ".";
+  return measured + fmt::format(
+                        "; beyond, {} of them per spacing are too few for 1 %, and any fixed "
+                        "number has a floor of its own.",
+                        FineSteps{}.most);
 }
 
 Claim constantLevelClaim(const Curves& curves) {
   const Study& study = curves.resolved;
   const std::size_t last = study.velocities().size() - 1;
-  const std::size_t first = indexBelow(study.velocities(), study.velocities()[last] / 10);
+  const double from = study.velocities()[last] / 10;
+  const std::size_t first = indexBelow(study.velocities(), from);
   Claim claim{"region_4_constant_level", "p. 2, Fig. 2; abstract",
               "Friction finally drops to another constant level (region IV)",
               "exponent n of mu ~ v^n over the last decade, by the paper's literal rule"};
-  claim.measured.value = lastExponent(curves.literal);
   claim.expected = 0;
   claim.criterion = "|n| below 0.1; on a resolved line, too, for a plain yes";
-  const double resolved = velocityExponent(study, 0, first, last);
-  const bool literalHolds = std::abs(claim.measured.value) < 0.1;
-  const bool resolvedHolds = std::abs(resolved) < 0.1;
-  claim.holds = literalHolds && !resolvedHolds ? Verdict::OnlyForScheme
-                                               : verdict(literalHolds && resolvedHolds);
-  if (claim.holds == Verdict::OnlyForScheme) claim.scheme = "literal (one spacing per step)";
+  const Bounds level = within(0, kLevel);
+  decide(claim, exponentFrom(curves.literal, from), level);
+  const Estimate resolved = jackknife(
+      study.groups(), [&](int out) { return velocityExponent(study, 0, first, last, out); });
+  const Verdict onLine = verdict(resolved, level);
+  if (claim.holds == Verdict::Yes && onLine == Verdict::No) {
+    claim.holds = Verdict::OnlyForScheme;
+    claim.scheme = "literal (one spacing per step)";
+  } else {
+    claim.holds = both(claim.holds, onLine);
+  }
   claim.note = fmt::format(
-      "n is {:.2f} for the same N elements in fine steps and {:.2f} on the resolved line, which "
-      "falls on as v^(-1/2). The level is one node's own slope: the line moves one spacing per "
-      "step, so the last contact is a single node, and more power goes in than is dissipated.",
-      lastExponent(curves.fine), resolved);
+      "n is {:.2f} on the resolved line, which falls on as v^(-1/2). The level is one node's own "
+      "slope: the line moves one spacing per step, so the last contact is a single node, and more "
+      "power goes in than is dissipated. {}",
+      resolved.value, fineStepsNote(curves));
   return claim;
 }
 
@@ -222,10 +254,9 @@ Claim convergenceClaim(const Curves& curves) {
   Claim claim{"no_convergence_problems", "p. 2, after Eq. (4)",
               "The algorithm is not iterative and there are no convergence problems",
               "largest part of the steps in which no indentation meets the normal force"};
-  claim.measured.value = worst->jumpFraction;
   claim.expected = 0;
   claim.criterion = "0 by the literal rule";
-  claim.holds = verdict(worst->jumpFraction == 0);
+  decideExactly(claim, worst->jumpFraction, below(0));
   if (claim.holds == Verdict::No) {
     claim.holds = Verdict::OnlyForScheme;
     claim.scheme = "linear or cubic (a resolved line)";
@@ -240,16 +271,25 @@ Claim convergenceClaim(const Curves& curves) {
 }  // namespace
 
 void addVelocityFigure(Figure& figure, const FigureOptions& options) {
-  const Curves curves = computeCurves(figure.scene, options);
+  FigureWork work(options, 15 + kRegionClaimsCost);
+  const Curves curves = computeCurves(figure.scene, options, work);
   figure.sheet.diagrams.push_back(diagramOf(curves));
   figure.sheet.note =
       "Regions by 80 % of the line through region I and 95 % of the maximum. In region IV the "
       "smallest scale decides: the constant level appears only where the line moves one spacing in "
       "each step.";
+  if (curves.isFineCut && !curves.fine.empty())
+    figure.sheet.note += fmt::format(
+        " The curve of fine steps ends at {:.2g} m/s, above which {} steps per spacing are too few "
+        "for 1 %.",
+        curves.fine.back().velocity, FineSteps{}.most);
+  if (!figure.sheet.diagrams.front().shades.empty())
+    figure.sheet.note += std::string(" ") + kFewSummitsSentence;
   figure.csv = tableOf(curves);
   const Study& study = curves.resolved;
   figure.claims = {linearClaim(study),  widthClaim(study),          factorClaim(study),
                    plateauClaim(study), constantLevelClaim(curves), convergenceClaim(curves)};
+  for (Claim& claim : regionClaims(study, work)) figure.claims.push_back(std::move(claim));
 }
 
 }  // namespace asperity

@@ -8,7 +8,9 @@
 
 namespace asperity {
 
-/// study: the paper's forces and velocities. Runs small studies of its own, of cost 10 in all.
+inline constexpr double kZoneClaimsCost = 13;
+
+/// study: the paper's forces and velocities. Runs small studies of its own, of kZoneClaimsCost.
 std::vector<Claim> zoneClaims(const Study& study, FigureWork& work);
 
 }  // namespace asperity

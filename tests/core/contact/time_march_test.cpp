@@ -321,5 +321,46 @@ TEST(TimeMarch, ALineMovedByAPeriodIsTheSameLine) {
     EXPECT_NEAR(march.rise()[i], fine.height[(2 * i + 5) % fine.nodes()], 2e-9);
 }
 
+/// The stretches in contact, counted anew once around the period.
+std::size_t stretchesAround(const std::vector<double>& pressure) {
+  const std::size_t n = pressure.size();
+  std::size_t ends = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    ends += pressure[i] > 0 && !(pressure[(i + 1) % n] > 0) ? 1 : 0;
+  const bool isWhole = std::ranges::all_of(pressure, [](double p) { return p > 0; });
+  return isWhole ? 1 : ends;
+}
+
+/// One summit slides once around: its contact is one, at the seam of the period as elsewhere.
+TEST(TimeMarch, AContactAcrossTheSeamIsOne) {
+  const int nodes = 200;
+  const Line line = parabolaLine(0.02, nodes, 1);
+  TimeMarch march(std::make_shared<Line>(line), lowestOf(line), kelvin());
+  int across = 0;
+  for (int i = 0; i < 2 * nodes; ++i) {
+    const MarchStep step = march.step(underForce(0.01), line.spacing, line.spacing);
+    const std::vector<double>& pressure = march.pressure();
+    EXPECT_EQ(step.contacts, 1U) << i;
+    across += pressure.front() > 0 && pressure.back() > 0 ? 1 : 0;
+  }
+  EXPECT_GT(across, 2);
+  EXPECT_LT(across, nodes);
+}
+
+/// Many contacts, none, and one all around.
+TEST(TimeMarch, ContactsAreCountedOnceAroundThePeriod) {
+  const Line line = roughLine(300, 1);
+  for (const double force : {1e-4, 1e-2, 1e3}) {
+    TimeMarch march(std::make_shared<Line>(line), lowestOf(line), kelvin());
+    std::size_t most = 0;
+    for (int i = 0; i < 300; ++i) {
+      const MarchStep step = march.step(underForce(force), line.spacing, line.spacing);
+      ASSERT_EQ(step.contacts, stretchesAround(march.pressure())) << force << " N, step " << i;
+      most = std::max(most, step.contacts);
+    }
+    EXPECT_GE(most, force < 1 ? 2U : 1U);
+  }
+}
+
 }  // namespace
 }  // namespace asperity

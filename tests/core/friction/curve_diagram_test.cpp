@@ -90,7 +90,11 @@ TEST(CurveDiagram, ADifferenceStandsBelowOverTheSameAxis) {
   EXPECT_GT(above.x.to, scene.sweep.velocityTo);
   EXPECT_EQ(below.y.unit, "%");
   EXPECT_EQ(below.series.back().points.size(), set.difference->points.size());
-  EXPECT_NEAR(below.series.back().points[2].y, 100 * set.difference->points[2].relative, 1e-12);
+  const DiagramPoint& drawn = below.series.back().points[2];
+  const DifferencePoint& computed = set.difference->points[2];
+  EXPECT_NEAR(drawn.y, 100 * computed.relative, 1e-12);
+  EXPECT_NEAR(drawn.high - drawn.y, 100 * computed.standardError, 1e-9);
+  EXPECT_NEAR(drawn.y - drawn.low, 100 * computed.standardError, 1e-9);
 }
 
 }  // namespace

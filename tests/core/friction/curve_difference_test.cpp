@@ -5,9 +5,14 @@
 
 #include <cmath>
 #include <random>
+#include <span>
+#include <vector>
 
 #include "core/friction/ensemble.h"
+#include "core/friction/realizations.h"
+#include "core/friction/running_mean.h"
 #include "core/scene/input_error.h"
+#include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"
 
 namespace asperity {
@@ -15,6 +20,19 @@ namespace {
 
 Scene smallScene() {
   return sceneOfSize(500, 7, 12);
+}
+
+/// mu of each line of the scene at each velocity.
+std::vector<std::vector<double>> frictionOfLines(const Scene& scene) {
+  const LineSource source(scene, scene.accuracy.oversampling);
+  const LoadCase sweep{scene.load, sweepVelocities(scene.sweep)};
+  std::vector<std::vector<double>> rows;
+  slideRealizations({scene, source, {&sweep, 1}, 0}, scene.ensemble.realizations, 0, {},
+                    [&](std::span<const SteadyResult> results) {
+                      for (rows.emplace_back(); const SteadyResult& result : results)
+                        rows.back().push_back(result.mu);
+                    });
+  return rows;
 }
 
 TEST(CurveDifference, OfASettingFromItselfIsNothing) {
@@ -40,6 +58,25 @@ TEST(CurveDifference, IsThatOfTheTwoCurves) {
       EXPECT_NEAR(difference.points[i].mu / other[i].mu, 1, 1e-12);
       EXPECT_NEAR(difference.points[i].muStandardError / other[i].muStandardError, 1, 1e-9);
     }
+  }
+}
+
+/// The stated error of the difference, from the lines themselves.
+TEST(CurveDifference, ItsErrorIsThatOfPairs) {
+  Scene scene = smallScene();
+  scene.accuracy.oversampling = 2;
+  const CurveSetting setting{Scheme::Linear, 2, 12};
+  const CurveDifference difference = curveDifference(scene, setting);
+  const Scene other = withSetting(scene, setting);
+  const std::vector<std::vector<double>> a = frictionOfLines(scene), b = frictionOfLines(other);
+  for (std::size_t i = 0; i < difference.points.size(); ++i) {
+    RunningMean meanA, rest;
+    for (const auto& row : a) meanA.add(row[i]);
+    const double ratio = 1 + difference.points[i].relative;
+    for (std::size_t r = 0; r < a.size(); ++r) rest.add(b[r][i] - ratio * a[r][i]);
+    EXPECT_NEAR(rest.mean() / meanA.mean(), 0, 1e-9);
+    EXPECT_NEAR(difference.points[i].standardError, rest.standardError() / meanA.mean(), 1e-9);
+    EXPECT_GT(difference.points[i].standardError, 1e-5);
   }
 }
 

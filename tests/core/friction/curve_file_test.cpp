@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/friction/ensemble.h"
+
 namespace asperity {
 namespace {
 
@@ -34,6 +36,62 @@ TEST(CurveFile, JsonCarriesSceneVersionAndSeed) {
   EXPECT_EQ(root["scene"]["surface"]["seed"], 42);
   EXPECT_EQ(root["points"][0]["mu"], 1.0 / 3);
   EXPECT_TRUE(root["points"][0]["mu_law"].is_null());
+}
+
+/// N elements with a handful of them in contact: Eq. (4) gives a remainder of the elastic pressure
+/// that does not fall with velocity, of either sign. The table says of which rows.
+TEST(CurveFile, FrictionBelowWhatElementsResolveHasANote) {
+  Scene scene;
+  scene.surface.elements = 200;
+  scene.accuracy.scheme = Scheme::Nodal;
+  scene.accuracy.oversampling = 1;
+  scene.sweep = {1e-6, 1e3, 19};
+  int negative = 0, noted = 0;
+  for (const std::int64_t realizations : {1, 10}) {
+    scene.ensemble.realizations = realizations;
+    for (std::int64_t seed = 1; seed <= 4; ++seed) {
+      scene.surface.seed = seed;
+      const std::vector<CurvePoint> points = frictionCurve(scene).points;
+      for (const CurvePoint& point : points) {
+        negative += point.mu < 0 ? 1 : 0;
+        noted += notesOf(point).empty() ? 0 : 1;
+        if (point.mu < 0) {
+          EXPECT_EQ(notesOf(point), "unresolved_friction") << point.velocity;
+        }
+      }
+      EXPECT_EQ(notesOf(points[13]), "") << "at " << points[13].velocity << " m/s";
+      const std::string table = curveCsv(points);
+      EXPECT_THAT(table, HasSubstr("realizations,notes\n"));
+      EXPECT_THAT(table, HasSubstr(",unresolved_friction\n"));
+      const auto root = nlohmann::json::parse(curveJson(points, scene));
+      EXPECT_EQ(root["points"][0]["notes"], "unresolved_friction");
+      EXPECT_EQ(root["points"][13]["notes"], "");
+    }
+  }
+  EXPECT_GT(negative, 10);
+  EXPECT_GT(noted, negative);
+}
+
+/// Resolved lines of every shape, in light and in complete contact, at all velocities: none.
+TEST(CurveFile, ResolvedFrictionHasNoNote) {
+  Scene scene;
+  scene.surface.elements = 300;
+  scene.ensemble.realizations = 2;
+  scene.sweep = {1e-6, 1e3, 10};
+  for (const SurfaceKind kind :
+       {SurfaceKind::SelfAffine, SurfaceKind::Sine, SurfaceKind::Wedge, SurfaceKind::Parabola})
+    for (const double hurst : {0.0, 0.5, 1.0})
+      for (const double force : {1e-5, 1e-2, 1e3}) {
+        scene.surface.kind = kind;
+        scene.surface.hurst = hurst;
+        scene.load.normalForce = force;
+        const std::vector<CurvePoint> points = frictionCurve(scene).points;
+        for (const CurvePoint& point : points)
+          EXPECT_EQ(notesOf(point), "")
+              << static_cast<int>(kind) << ", H " << hurst << ", " << force << " N, "
+              << point.velocity << " m/s: " << point.mu;
+        EXPECT_THAT(curveCsv(points), testing::Not(HasSubstr("notes")));
+      }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -65,8 +66,8 @@ TEST(AtomicFile, AFullDiskLeavesTheOldFileAndNoPart) {
   EXPECT_THAT(folder.names(), ElementsAre("a.csv"));
 }
 
-/// From here on a renaming kills this process, as it would in the moment before.
-bool dieAtRenaming() {
+/// From here on a renaming ends in this way, as if it came in the moment before.
+bool failAtRenaming(std::uint32_t action) {
   constexpr auto is = [](std::uint32_t call, std::uint8_t skipped) {
     return sock_filter{BPF_JMP | BPF_JEQ | BPF_K, skipped, 0, call};
   };
@@ -79,7 +80,7 @@ bool dieAtRenaming() {
                            is(SYS_renameat, 2),
                            is(SYS_renameat2, 1),
                            {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW},
-                           {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_KILL_PROCESS}};
+                           {BPF_RET | BPF_K, 0, 0, action}};
   const sock_fprog filter{std::size(program), program};
   return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
          ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
@@ -89,7 +90,7 @@ bool dieAtRenaming() {
 std::string leavePart(const TemporaryFolder& folder, const std::string& name) {
   const pid_t child = ::fork();
   if (child == 0) {
-    if (dieAtRenaming()) writeFileAtomically(folder / name, "never seen");
+    if (failAtRenaming(SECCOMP_RET_KILL_PROCESS)) writeFileAtomically(folder / name, "never seen");
     ::_exit(0);
   }
   int status = 0;
@@ -148,6 +149,75 @@ TEST(AtomicFile, LongNamesAndTwoWritesAtOnce) {
   }
   EXPECT_EQ(TemporaryFolder::read(folder / name), "other");
   EXPECT_THAT(folder.names(), ElementsAre(name));
+}
+
+mode_t permissionsOf(const std::filesystem::path& file) {
+  struct stat status {};
+  EXPECT_EQ(::stat(file.c_str(), &status), 0);
+  return status.st_mode & 0777U;
+}
+
+TEST(AtomicFile, AReplacedFileKeepsItsPermissions) {
+  const TemporaryFolder folder;
+  for (const mode_t mode : {0600U, 0640U, 0444U, 0666U, 0755U}) {
+    const auto file = folder.write("a.csv", "old");
+    ASSERT_EQ(::chmod(file.c_str(), mode), 0);
+    {
+      AtomicFile next(file);
+      next.write("new");
+      struct stat open {};
+      ASSERT_EQ(::fstat(next.descriptor(), &open), 0);
+      EXPECT_EQ(open.st_mode & 0777U, mode) << "open to others while it is written";
+      next.commit();
+    }
+    EXPECT_EQ(permissionsOf(file), mode);
+    EXPECT_EQ(TemporaryFolder::read(file), "new");
+    std::filesystem::remove(file);
+  }
+  writeFileAtomically(folder / "first.csv", "first");
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  EXPECT_EQ(permissionsOf(folder / "first.csv"), 0666U & ~mask);
+}
+
+TEST(AtomicFile, ALinkIsWrittenThroughOrRefusedBeforeAnyWork) {
+  const TemporaryFolder folder;
+  folder.write("target.csv", "old");
+  std::filesystem::create_symlink("target.csv", folder / "link.csv");
+  writeFileAtomically(folder / "link.csv", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.csv"));
+  EXPECT_EQ(TemporaryFolder::read(folder / "target.csv"), "new");
+
+  std::filesystem::create_symlink("gone.csv", folder / "dangling.csv");
+  std::filesystem::create_symlink("missing/gone.csv", folder / "further.csv");
+  std::filesystem::create_symlink("dangling.csv", folder / "twice.csv");
+  std::filesystem::create_symlink("round.csv", folder / "round.csv");
+  for (const char* name : {"dangling.csv", "further.csv", "twice.csv", "round.csv"}) {
+    EXPECT_THROW(checkWritable(folder / name), InputError) << name;
+    EXPECT_THROW(writeFileAtomically(folder / name, "new"), InputError) << name;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "gone.csv"));
+}
+
+/// In a child process that ends in the moment when the file has a hidden name.
+TEST(AtomicFile, AnEndThatIsToldOfRemovesTheHiddenName) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.csv", "old");
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    std::signal(SIGSYS, [](int) {
+      removeUnfinishedFiles();
+      ::_exit(7);
+    });
+    if (failAtRenaming(SECCOMP_RET_TRAP)) writeFileAtomically(file, "never seen");
+    ::_exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+  EXPECT_EQ(TemporaryFolder::read(file), "old");
+  EXPECT_THAT(folder.names(), ElementsAre("a.csv"));
 }
 
 TEST(AtomicFile, ReadingRefusesFoldersMissingAndOversizedFiles) {

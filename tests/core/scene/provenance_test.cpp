@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+#include <utility>
+
 #include "core/scene/input_error.h"
 #include "core/scene/scene_file.h"
 #include "tests/core/temporary_folder.h"
@@ -27,10 +30,25 @@ std::string line() {
   return provenanceLine(provenance("render", awkwardScene()));
 }
 
-std::string quotesEscaped(const std::string& text) {
+/// As XML has it.
+std::string escaped(const std::string& text) {
   std::string xml;
   for (const char letter : text) xml += letter == '"' ? std::string("&quot;") : std::string{letter};
   return xml;
+}
+
+/// A PNG of this text alone.
+std::string pngWith(const std::string& text) {
+  using std::literals::operator""s;
+  const std::string data = "asperity\0\0\0\0\0"s + text;
+  std::string length;
+  for (int shift = 24; shift >= 0; shift -= 8) length += static_cast<char>(data.size() >> shift);
+  return "\x89PNG\r\n\x1A\n" + length + "iTXt" + data + "_crc" + "\0\0\0\0IEND_crc"s;
+}
+
+std::string svgWith(const std::string& text) {
+  return "<?xml version=\"1.0\"?>\n<svg><title>one</title><metadata>" + escaped(text) +
+         "</metadata><path d=\"M0 0\"/></svg>";
 }
 
 TEST(Provenance, LineIsOneOfAsciiAndHoldsSceneVerbVersionAndSeed) {
@@ -52,19 +70,40 @@ TEST(Provenance, CommentIsOneLine) {
   EXPECT_EQ(comment.find('\n'), comment.size() - 1);
 }
 
-/// Whatever stands around it, plain or as XML: the scene comes back whole.
 TEST(Provenance, SceneComesBackFromAnyFile) {
   const TemporaryFolder folder;
-  const std::string around = "\x89 binary {\"schema\": 1} \0 more";
-  const std::string forms[] = {line(), quotesEscaped(line()),
-                               provenance("curve", awkwardScene()).dump(2),
-                               writeScene(awkwardScene())};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::string text = i < 2 ? around + forms[i] + around : forms[i];
-    const Scene scene = readProvenance(folder.write("file", text));
-    EXPECT_EQ(writeScene(scene), writeScene(awkwardScene())) << forms[i];
-    EXPECT_EQ(scene.folder, folder.path());
+  const std::string text = line();
+  const std::pair<std::string, bool> forms[] = {
+      {pngWith(text), true},
+      {svgWith(text), true},
+      {provenanceComment("curve", awkwardScene()) + "velocity,mu\n1,0.1\n", true},
+      {provenance("curve", awkwardScene()).dump(2), true},
+      {writeScene(awkwardScene()), false},
+      {"\xEF\xBB\xBF " + writeScene(awkwardScene()), false}};
+  for (const auto& [form, isCarried] : forms) {
+    const FoundScene found = findScene(folder.write("file", form));
+    EXPECT_EQ(writeScene(found.scene), writeScene(awkwardScene())) << form;
+    EXPECT_EQ(found.scene.folder, folder.path());
+    EXPECT_EQ(found.isCarried, isCarried) << form;
   }
+}
+
+/// What stands behind the scene of an answer is not read: it may be long, and cut off.
+TEST(Provenance, AnAnswerIsReadUpToItsScene) {
+  const std::string answer = provenance("curve", awkwardScene()).dump();
+  const std::string cut = answer.substr(0, answer.size() - 1) + ",\"points\":[[1,2],[3,";
+  EXPECT_EQ(writeScene(findScene(cut, "a.json").scene), writeScene(awkwardScene()));
+}
+
+/// The text stands at the end of a file that is larger than what is read of it.
+TEST(Provenance, ALargeFileIsReadAtBothEnds) {
+  const TemporaryFolder folder;
+  const std::string packet = "<dc:description><rdf:Alt><rdf:li xml:lang=\"x-default\">" +
+                             escaped(line()) + "</rdf:li></rdf:Alt></dc:description>";
+  const auto file = folder.write("film.webp", "RIFF____WEBP");
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 32);  // of nothing
+  std::ofstream(file, std::ios::binary | std::ios::app) << packet;
+  EXPECT_EQ(writeScene(findScene(file).scene), writeScene(awkwardScene()));
 }
 
 std::string refusal(const std::filesystem::path& file) {
@@ -78,8 +117,9 @@ std::string refusal(const std::filesystem::path& file) {
 
 TEST(Provenance, RefusesFilesWithoutAScene) {
   const TemporaryFolder folder;
-  for (const std::string& text : {std::string(), std::string("\x89PNG and nothing else"),
-                                  "x" + line().substr(0, line().size() - 9), std::string("[1]")})
+  for (const std::string& text :
+       {std::string(), std::string("\x89PNG and nothing else"), "x" + line(), std::string("[1]"),
+        pngWith("nothing"), svgWith("{\"schema\":\"asperity-x/1\"}")})
     EXPECT_THAT(refusal(folder.write("a.png", text)),
                 AllOf(HasSubstr("a.png"), HasSubstr("no scene")));
   EXPECT_THAT(refusal(folder.write("b.json", "{\"surface\": ")), HasSubstr("not valid JSON"));
@@ -88,6 +128,47 @@ TEST(Provenance, RefusesFilesWithoutAScene) {
               HasSubstr("load.normal_force"));
   EXPECT_THAT(refusal(folder / "gone.png"), HasSubstr("cannot be opened"));
   EXPECT_THAT(refusal(folder.path()), HasSubstr("is a folder"));
+}
+
+/// Brackets within brackets: a parser that calls itself for each would run out of its stack.
+TEST(Provenance, NestedBracketsAreRefused) {
+  const std::string deep(200000, '['), braces = [] {
+    std::string text;
+    for (int i = 0; i < 70000; ++i) text += "{\"a\":";
+    return text;
+  }();
+  const std::string inside = "{\"schema\":\"asperity-render/1\",\"scene\":";
+  for (const std::string& nested :
+       {inside + deep, inside + braces, inside + "{\"load\":" + deep, "{\"x\":" + deep, braces})
+    for (const std::string& bytes :
+         {pngWith(nested), svgWith(nested), "# asperity: " + nested, nested})
+      EXPECT_THROW(findScene(bytes, "a"), InputError);
+}
+
+/// Each of these takes a moment where every byte is looked at a few times, and minutes where it is
+/// looked at as often as there are bytes before it.
+TEST(Provenance, TimeGrowsWithTheBytesAlone) {
+  constexpr std::size_t kBytes = 6000000;
+  const auto repeated = [](const std::string& text) {
+    std::string all;
+    while (all.size() < kBytes) all += text;
+    return all;
+  };
+  std::string keys = "{\"x\":{";
+  for (int i = 0; keys.size() < kBytes; ++i) keys += "\"" + std::to_string(i) + "\":1,";
+  for (const std::string& bytes :
+       {"<svg><metadata>" + repeated("&quot;") + "</metadata>",
+        "<svg><metadata>{" + repeated("&quot;") + "</metadata>",
+        "<svg><metadata>" + repeated("{&quot;schema&quot;:&quot;asperity-") + "</metadata>",
+        "<svg>" + repeated("<metadata>"), "%PDF" + repeated("<dc:description>"),
+        "GIF89a" + repeated("<dc:description><rdf:li"), "\x1A\x45\xDF\xA3" + repeated("\x45\xA3"),
+        "____ftyp" + repeated("\xA9"
+                              "cmt"),
+        "____ftyp" + repeated("\xA9"
+                              "cmt____data"),
+        "# asperity: {" + repeated("\"\\"), "{" + repeated("\"a\":{"), keys,
+        "{\"a\":[" + repeated("{},") + "1]}", "\x89PNG\r\n\x1A\n" + std::string(kBytes, '\0')})
+    EXPECT_THROW(findScene(bytes, "a"), InputError);
 }
 
 }  // namespace

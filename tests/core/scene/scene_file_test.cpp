@@ -155,7 +155,35 @@ TEST(SceneFile, ErrorsNameFileKeyAndWhatIsAllowed) {
               HasSubstr("is above sweep.velocity_to"));
   EXPECT_THAT(errorOf("[]"), HasSubstr("a scene is one JSON object"));
   EXPECT_THAT(errorOf("{"), HasSubstr("is not valid JSON"));
-  EXPECT_THAT(errorOf(""), HasSubstr("is not valid JSON"));
+}
+
+/// What is no attempt at JSON is not quoted: its kind is said, and what is needed instead.
+TEST(SceneFile, FilesOfAnotherKindAreNamed) {
+  const std::string needed =
+      "; a scene is JSON in UTF-8; a measured line is a CSV file, which a scene names as "
+      "surface.file";
+  EXPECT_EQ(errorOf(""), "s.json: is an empty file" + needed);
+  EXPECT_EQ(errorOf(" \n"), "s.json: is an empty file" + needed);
+  EXPECT_EQ(errorOf("0,1e-6\n1,2e-6\n"), "s.json: is text that is not JSON" + needed);
+  EXPECT_EQ(errorOf("\xFF\xFEx\r\n"), "s.json: is text in UTF-16" + needed);
+  EXPECT_EQ(errorOf(std::string("{\0}\0", 4)), "s.json: is text in UTF-16" + needed);
+  EXPECT_EQ(errorOf("\x89PNG\r\n"), "s.json: is a PNG picture" + needed);
+  EXPECT_EQ(errorOf("\xEF\xBB\xBF{}"), "no error");
+  EXPECT_THAT(errorOf("3"), HasSubstr("a scene is one JSON object"));
+}
+
+/// As deep as a scene's own keys and lists go, and not a level further: the parser of what follows
+/// may call itself for each level.
+TEST(SceneFile, NestingHasALimit) {
+  const auto nested = [](int levels) {
+    std::string text = "1";
+    for (int i = 0; i < levels; ++i) text = "{\"a\":" + text + "}";
+    return errorOf(text);
+  };
+  constexpr int kDeepest = 8;
+  EXPECT_THAT(nested(kDeepest), HasSubstr("unknown key"));
+  EXPECT_THAT(nested(kDeepest + 1), HasSubstr("is nested too deeply"));
+  EXPECT_THAT(nested(100), HasSubstr("is nested too deeply"));
 }
 
 TEST(SceneFile, ErrorsAreOneLine) {

@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <set>
 #include <thread>
 
 #include "core/scene/input_error.h"
+#include "core/scene/scene_file.h"
 #include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
 #include "core/surface/random_phase.h"
@@ -48,6 +50,28 @@ TEST(LineSource, LinesDependOnSeedAndRealizationAlone) {
   Scene seeded = roughScene(500);
   seeded.surface.seed = 2;
   EXPECT_NE(once.height, LineSource(seeded, 1).make(7).height);
+}
+
+/// Every bit of a seed counts, up to the largest that a scene may have, on the way from the text of
+/// a scene to the line.
+TEST(LineSource, SeedsThatDifferAnywhereAreOtherLines) {
+  std::set<std::vector<double>> lines;
+  const std::vector<std::string> seeds{"1",          "4294967297",       "8589934593",
+                                       "4294967296", "4503599627370497", "9007199254740991"};
+  for (const std::string& seed : seeds) {
+    const Scene scene = readScene(R"({"surface":{"elements":64,"seed":)" + seed + "}}", "s.json");
+    EXPECT_EQ(std::to_string(scene.surface.seed), seed);
+    EXPECT_EQ(readScene(writeScene(scene), "s.json").surface.seed, scene.surface.seed);
+    const Line line = LineSource(scene, 1).make(0);
+    EXPECT_TRUE(lines.insert(line.height).second) << seed;
+    // The phase of the first wave is that of the authors' generator under the whole seed.
+    const auto whole = static_cast<std::uint64_t>(std::stoull(seed));
+    const std::complex<double> first = LineSource(scene, 1).spectrum(0).coefficients[0];
+    EXPECT_LT(std::abs(first / std::abs(first) - std::polar(1.0, randomPhases(whole, 0, 0).odd)),
+              1e-12);
+    EXPECT_EQ(readScene("{}", "s.json", {}, {"surface.seed=" + seed}).surface.seed,
+              scene.surface.seed);
+  }
 }
 
 TEST(LineSource, OversamplingAddsPointsToTheSameLine) {

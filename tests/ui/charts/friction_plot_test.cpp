@@ -195,6 +195,35 @@ TEST(FrictionPlot, TheVelocityAxisFollowsBack) {
   EXPECT_EQ(diagram.plot().x.range, before);
 }
 
+/// F_N / (4 eta v) = 0.1 h at 1.7 m/s; in dimensionless axes likewise.
+TEST(FrictionPlot, TintsWhereFewSummitsCarryTheLoad) {
+  const Scene scene;
+  const auto whole = [](double velocity, double mu) {
+    CurvePoint made = point(velocity, mu);
+    made.normalizedMu = mu / 2e-3;  // of a rms slope of 2e-3
+    made.dimensionlessVelocity = 1e-3 * velocity * 2e-3 / (std::sqrt(2) * 5e-7);
+    return made;
+  };
+  FrictionPlot diagram;
+  diagram.expect(scene);
+  diagram.take(update(scene, {whole(0.01, 1e-3), whole(1, 2e-3), whole(100, 1e-3)}));
+  std::vector<PlotSpan> shades = diagram.plot().shades;
+  ASSERT_EQ(shades.size(), 1U);
+  EXPECT_EQ(shades[0].name, "few summits carry the load");
+  EXPECT_NEAR(shades[0].from, 1.7, 1e-9);
+  EXPECT_EQ(shades[0].to, 100);
+  diagram.setAxes(CurveAxes::Dimensionless);
+  shades = diagram.plot().shades;
+  ASSERT_EQ(shades.size(), 1U);
+  EXPECT_NEAR(shades[0].from / 1.7, 1e-3 * 2e-3 / (std::sqrt(2) * 5e-7), 1e-9);
+  Scene solid;
+  solid.elastomer.rheology = Rheology::StandardSolid;
+  diagram.expect(solid);
+  for (const PlotSpan& shade : diagram.plot().shades) EXPECT_TRUE(shade.faded);
+  diagram.take(update(solid, {whole(0.01, 1e-3), whole(1, 2e-3), whole(100, 1e-3)}));
+  EXPECT_TRUE(diagram.plot().shades.empty());
+}
+
 TEST(FrictionPlot, FadesTheOldCurveUntilTheNewOneArrives) {
   FrictionPlot diagram;
   Scene old, fresh;

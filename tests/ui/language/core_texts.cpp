@@ -59,6 +59,7 @@ void add(Texts& texts, const DiagramSheet& sheet) {
     texts.insert({diagram.title, diagram.x.title, diagram.y.title});
     for (const DiagramSeries& series : diagram.series) texts.insert(series.name);
     for (const DiagramSpan& span : diagram.spans) texts.insert(span.label);
+    for (const DiagramSpan& shade : diagram.shades) texts.insert(shade.label);
     for (const DiagramLabel& label : diagram.labels) texts.insert(label.text);
     if (diagram.ramp) texts.insert({diagram.ramp->title, diagram.ramp->from, diagram.ramp->to});
   }
@@ -217,6 +218,10 @@ Texts complaintTexts() {
         "oversampling": 4}})",
         R"({"sweep": {"velocity_from": 2, "velocity_to": 1}})",
         R"([])",
+        "",
+        "0,1",
+        "\xFF\xFEx",
+        "\x89PNG",
         R"({"surface": 3})",
         R"({"surface": {"seed": 1, "seed": 2}})",
         R"({"load.depth": 1})",
@@ -250,8 +255,9 @@ Texts complaintTexts() {
   Scene aimed;
   aimed.accuracy.targetRelativeError = 0.01;
   complaintOf([&] { curveDifference(aimed, {}, {}); });
-  for (const char* profile : {"1\n2\n", "1\n2\nx\n", "1\n2\ninf\n", "1\n2\n1e30\n", "1,2\n2\n",
-                              "0,1\n0,2\n0,3\n", "0,1\n1,2\n3,3\n"})
+  for (const char* profile :
+       {"1\n2\n", "1\n2\nx\n", "1\n2\ninf\n", "1\n2\n1e30\n", "1,2\n2\n", "0,1\n0,2\n0,3\n",
+        "0,1\n1,2\n3,3\n", "x,1\n1,2\n", "x (mm)\n1\n", "1,000\n2,000\n", "0;1,5\n", "PK\3\4"})
     complaintOf([&] { parseProfile(profile, {}); });
   return texts;
 }

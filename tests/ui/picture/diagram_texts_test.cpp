@@ -75,6 +75,20 @@ TEST(DiagramTexts, AreAllThereAtUsualSizes) {
   }
 }
 
+/// A shade's name stands in it, in lines; where it has no room there is none, and never a part.
+TEST(DiagramTexts, ShadesAreNamedWhereTheyHaveRoom) {
+  DiagramSheet sheet = sheetOf({{1e-5, 1e-3}, {1e-2, 1}, {1e3, 1}});
+  const auto shown = [&](double from) {
+    sheet.diagrams[0].shades = {{from, 1e3, "few summits carry the load"}};
+    return composeDiagrams(sheet, {900, 600, 1, lightTheme()});
+  };
+  EXPECT_TRUE(says(shown(1e-4), "few summits carry the load"));
+  const DrawList narrow = shown(30);
+  EXPECT_FALSE(says(narrow, "few summits carry the load"));
+  EXPECT_TRUE(says(narrow, "few") || says(narrow, "few summits"));
+  EXPECT_EQ(allTexts(shown(900)).find("few"), std::string::npos);
+}
+
 /// As in the window's low views, where names would not fit into the frame.
 TEST(DiagramTexts, ALegendThatFitsBesideTheFrameIsWhole) {
   DiagramSheet sheet = sheetOf({{1e-5, 1e-2}, {1e-3, 1e-6}});

@@ -22,7 +22,7 @@ Scene sceneOf(SurfaceKind kind, std::int64_t elements) {
 }
 
 DrawList pictureOf(const Scene& scene, int width = 1280, int height = 800, float scale = 1) {
-  const LineSource source(scene, scene.accuracy.oversampling);
+  const LineSource source(scene, pointsPerElement(scene));
   SurfacePictureOptions options;
   options.width = width;
   options.height = height;

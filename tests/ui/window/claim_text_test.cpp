@@ -15,5 +15,17 @@ TEST(EstimateText, HasTheDigitsThatTheUncertaintyLeaves) {
   EXPECT_EQ(estimateText({}), QStringLiteral("–"));
 }
 
+TEST(VerdictText, HasAWordForEveryVerdict) {
+  Claim claim;
+  EXPECT_EQ(verdictText(claim), QStringLiteral("undecided"));
+  claim.holds = Verdict::Yes;
+  EXPECT_EQ(verdictText(claim), QStringLiteral("yes"));
+  claim.holds = Verdict::No;
+  EXPECT_EQ(verdictText(claim), QStringLiteral("no"));
+  claim.holds = Verdict::OnlyForScheme;
+  claim.scheme = "cubic";
+  EXPECT_TRUE(verdictText(claim).startsWith("only for scheme"));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QTest>
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "tests/ui/window/main_window_fixture.h"
@@ -25,6 +26,14 @@ TEST_F(MainWindowTest, TheLibraryIsInTheMenu) {
     EXPECT_EQ(session().sceneNumber(), before + 1);
     EXPECT_EQ(window_.panel().scene(), session().scene());
   }
+}
+
+TEST(SceneLibrary, EveryFileOfTheFolderIsInTheProgram) {
+  std::set<std::string> files, shipped;
+  for (const auto& file : std::filesystem::directory_iterator(ASPERITY_RESOURCES_DIR "/scenes"))
+    if (file.path().extension() == ".json") files.insert(file.path().stem().string());
+  for (const LibraryScene& entry : libraryScenes()) shipped.insert(entry.name.toStdString());
+  EXPECT_EQ(shipped, files);
 }
 
 TEST_F(MainWindowTest, EveryChapterIsASubmenuWithEverySceneExplained) {

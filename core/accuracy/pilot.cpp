@@ -1,0 +1,159 @@
+#include "core/accuracy/pilot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/steady_sliding.h"
+#include "core/friction/curve_averages.h"
+#include "core/friction/ensemble.h"
+#include "core/scene/element_law.h"
+#include "core/scene/plan.h"
+#include "core/surface/profile_file.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::int64_t kFewestElements = 64;
+
+/// Sum of j^-power over j = first ... last, to about 1e-6.
+double sumOfPowers(double first, double last, double power) {
+  constexpr double kExact = 256;  // terms, after which the sum is an integral
+  double sum = 0, j = first;
+  for (; j <= last && j < first + kExact; ++j) sum += std::pow(j, -power);
+  if (j > last) return sum;
+  const double from = j - 0.5, to = last + 0.5;
+  return sum + (power == 1 ? std::log(to / from)
+                           : (std::pow(from, 1 - power) - std::pow(to, 1 - power)) / (power - 1));
+}
+
+/// Sum of the spectrum over a line's modes from `first` on, relative; flat below the roll-off.
+double sumOfModes(const Surface& surface, double first) {
+  const double last = std::floor((static_cast<double>(surface.elements) - 1) / 2);
+  const double rollOff =
+      surface.rollOffWavelength > 0 ? surface.length / surface.rollOffWavelength : 0;
+  const double power = 2 * surface.hurst + 1;
+  const double flat = std::clamp(std::floor(rollOff) - first + 1, 0.0, last);
+  return flat * std::pow(std::max(rollOff, 1.0), -power) +
+         sumOfPowers(std::max(first, std::floor(rollOff) + 1), last, power);
+}
+
+bool isIsolated(const Surface& surface) {
+  return surface.kind == SurfaceKind::Wedge || surface.kind == SurfaceKind::Parabola;
+}
+
+/// Operations of one balance, per point of the line. With blocks of the line that are skipped it
+/// is a small part of them; elements with arms are passed over one by one, several times.
+double operationsOfBalance(const Scene& scene) {
+  const ElementLaw law = lawOf(scene.elastomer);
+  if (law.kind() != ElementKind::Arms) return 0.1;
+  return 3 * (1 + static_cast<double>(law.arms.size()));
+}
+
+/// A pilot that becomes smaller step by step.
+struct Shape {
+  double lines, refinedLines, velocities;
+  double perPoint(double balance) const {
+    return (lines + 2 * refinedLines) * (1 + balance * velocities);
+  }
+};
+constexpr Shape kShapes[] = {{24, 12, 9}, {16, 8, 9}, {8, 4, 9}, {8, 4, 5},
+                             {4, 2, 5},   {2, 1, 5},  {2, 1, 3}};
+
+}  // namespace
+
+double elementsOf(const Scene& scene) {
+  const Surface& surface = scene.surface;
+  if (surface.elements > 0) return static_cast<double>(surface.elements);
+  return static_cast<double>(std::max<std::int64_t>(3, expectedRows(scene.folder / surface.file)));
+}
+
+Scene shortened(const Scene& scene, std::int64_t factor) {
+  Scene part = scene;
+  Surface& surface = part.surface;
+  if (factor <= 1 || surface.kind == SurfaceKind::Profile) return part;
+  const std::int64_t wanted = std::max(surface.elements / factor, kFewestElements);
+  if (wanted >= surface.elements) return part;
+  surface.elements = wanted;
+  if (isIsolated(surface)) return part;
+  const double share = static_cast<double>(wanted) / static_cast<double>(scene.surface.elements);
+  surface.length *= share;
+  part.load.normalForce *= share;
+  if (surface.kind == SurfaceKind::Sine) {
+    const double waves = std::round(static_cast<double>(surface.waves) * share);
+    surface.waves =
+        static_cast<std::int64_t>(std::clamp(waves, 1.0, static_cast<double>((wanted - 1) / 2)));
+    return part;
+  }
+  // The waves that are left keep their strength.
+  surface.rmsHeight *=
+      std::sqrt(sumOfModes(scene.surface, 1 / share) / sumOfModes(scene.surface, 1));
+  return part;
+}
+
+std::int64_t shorteningFor(const Scene& scene, double operations, double allowed) {
+  std::int64_t factor = 1;
+  while (operations * elementsOf(shortened(scene, factor)) > allowed &&
+         shortened(scene, 2 * factor).surface.elements < shortened(scene, factor).surface.elements)
+    factor *= 2;
+  return factor;
+}
+
+PilotPlan planPilot(const Scene& scene, int threads) {
+  const bool isRandom = scene.surface.kind == SurfaceKind::SelfAffine;
+  const auto lines = static_cast<double>(isRandom ? scene.ensemble.realizations : 1);
+  const auto velocities = static_cast<double>(scene.sweep.points);
+  const auto points = static_cast<double>(pointsPerElementOfCurve(scene));
+  const double balance = operationsOfBalance(scene), all = elementsOf(scene) * points;
+  PilotPlan plan;
+  plan.runOperations = lines * all * (1 + balance * velocities);
+  const double wall = plan.runOperations / std::min(static_cast<double>(threads), lines);
+  const double allowed = std::clamp(0.1 * wall, kLeastPilot, kMostPilot);
+  double perPoint = 0;
+  for (const Shape& shape : kShapes) {
+    const Shape fitting{std::min(shape.lines, lines),
+                        std::min(shape.refinedLines, std::min(shape.lines, lines)),
+                        std::min(shape.velocities, velocities)};
+    plan.lines = static_cast<std::int64_t>(fitting.lines);
+    plan.refinedLines = static_cast<std::int64_t>(fitting.refinedLines);
+    plan.velocities = logSpaced(scene.sweep.velocityFrom, scene.sweep.velocityTo,
+                                static_cast<std::int64_t>(fitting.velocities));
+    perPoint = fitting.perPoint(balance);
+    if (perPoint * all <= allowed) break;
+  }
+  plan.scene = shortened(scene, shorteningFor(scene, perPoint * points, allowed));
+  // The resolution is that of the run, however many elements the pilot has.
+  if (scene.accuracy.scheme != Scheme::Nodal)
+    plan.scene.accuracy.oversampling = static_cast<std::int64_t>(points);
+  plan.shortening = elementsOf(scene) / elementsOf(plan.scene);
+  plan.operations = perPoint * points * elementsOf(plan.scene);
+  return plan;
+}
+
+double memoryOfCurve(const Scene& scene, int threads) {
+  const bool isRandom = scene.surface.kind == SurfaceKind::SelfAffine;
+  const auto lines = static_cast<double>(isRandom ? scene.ensemble.realizations : 1);
+  const double parallel = std::min(static_cast<double>(threads), lines);
+  const Scheme scheme = scene.accuracy.scheme;
+  const double elements = elementsOf(scene);
+  const double nodes = elements * static_cast<double>(pointsPerElementOfCurve(scene));
+  constexpr double kNumber = sizeof(double);
+  // Numbers a node: Line, TravelLine with its blocks, and the buffers of the transform.
+  const double ofLine = scheme == Scheme::Linear && isRandom ? 1 : 2;
+  const double ofTravel = scheme == Scheme::Cubic    ? 3 + 5 * 4.0 / 3
+                          : scheme == Scheme::Linear ? 2 + 5 / 3.0
+                                                     : 2 + 4 / 3.0;
+  const bool hasSpectrum = isRandom || scene.surface.kind == SurfaceKind::Profile;
+  const double ofTransform = hasSpectrum ? 2 : 0;
+  double bytes = (ofLine + ofTravel) * nodes * kNumber * parallel;
+  bytes += ofTransform * nodes * kNumber * (isRandom ? parallel : 1);
+  if (isRandom) bytes += (0.5 + parallel) * elements * kNumber;  // amplitudes and phases
+  if (!isRandom) bytes += 2 * nodes * kNumber;                   // of the only line
+  if (callsFor(scene, Purpose::Curve, Stage::SummitCorrelation))
+    bytes += 18 * elements * kNumber * parallel;  // its transform at four nodes an element
+  // Results of a batch of 32 lines wait for their turn, and those of the first are kept.
+  const auto points = static_cast<double>(scene.sweep.points);
+  return bytes + points * ((std::min(lines, 32.0) + 1) * sizeof(SteadyResult) +
+                           sizeof(CurveAverages) + 2 * sizeof(CurvePoint));
+}
+
+}  // namespace asperity

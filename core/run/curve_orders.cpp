@@ -1,0 +1,67 @@
+#include "core/run/curve_orders.h"
+
+#include <utility>
+
+namespace asperity {
+namespace {
+
+/// The part of a scene that its friction curve depends on.
+Scene curveKey(Scene scene) {
+  scene.title.clear();
+  scene.description.clear();
+  scene.chapter.clear();
+  scene.sliding = {};
+  return scene;
+}
+
+}  // namespace
+
+void CurveOrders::post(const PostedScene& scene) {
+  const bool isSame = ordered_.scene && curveKey(*scene.scene) == curveKey(*ordered_.scene);
+  present_ = scene;
+  updates_.clear();
+  if (!isSame) {
+    ordered_ = scene;
+    last_.reset();
+    order();
+  } else if (last_) {
+    last_->scene = scene.scene;
+    last_->sceneNumber = scene.number;
+    updates_.push_back(*last_);
+  }
+}
+
+void CurveOrders::stop() {
+  isStopped_ = true;
+  working_.request_stop();
+}
+
+void CurveOrders::start() {
+  order();
+}
+
+void CurveOrders::order() {
+  working_.request_stop();
+  isStopped_ = false;
+  ++number_;
+}
+
+CurveWork CurveOrders::begin() {
+  working_ = std::stop_source();
+  if (isStopped_) working_.request_stop();
+  return {ordered_, number_, working_.get_token()};
+}
+
+bool CurveOrders::offer(std::uint64_t number, const CurveProgress& progress) {
+  if (number != number_) return false;
+  last_ = {present_.scene, present_.number, progress.realizationsDone, progress.realizationsTotal,
+           progress.points};
+  updates_.push_back(*last_);
+  return true;
+}
+
+std::vector<CurveUpdate> CurveOrders::takeUpdates() {
+  return std::exchange(updates_, {});
+}
+
+}  // namespace asperity

@@ -1,0 +1,34 @@
+// Reading of plain files on a disk, and of nothing else: a pipe or a device might never answer.
+// Failure: InputError that names the file; nothing of its content.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace asperity {
+
+/// An open file. Opening and reading never wait for another program. One thread at a time.
+class RegularFile {
+ public:
+  /// Throws InputError where there is no such file, or where it is not a regular one.
+  explicit RegularFile(const std::filesystem::path& file);
+  ~RegularFile();
+  RegularFile(const RegularFile&) = delete;
+  RegularFile& operator=(const RegularFile&) = delete;
+
+  std::uint64_t size() const { return size_; }  // bytes, when it was opened
+
+  /// At most `count` bytes from `offset` on; fewer where the file ends.
+  std::string read(std::uint64_t offset, std::size_t count) const;
+
+ private:
+  std::string name_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+/// The whole of a regular file of at most `limit` bytes.
+std::string readRegularFile(const std::filesystem::path& file, std::size_t limit);
+
+}  // namespace asperity

@@ -1,0 +1,133 @@
+#include "core/surface/profile_header.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+using namespace std::string_view_literals;
+
+bool isDigit(char letter) {
+  return std::isdigit(static_cast<unsigned char>(letter)) != 0;
+}
+
+bool isLetter(char letter) {
+  const auto byte = static_cast<unsigned char>(letter);
+  return byte >= 0x80 || std::isalpha(byte) != 0;
+}
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& letter : lower)
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return lower;
+}
+
+template <std::size_t count>
+bool contains(const std::array<std::string_view, count>& words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+/// What programs write where there is no value.
+constexpr std::array kMissing{"na"sv, "n/a"sv, "nan"sv, "null"sv, "none"sv, "missing"sv, "bad"sv};
+
+/// As numbers begin: 1, -1, .5, -.5, and what the reader takes for infinite.
+bool beginsAsNumber(std::string_view field) {
+  if (!field.empty() && (field.front() == '+' || field.front() == '-')) field.remove_prefix(1);
+  if (!field.empty() && field.front() == '.') field.remove_prefix(1);
+  const std::string word = lowerCase(field);
+  return (!field.empty() && isDigit(field.front())) || word == "inf" || word == "infinity";
+}
+
+constexpr std::array kMetres{"m"sv, "metre"sv, "metres"sv, "meter"sv, "meters"sv};
+
+/// Units of length that are no words of a language; the letters of Latin-1, too.
+constexpr std::array kLengths{
+    "mm"sv,          "cm"sv,          "dm"sv,          "km"sv,          "um"sv,
+    "nm"sv,          "pm"sv,          "fm"sv,          "\u00B5m"sv,     "\u03BCm"sv,
+    "mum"sv,         "\xB5m"sv,       "micron"sv,      "microns"sv,     "micrometer"sv,
+    "micrometers"sv, "micrometre"sv,  "micrometres"sv, "millimeter"sv,  "millimeters"sv,
+    "millimetre"sv,  "millimetres"sv, "centimeter"sv,  "centimeters"sv, "centimetre"sv,
+    "centimetres"sv, "nanometer"sv,   "nanometers"sv,  "nanometre"sv,   "nanometres"sv,
+    "kilometer"sv,   "kilometers"sv,  "kilometre"sv,   "kilometres"sv,  "angstrom"sv,
+    "angstroms"sv,   "\u00C5"sv,      "\u212B"sv,      "\u00E5"sv,      "inch"sv,
+    "inches"sv,      "pixel"sv,       "pixels"sv,      "px"sv,          "\xC5"sv,
+    "\u339A"sv,      "\u339B"sv,      "\u339C"sv,      "\u339D"sv};
+
+/// Units that are also words or letters: they count in brackets and behind a stroke alone.
+constexpr std::array kShortUnits{"in"sv,     "ft"sv,   "yd"sv,   "mil"sv,  "mils"sv,  "thou"sv,
+                                 "pt"sv,     "a"sv,    "s"sv,    "ms"sv,   "us"sv,    "min"sv,
+                                 "v"sv,      "mv"sv,   "uv"sv,   "n"sv,    "deg"sv,   "rad"sv,
+                                 "\u00B0"sv, "%"sv,    "arb"sv,  "a.u."sv, "au"sv,    "counts"sv,
+                                 "count"sv,  "feet"sv, "foot"sv, "\""sv,   "index"sv, "samples"sv};
+
+/// "(", "[", "{" open what their counterparts close; a stroke goes to the end.
+constexpr std::string_view kOpening = "([{/";
+
+/// What stands in brackets or behind a stroke, at each place of the name.
+std::vector<std::string_view> bracketed(std::string_view name) {
+  std::vector<std::string_view> found;
+  for (std::size_t at = 0; (at = name.find_first_of(kOpening, at)) != std::string_view::npos;) {
+    const std::string_view closing = name[at] == '/' ? "" : ")]}";
+    const std::size_t end = closing.empty() ? name.size() : name.find_first_of(closing, at);
+    found.push_back(
+        name.substr(at + 1, (end == std::string_view::npos ? name.size() : end) - at - 1));
+    ++at;
+  }
+  return found;
+}
+
+/// Split where no letter of a unit stands.
+std::vector<std::string> wordsOf(std::string_view text) {
+  std::vector<std::string> words;
+  constexpr std::string_view between = " \t_()[]{}/,;:=*";
+  while (true) {
+    const std::size_t first = text.find_first_not_of(between);
+    if (first == std::string_view::npos) return words;
+    const std::size_t end = std::min(text.find_first_of(between, first), text.size());
+    words.push_back(lowerCase(text.substr(first, end - first)));
+    text.remove_prefix(end);
+  }
+}
+
+/// Whether metres have a factor in front: "1e-6 m", "10^-9 m", "\u00D710\u207B\u2076 m".
+bool scalesMetres(const std::vector<std::string>& words) {
+  const auto isMetres = [](const std::string& word) { return contains(kMetres, word); };
+  return words.size() > 1 && std::ranges::any_of(words, isMetres) &&
+         std::ranges::any_of(
+             words, [](const std::string& word) { return std::ranges::any_of(word, isDigit); });
+}
+
+}  // namespace
+
+bool namesColumns(std::span<const std::string_view> fields) {
+  const auto isName = [](std::string_view field) { return std::ranges::any_of(field, isLetter); };
+  const auto isValue = [](std::string_view field) {
+    return beginsAsNumber(field) || contains(kMissing, lowerCase(field));
+  };
+  return std::ranges::any_of(fields, isName) && std::ranges::none_of(fields, isValue);
+}
+
+std::string foreignUnitIn(std::string_view name) {
+  for (const std::string_view part : bracketed(name)) {
+    const std::vector<std::string> words = wordsOf(part);
+    if (scalesMetres(words)) return std::string(part);
+    if (words.size() == 1 && contains(kShortUnits, words.front())) return words.front();
+  }
+  for (const std::string& word : wordsOf(name))
+    if (contains(kLengths, word)) return word;
+  return {};
+}
+
+bool isWordWithUnit(std::string_view field) {
+  const std::size_t opening = field.find_first_of(kOpening);
+  if (opening == std::string_view::npos || opening == 0) return false;
+  std::string_view name = field.substr(0, opening);
+  while (!name.empty() && name.back() == ' ') name.remove_suffix(1);
+  return !name.empty() && name.find(' ') == std::string_view::npos;
+}
+
+}  // namespace asperity
