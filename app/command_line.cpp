@@ -43,6 +43,7 @@ class CommandLine {
     addShared(app_, window_, kLastLanguage);
     addCheck();
     addCurve();
+    addMotion();
     addRender();
     addSurface();
     addFigure();
@@ -50,6 +51,7 @@ class CommandLine {
     addBatch();
     addAccuracy();
     addExplain();
+    addColumns();
     app_.footer(fmt::format(
         "Exit status: {} done, {} the run failed, {} bad input or usage, {} interrupted, {} "
         "terminated.\n{}",
@@ -140,6 +142,25 @@ class CommandLine {
         "or .pdf; may repeat; none: CSV on stdout");
     addPictureOptions(*verb, curve_.picture, "1200x800", "print");
     addCurveOptions(*verb, curve_.curves);
+  }
+  void addMotion() {
+    CLI::App* verb = addVerb("motion", "Friction, indentation, contact and power in time",
+                             motion_.common, [this] { return runMotion(motion_); });
+    addOutputs(
+        verb, motion_.outputs,
+        "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
+        "or .pdf; may repeat; none: CSV on stdout");
+    limitWhole(verb->add_option("--every", motion_.every,
+                                "Each so many time steps are a row, and the last one; pictures "
+                                "take all of them")
+                   ->capture_default_str(),
+               1, 1000000000);
+    limitWhole(verb->add_option("--lines", motion_.lines,
+                                "Random lines, told apart by the column realization; pictures "
+                                "show their mean")
+                   ->capture_default_str(),
+               1, 1000000);
+    addPictureOptions(*verb, motion_.picture, "1200x1000", "print");
   }
   void addRender() {
     CLI::App* verb = addVerb("render", "Pictures and films of the contact, without a screen",
@@ -238,14 +259,22 @@ class CommandLine {
                              explain_.common, [this] { return runExplain(explain_); });
     verb->add_flag("--analyze", explain_.analyze, "Run it, too, and add what it did cost");
   }
+  void addColumns() {
+    CLI::App* verb =
+        app_.add_subcommand("columns", "All columns of all tables: name, unit, meaning, equation");
+    addShared(*verb, columns_);
+    verb->remove_option(verb->get_option("--set"));  // there is no scene
+    verb->callback([this] { selected_ = [this] { return runColumns(columns_); }; });
+  }
   static void addOutputs(CLI::App* verb, std::vector<std::string>& outputs, const char* sentence) {
     verb->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
   }
 
   CLI::App app_;
   std::vector<const CommonOptions*> allCommon_;
-  CommonOptions window_, check_;
+  CommonOptions window_, check_, columns_;
   CurveCommand curve_;
+  MotionCommand motion_;
   RenderCommand render_;
   SurfaceCommand surface_;
   FigureCommand figure_;

@@ -38,6 +38,14 @@ struct CurveCommand {
   CurveChoice curves;
 };
 
+struct MotionCommand {
+  CommonOptions common;
+  std::vector<std::string> outputs;
+  PictureChoice picture;
+  std::int64_t every = 1;  // time steps to a row
+  std::int64_t lines = 1;  // realizations
+};
+
 struct RenderCommand {
   CommonOptions common;
   std::string output;
@@ -102,6 +110,8 @@ auto saidOfScene(const CommonOptions& options, const Work& work) {
 
 int runCheck(const CommonOptions& command);
 int runCurve(const CurveCommand& command);
+int runMotion(const MotionCommand& command);
+int runColumns(const CommonOptions& command);
 int runRender(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);
 int runExplain(const ExplainCommand& command);

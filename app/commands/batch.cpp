@@ -17,6 +17,7 @@
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
 #include "core/friction/curve_file.h"
+#include "core/run/motion_table.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
@@ -33,6 +34,9 @@ namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Rows of a motion's table.
+constexpr std::int64_t kMotionRows = 2000;
 
 /// One over the scene's lines at its own velocity; none of a motion, or of a line at rest.
 std::optional<CurvePoint> meanOverLines(const Scene& scene, const CurveOptions& options) {
@@ -192,6 +196,16 @@ class BatchRun {
     if (!curve.empty()) {
       writeFileAtomically(fileIn(name + ".csv"),
                           provenanceComment("batch", scene) + curveCsv(curve));
+      result.files.push_back(name + ".csv");
+    }
+    if (layout == PictureLayout::Transient) {
+      MotionOptions motion;
+      motion.mostRows = kMotionRows;
+      motion.threads = command_.common.threads;
+      const MotionTable table = marchMotion(scene, motion);
+      writeFileAtomically(fileIn(name + ".csv"),
+                          "# asperity: " + provenanceLine(motionProvenance("batch", scene, table)) +
+                              "\n" + motionCsv(table));
       result.files.push_back(name + ".csv");
     }
     writeFileAtomically(fileIn(name + ".json"), writeScene(scene));

@@ -87,7 +87,9 @@ class Rendering {
   }
 
   std::string summary() const {
-    std::string text = "mu = " + shortNumber(frictionOf(last_), 6) + "\n";
+    std::string text = "mu = " + shortNumber(frictionOf(last_), 6);
+    if (std::isfinite(last_.muError)) text += " \u00B1 " + shortNumber(last_.muError, 2);
+    text += "\n";
     if (kind_ == Kind::Picture) return text + wroteLine(command_.output);
     text += framesText() + "\n";
     if (const std::int64_t kept = count() - drawn_; kept > 0)
@@ -107,6 +109,7 @@ class Rendering {
     Json answer = origin();
     const double mu = frictionOf(last_);
     answer["mu"] = std::isfinite(mu) ? Json(mu) : Json();
+    if (std::isfinite(last_.muError)) answer["mu_discretization_error"] = last_.muError;
     if (last_.muInterface > 0) answer["mu_interface"] = last_.muInterface;
     answer["indentation"] = last_.indentation;
     answer["contact_fraction"] = last_.contactFraction;

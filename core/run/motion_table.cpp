@@ -45,7 +45,8 @@ constexpr std::array<MotionColumn, 11> kMotionColumns{{
     {"indentation", [](const TransientSample& row) { return row.indentation; }},
     {"contact_fraction", [](const TransientSample& row) { return row.contactFraction; }},
     {"contact_spots", [](const TransientSample& row) { return row.contactSpots; }},
-    {"power_in", [](const TransientSample& row) { return row.tangentialForce * row.velocity; }},
+    {"power_in",
+     [](const TransientSample& row) { return row.tangentialForce * row.velocity + 0.0; }},
     {"power_dissipated", [](const TransientSample& row) { return row.powerDissipated; }},
 }};
 constexpr ColumnName kMuInterface = "mu_interface", kRealization = "realization";

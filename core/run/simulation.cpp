@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contact/dissipation.h"
+#include "core/contact/interface.h"
 #include "core/contact/scene_sliding.h"
 #include "core/contact/unmet_balance.h"
 #include "core/run/contact_age.h"
@@ -83,6 +84,7 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   march.goOnFrom(*march_);
   march_ = std::move(march);
   settlesUntil_ = time_ + longestMemory();
+  isChanged_ = true;
   recordFields();
   // Another line may stand in the present shape, or above it: the load presses it in before it
   // shows.
@@ -112,6 +114,7 @@ void Simulation::settle(double distance) {
                                                 ready_->velocity(), ready_->steady, distance)
                                   : restingMarch(*ready_->rigid, *ready_->scene, distance);
   timeScale_ = settlesUntil_ = touching_ = stretches_ = 0;
+  isChanged_ = false;
   recordFields();
   clearReading();
 }
@@ -183,6 +186,7 @@ void Simulation::stepOnce(double dt, double distance) {
   resolves_ = distance > 0 && (instant || distance <= 2 * fastest);
   time_ += dt;
   ++steps_;
+  isChanged_ = false;
   touching_ = kContactsKept * touching_ + last_.contactLength / ready_->line().spacing;
   stretches_ = kContactsKept * stretches_ + static_cast<double>(last_.contacts);
 }
@@ -261,7 +265,7 @@ void Simulation::singleStep() {
 }
 
 bool Simulation::showsSteadyState() const {
-  return ready_->isSteady && ready_->velocity() > 0 && !isSettling();
+  return ready_->isSteady && ready_->velocity() > 0 && !isChanged_ && !isSettling();
 }
 
 /// Once settled, the steady state itself is shown, at the node nearest to where the line is: the
@@ -351,6 +355,9 @@ void Simulation::addMotion(Frame& frame) const {
         static_cast<double>(touching) / static_cast<double>(frame.pressure.size());
     frame.tangentialForce = std::abs(march().slopeForce());
     if (force > 0) frame.muMarch = frame.tangentialForce / force;
+    if (frame.velocity != 0)
+      frame.muInterface =
+          localFriction(ready_->scene->interface, force, frame.contactFraction * frame.length);
     return;
   }
   const TransientSample& now = samples_.back();

@@ -89,6 +89,7 @@ class Simulation {
   double settlesUntil_ = 0;               // s, at the latest, after a change of the scene
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
   double touching_ = 0, stretches_ = 0;   // elements and stretches in contact, of the newest steps
+  bool isChanged_ = false;                // the scene, since the newest step
   bool resolves_ = false;                 // steps were short enough to read friction
 };
 

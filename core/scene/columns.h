@@ -185,9 +185,8 @@ inline constexpr auto kColumns = std::to_array<Column>({
     // ---- batch: with these the keys that its sweeps vary
     {"name", "", "Name of the scene and of its files.", "", "batch"},
     {"mu", "",
-     "Coefficient of friction at the scene's velocity: mean over the realizations; of a motion "
-     "that "
-     "of the first line at its end.",
+     "Coefficient of friction at the scene's velocity: mean over the realizations; empty for a "
+     "motion.",
      "mu = |F_x|/F_N", "batch"},
     {"line_mu", "", "Coefficient of friction of the line that the picture shows.", "mu = |F_x|/F_N",
      "batch"},

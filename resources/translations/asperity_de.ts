@@ -132,6 +132,22 @@
         <translation>nichts wird dissipiert</translation>
     </message>
     <message>
+        <source>time steps</source>
+        <translation>Zeitschritte</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 rows of each of %2 lines</source>
+        <translation>%1 Zeilen von jeder der %2 Linien</translation>
+    </message>
+    <message>
+        <source>estimated error of mu by elements and time steps %1 (%2 %)</source>
+        <translation>geschätzter Fehler von μ durch Elemente und Zeitschritte %1 (%2 %)</translation>
+    </message>
+    <message>
         <source>%1 in all, %2 % in the free surface</source>
         <translation>%1 insgesamt, %2 % in der freien Oberfläche</translation>
     </message>
@@ -2371,8 +2387,8 @@
         <translation>Tangential- durch Normalkraft bei stationärem Gleiten: dieser Linie bei dieser Geschwindigkeit, ohne Zeitschritte berechnet.</translation>
     </message>
     <message>
-        <source>Tangential over normal force at this moment of the motion, a mean over the time since the last picture.</source>
-        <translation>Tangential- durch Normalkraft in diesem Augenblick der Bewegung, im Mittel über die Zeit seit dem letzten Bild.</translation>
+        <source>Tangential over normal force at this moment of the motion, a mean over the time since the last picture. After ± stands the estimated error of elements and time steps.</source>
+        <translation>Tangential- durch Normalkraft in diesem Augenblick der Bewegung, im Mittel über die Zeit seit dem letzten Bild. Nach ± steht der geschätzte Fehler durch Elemente und Zeitschritte.</translation>
     </message>
     <message>
         <source>Force that presses one period of the line into the elastomer.</source>

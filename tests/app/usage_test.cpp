@@ -32,9 +32,9 @@ class UsageTest : public ProgramTest {
   }
 
   const std::vector<std::string> verbs_{
-      "check s.json",       "curve s.json",           "explain s.json",  "surface s.json",
-      "open s.json",        "render s.json -o a.png", "figure 3 -o out", "accuracy s.json -o out",
-      "batch b.json -o out"};
+      "check s.json",        "curve s.json",           "explain s.json",  "surface s.json",
+      "open s.json",         "render s.json -o a.png", "figure 3 -o out", "accuracy s.json -o out",
+      "batch b.json -o out", "motion step.json",       "columns"};
 };
 
 TEST_F(UsageTest, EveryVerbRefusesWhatItCannotTake) {

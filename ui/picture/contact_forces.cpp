@@ -45,6 +45,12 @@ double totalFrictionOf(const Frame& frame) {
   return frictionOf(frame) + frame.muInterface;
 }
 
+bool pushesRight(const Frame& frame) {
+  const double force =
+      frame.transient && !frame.transient->empty() ? frame.transient->back().tangentialForce : 0;
+  return (force != 0 ? force : velocityOf(frame)) < 0;
+}
+
 double frictionForceOf(const Frame& frame) {
   if (!(frame.muInterface > 0)) return frame.tangentialForce;
   return std::abs(totalFrictionOf(frame)) * frame.normalForce;
@@ -57,7 +63,7 @@ ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout) {
   arrows.down = std::clamp(0.17F * layout.plot.height, 26 * u, 64 * u);
   const double mu = totalFrictionOf(frame);
   if (!(mu > 0) || !(frictionForceOf(frame) > 0)) return arrows;
-  arrows.pointsRight = velocityOf(frame) < 0;
+  arrows.pointsRight = pushesRight(frame);
   arrows.enlarged = enlargementFor(frame.rmsSlope);
   const double room = 0.3 * layout.plot.width / arrows.down;  // in lengths of the normal force
   while (arrows.enlarged > 1 && mu * arrows.enlarged > room)

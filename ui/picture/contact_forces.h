@@ -16,6 +16,10 @@ struct ForceArrows {
   double enlarged = 1;
   bool pointsRight = false;
 };
+/// Whether the friction force on the line points to the right: against the motion, but for moments
+/// after a stop or a reversal, when contact is still on the other side.
+bool pushesRight(const Frame& frame);
+
 ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout);
 
 /// Rims belong under the line, which they would cut, and arrows over it.

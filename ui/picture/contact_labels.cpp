@@ -29,11 +29,11 @@ std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
 
 /// The arrows in the tags only say which way; where there is room they are drawn in scale instead.
 Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
-  const bool backwards = velocityOf(frame) < 0;
+  const bool toTheRight = pushesRight(frame);
   Tag tag{{{hasInterface(frame) ? Words::tr("friction in total F") : Words::tr("friction F")},
            {"x", false, true},
            {" = " + quantity(frictionForceOf(frame), "N")}},
-          backwards ? ArrowWay::Right : ArrowWay::Left,
+          toTheRight ? ArrowWay::Right : ArrowWay::Left,
           {}};
   if (!(arrows.down > 0)) return tag;
   tag.arrow = ArrowWay::None;

@@ -97,6 +97,74 @@ TEST(TimeMarch, WorkIsStoredOrDissipated) {
   }
 }
 
+/// What the line does by its way and by sinking is stored or dissipated, step by step: through
+/// sliding, rest and back. The difference of the two works is that of elements met within a step.
+TEST(TimeMarch, FrictionAndSinkingDoTheWork) {
+  const Line line = roughLine(200, 2);
+  for (const ElementLaw& law : {kelvin(), lawOf(prony(1e6, {{1e6, 1}, {4e6, 1e-2}}, 200))}) {
+    TimeMarch march(std::make_shared<Line>(line), lowestOf(line), law);
+    for (int i = 0; i < 400; ++i) {
+      const double ways[] = {0.8, 0, -0.4, 1e-9};  // of a node
+      const double distance = line.spacing * ways[i / 100], before = march.indentation();
+      const MarchStep step = march.step(underForce(0.01), 0.8 * line.spacing / 0.5, distance);
+      const double done =
+          step.slopeForce * distance + step.normalForce * (march.indentation() - before);
+      const double scale = std::abs(step.lineWork) + std::abs(step.stored) + step.dissipated;
+      ASSERT_NEAR(done, step.stored + step.dissipated + step.gapWork, 1e-6 * scale) << i;
+      ASSERT_GE(step.gapWork, -1e-12 * scale) << i;
+    }
+  }
+}
+
+/// The two readings of friction, by the line's way in a step and by its slopes where it is, agree
+/// with each other and with the resolved pass at the order of the scheme.
+TEST(TimeMarch, BothReadingsOfFrictionConverge) {
+  const double velocity = 0.5, force = 0.02;
+  const auto lines = [](std::size_t nodes) {
+    return std::vector<std::pair<const char*, Line>>{{"parabola", parabolaLine(0.02, nodes, 0.5)},
+                                                     {"wedge", wedgeLine(0.02, nodes, 2e-3)},
+                                                     {"sine", sineLine(0.02, nodes, 5e-6, 4)}};
+  };
+  for (std::size_t shape = 0; shape < 3; ++shape) {
+    double lastError = 0, lastDifference = 0;
+    for (const std::size_t nodes : {500U, 2000U}) {
+      const auto [name, line] = lines(nodes)[shape];
+      const TravelLine travel = prepareTravel(line, Scheme::Cubic);
+      const double exact = slideAtForce(travel, withMemory(velocity * kTau), force).mu;
+      TimeMarch march(std::make_shared<Line>(line), travel.lowestHeight, kelvin());
+      double ways = 0, places = 0;
+      for (std::size_t i = 0; i < 2 * nodes; ++i) {
+        const MarchStep step = march.step(underForce(force), line.spacing / velocity, line.spacing);
+        if (i < nodes) continue;
+        ways += step.slopeForce / force / static_cast<double>(nodes);
+        places += march.slopeForce() / force / static_cast<double>(nodes);
+      }
+      const double error = std::abs(ways / exact - 1), difference = std::abs(places / ways - 1);
+      if (nodes == 500) {
+        EXPECT_LT(error, 0.05) << name;
+        EXPECT_LT(difference, 0.2) << name;
+      } else {
+        EXPECT_LT(error, lastError / 6) << name;              // second order: 16
+        EXPECT_LT(difference, lastDifference / 2.5) << name;  // at least first: 4
+      }
+      lastError = error;
+      lastDifference = difference;
+    }
+  }
+}
+
+/// Pressed at rest for ever, contact is even: nothing pushes to a side. Of a wedge, too, whose tip
+/// has two slopes.
+TEST(TimeMarch, NothingPushesSidewaysInStaticEquilibrium) {
+  for (const Line& line :
+       {parabolaLine(0.02, 400, 0.5), wedgeLine(0.02, 400, 2e-3), roughLine(200, 4)}) {
+    TimeMarch march(std::make_shared<Line>(line), lowestOf(line), kelvin());
+    march.settleAtRest(underForce(0.02));
+    const MarchStep step = march.step(underForce(0.02), 1e-5, 0);
+    EXPECT_LT(std::abs(step.slopeForce) / 0.02, 1e-4 * line.rmsSlope);
+  }
+}
+
 /// Under a pressure that grows evenly one step is as exact as a thousand, its energies too: those
 /// of a flat line, where every element is pressed alike.
 TEST(TimeMarch, EnergiesOfALongStepAreThoseOfManyShortOnes) {

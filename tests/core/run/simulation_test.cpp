@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -220,6 +221,75 @@ TEST(Simulation, FrictionIsReadOnlyWhereContactsAreResolved) {
       }
   EXPECT_GT(read, 6 * 60);
   EXPECT_GT(left, 6 * 60);
+}
+
+/// What moves in the window is the steady state that its numbers are of: crosshair, power and
+/// header agree wherever the line stands.
+TEST(Simulation, SettledFramesShowWhatTheirNumbersSay) {
+  auto scene = someScene();
+  scene->interface.frictionCoefficient = 0.1;
+  Simulation simulation(scene, 1);
+  simulation.want({true, true, true});
+  const double g = scene->elastomer.shearModulus, c = scene->elastomer.relaxationTime;  // at 1 m/s
+  std::size_t first = 0;  // where the lowest point was at distance 0
+  for (int i = 0; i < 30; ++i) {
+    simulation.advance(0.013, 1.0 / 60);
+    const Frame frame = simulation.frame();
+    ASSERT_FALSE(frame.isSettling);
+    const double largest = *std::max_element(frame.pressure.begin(), frame.pressure.end());
+    double power = 0;
+    for (std::size_t k = 0; k < frame.pressure.size(); ++k) {
+      power += frame.power[k] * frame.spacing;
+      if (!(frame.pressure[k] > 0)) continue;
+      EXPECT_NEAR(frame.pressure[k], 4 * g * (c * frame.lineSlope[k] - frame.surfaceHeight[k]),
+                  1e-9 * largest);
+      EXPECT_NEAR(frame.lineHeight[k], frame.surfaceHeight[k], 1e-12 * frame.indentation);
+    }
+    // The sum over the points of a line at two points to an element.
+    EXPECT_NEAR(power / ((frame.muSteady + 0.1) * frame.normalForce), 1, 0.1);
+    // The line stands where it has slid to, to a node.
+    const auto n = frame.lineHeight.size();
+    const auto lowest = std::min_element(frame.lineHeight.begin(), frame.lineHeight.end());
+    EXPECT_NEAR(-*lowest, frame.indentation, 0.01 * frame.indentation);
+    const auto at = static_cast<std::size_t>(lowest - frame.lineHeight.begin());
+    const auto slid = static_cast<std::size_t>(std::llround(frame.distance / frame.spacing));
+    if (i == 0) first = (at + n - slid % n) % n;
+    EXPECT_EQ((first + slid) % n, at);
+  }
+}
+
+/// A change goes on from what was seen, and the march's own state takes no part before it.
+TEST(Simulation, AChangeBeginsWithThePictureBeforeIt) {
+  Simulation simulation(someScene(), 1);
+  for (int i = 0; i < 20; ++i) simulation.advance(0.01, 1.0 / 60);
+  const Frame before = simulation.frame();
+  auto heavier = someScene();
+  heavier->load.normalForce = 0.2;
+  simulation.update(heavier, 2);
+  const Frame after = simulation.frame();
+  EXPECT_TRUE(after.isSettling);
+  EXPECT_EQ(after.surfaceHeight, before.surfaceHeight);
+  EXPECT_EQ(after.pressure, before.pressure);
+}
+
+/// Friction is there from the first frame of a motion on and through rest, with its error.
+TEST(Simulation, AMotionThatStopsHasFrictionAtAllTimes) {
+  auto scene = someScene();
+  scene->sliding.kind = SlidingKind::Step;
+  scene->sliding.velocityAfter = 0;
+  scene->sliding.duration = 0.004;
+  Simulation simulation(scene, 1);
+  EXPECT_GT(simulation.frame().muMarch, 0);
+  double sliding = 0, resting = 0;
+  while (simulation.frame().time < scene->sliding.duration) {
+    simulation.advance(1.0 / 100, 1.0 / 60);
+    const Frame frame = simulation.frame();
+    ASSERT_TRUE(std::isfinite(frame.muMarch)) << frame.time;
+    ASSERT_TRUE(frame.step <= 2 || std::isfinite(frame.muError)) << frame.time;
+    (frame.velocity > 0 ? sliding : resting) = frame.muMarch;
+    EXPECT_TRUE(frame.velocity > 0 || frame.time > 0.0022 || frame.muMarch > 0.05 * sliding);
+  }
+  EXPECT_LT(resting, 0.2 * sliding);
 }
 
 TEST(Simulation, AtRestTimeGoesOn) {

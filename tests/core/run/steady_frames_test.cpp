@@ -46,6 +46,45 @@ TEST(SteadyFrames, NothingReachesThroughTheLineAndPressureIsInContactOnly) {
   }
 }
 
+/// Of Kelvin elements p = 4G (|u| + tau v z') with what the frame shows at each point in contact,
+/// of every line: also under a corner and between straight segments.
+TEST(SteadyFrames, PressureIsThatOfTheDepthAndTheSlopeShown) {
+  for (const SurfaceKind kind :
+       {SurfaceKind::SelfAffine, SurfaceKind::Wedge, SurfaceKind::Parabola})
+    for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
+      auto scene = std::make_shared<Scene>(*someScene());
+      scene->surface.kind = kind;
+      scene->accuracy.scheme = scheme;
+      const Frame frame = SteadyFrames(scene, {true, false, true}).frame(3, 8, 25);
+      const double g = scene->elastomer.shearModulus, tau = scene->elastomer.relaxationTime;
+      const double largest = *std::max_element(frame.pressure.begin(), frame.pressure.end());
+      int touching = 0;
+      for (std::size_t i = 0; i < frame.pressure.size(); ++i) {
+        if (!(frame.pressure[i] > 0)) continue;
+        ++touching;
+        const double rate = tau * scene->sliding.velocity * frame.lineSlope[i];
+        EXPECT_NEAR(frame.pressure[i], 4 * g * (rate - frame.surfaceHeight[i]), 1e-9 * largest);
+        EXPECT_NEAR(frame.power[i], 4 * g / tau * rate * rate, 1e-6 * largest);
+      }
+      EXPECT_GT(touching, 10) << static_cast<int>(kind);
+    }
+}
+
+/// Power is dissipated in the elastomer and, in scenes that have local friction, in the interface.
+TEST(SteadyFrames, PowerIsThatOfTheWholeFriction) {
+  for (const auto& [coefficient, shear] : {std::pair{0.0, 0.0}, {0.3, 0.0}, {0.0, 2.0}}) {
+    auto scene = std::make_shared<Scene>(*someScene());
+    scene->interface.frictionCoefficient = coefficient;
+    scene->interface.shearStress = shear;
+    const Frame frame = SteadyFrames(scene, {false, false, true}).frame(0, 1, 25);
+    double sum = 0;
+    for (const double power : frame.power) sum += power * frame.spacing;
+    const double wanted = (frame.muSteady + frame.muInterface) * frame.normalForce * frame.velocity;
+    EXPECT_EQ(frame.muInterface > 0, coefficient + shear > 0);
+    EXPECT_NEAR(sum / wanted, 1, 0.02) << coefficient << " " << shear;
+  }
+}
+
 TEST(SteadyFrames, ANarrowViewIsMovedAsFinelyAsAWideOne) {
   const double seen = 1e-2 * 0.02;
   const Frame wide = SteadyFrames(someScene()).frame(0, 1, 25);

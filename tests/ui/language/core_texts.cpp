@@ -17,8 +17,8 @@
 #include "core/friction/figures/figure.h"
 #include "core/friction/line_plan.h"
 #include "core/run/line_diagrams.h"
+#include "core/run/motion_table.h"
 #include "core/run/steady_frames.h"
-#include "core/run/transient_diagram.h"
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
 #include "core/scene/parameters.h"
@@ -115,6 +115,17 @@ void addPlansOnLines(Texts& texts) {
     scene.load.normalForce = force;
     scene.sweep = {1e-3, 1, 7};
     for (const PlanStage& stage : planOnLine(scene, Purpose::Curve)) texts.insert(stage.reason);
+  }
+}
+
+/// On one line and on several.
+void addMotion(Texts& texts, Scene scene) {
+  scene.surface.elements = 64;
+  scene.sliding.duration = 1e-3;
+  for (const std::int64_t lines : {1, 2}) {
+    MotionOptions options;
+    options.lines = scene.surface.kind == SurfaceKind::SelfAffine ? lines : 1;
+    add(texts, motionSheet(scene, marchMotion(scene, options)));
   }
 }
 
@@ -273,7 +284,7 @@ Texts diagramTexts() {
       for (const std::int64_t realizations : {1, 20})
         add(texts, curveSheet(scene, pointsOf(realizations)));
     else
-      add(texts, transientSheet(scene, {}));
+      addMotion(texts, scene);
   }
   Scene scene;
   scene.surface.elements = 64;

@@ -7,6 +7,7 @@
 
 #include "sample_frame.h"
 #include "tidy_texts.h"
+#include "ui/picture/contact_forces.h"
 #include "ui/picture/contact_overlay.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/picture/ticks.h"
@@ -122,6 +123,50 @@ TEST(ContactTexts, SayWhichPartOfTheFriction) {
   for (const char* part : {"\u03BC of the deformation|0.125|", "\u03BC of the interface|0.250|",
                            "\u03BC in total|0.375|", "friction in total F|x| = 750 mN"})
     EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
+}
+
+/// All power is that of the friction force, to the last digit shown, whatever the points add up to.
+TEST(ContactTexts, PowerIsFrictionTimesVelocity) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  frame.power.assign(frame.pressure.size(), 1);
+  frame.normalForce = 2;
+  frame.muSteady = 0.125;
+  frame.tangentialForce = 0.25;
+  ContactPictureOptions picture;
+  picture.overlay = ContactOverlay::Power;
+  const auto textsOf = [&] {
+    std::string words;
+    for (const DrawText& text : composeContact(frame, picture).texts) words += text.utf8 + "|";
+    return words;
+  };
+  EXPECT_NE(textsOf().find("250 mW in all, "), std::string::npos) << textsOf();  // at 1 m/s
+  Scene scene = *frame.scene;
+  scene.interface.frictionCoefficient = 0.25;
+  frame.scene = std::make_shared<const Scene>(scene);
+  frame.muInterface = 0.25;
+  EXPECT_NE(textsOf().find("750 mW in all, "), std::string::npos) << textsOf();
+}
+
+/// A motion states the error of its discretization beside its friction; the force points to where
+/// contact pushes, at rest too.
+TEST(ContactTexts, AMotionSaysItsErrorAndWhereItsForcePoints) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  TransientSample sample;
+  sample.tangentialForce = -0.1;
+  frame.transient = std::make_shared<const std::vector<TransientSample>>(1, sample);
+  frame.velocity = 0;
+  frame.muMarch = 0.0512;
+  EXPECT_NE(allTexts(frame).find("|0.0512|"), std::string::npos);
+  frame.muError = 0.00213;
+  EXPECT_NE(allTexts(frame).find("|0.0512 \u00B1 0.002|"), std::string::npos) << allTexts(frame);
+  EXPECT_TRUE(pushesRight(frame));
+  sample.tangentialForce = 0.1;
+  frame.transient = std::make_shared<const std::vector<TransientSample>>(1, sample);
+  EXPECT_FALSE(pushesRight(frame));
 }
 
 TEST(ContactTexts, DefaultTitleFitsTheKindOfLine) {

@@ -1,0 +1,17 @@
+// asperity columns: the dictionary of all columns of all tables.
+#include "core/scene/columns.h"
+
+#include <fmt/format.h>
+
+#include "app/command_line.h"
+#include "app/output.h"
+
+namespace asperity {
+
+int runColumns(const CommonOptions& command) {
+  printSummary(command.json, command.quiet, columnsText());
+  if (command.json) fmt::print("{}", columnsJson());
+  return kDone;
+}
+
+}  // namespace asperity

@@ -1,0 +1,93 @@
+// asperity motion: what friction, indentation, contact and power do in time while the velocity
+// changes, as a table and as a picture.
+#include "core/run/motion_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/command_line.h"
+#include "app/headless_pictures.h"
+#include "app/output.h"
+#include "app/picture_choice.h"
+#include "app/progress_bar.h"
+#include "core/scene/atomic_file.h"
+#include "core/scene/provenance.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
+#include "ui/picture/diagram_picture.h"
+#include "ui/picture/ticks.h"
+
+namespace asperity {
+namespace {
+
+MotionTable compute(const Scene& scene, const MotionCommand& command) {
+  ProgressBar bar(Words::tr("time steps"), command.common.quiet);
+  MotionOptions options;
+  options.every = command.every;
+  options.lines = command.lines;
+  options.threads = command.common.threads;
+  options.progress = [&bar](std::int64_t done, std::int64_t total) { bar.show(done, total); };
+  return saidOfScene(command.common, [&] { return marchMotion(scene, options); });
+}
+
+void writePicture(const std::string& output, const Scene& scene, const MotionTable& table,
+                  const PictureStyle& style, HeadlessPictures& pictures) {
+  DiagramOptions options{style.width, style.height, style.scale, style.theme};
+  if (style.transparent) options.theme.background.a = 0;
+  nlohmann::ordered_json origin = motionProvenance("motion", scene, table);
+  origin["picture"] = style.json();
+  const DiagramSheet sheet = motionSheet(scene, table);
+  pictures.write(output, composeDiagrams(sheet, options),
+                 {translated(sheet.title), provenanceLine(origin), style.scale});
+}
+
+std::string summaryOf(const MotionTable& table, const std::vector<std::string>& outputs) {
+  std::string text =
+      filled(Words::tr("%1 rows of each of %2 lines"),
+             {std::to_string(table.lines.front().size()), std::to_string(table.lines.size())});
+  if (table.lines.size() == 1)
+    text = filled(Words::tr("%1 rows"), {std::to_string(table.lines.front().size())});
+  if (std::isfinite(table.muError))
+    text +=
+        ", " + filled(Words::tr("estimated error of mu by elements and time steps %1 (%2 %)"),
+                      {shortNumber(table.muError, 2), shortNumber(100 * table.relativeError, 2)});
+  text += "\n";
+  for (const std::string& output : outputs) text += wroteLine(output);
+  return text;
+}
+
+}  // namespace
+
+int runMotion(const MotionCommand& command) {
+  const Scene scene = sceneOf(command.common);
+  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
+  for (const std::string& output : command.outputs)
+    checkNoInput(output, inputsOf(command.common, scene));
+  checkUseful(command.picture, command.outputs);
+  const PictureStyle style = styleOf(command.picture, {1200, 1000, "print"});
+  const MotionTable table = compute(scene, command);
+  HeadlessPictures pictures(style.backend);
+  for (const std::string& output : command.outputs) {
+    const std::string extension = extensionOf(output);
+    if (extension == ".csv")
+      writeFileAtomically(
+          output, "# asperity: " + provenanceLine(motionProvenance("motion", scene, table)) + "\n" +
+                      motionCsv(table));
+    else if (extension == ".json")
+      writeFileAtomically(output, motionJson(scene, table));
+    else
+      writePicture(output, scene, table, style, pictures);
+  }
+  pictures.finish();
+  if (command.common.json)
+    fmt::print("{}", motionJson(scene, table));
+  else if (command.outputs.empty())
+    fmt::print("{}", motionCsv(table));
+  if (!command.outputs.empty())
+    printSummary(command.common.json, command.common.quiet, summaryOf(table, command.outputs));
+  return kDone;
+}
+
+}  // namespace asperity

@@ -1,0 +1,221 @@
+// The table of a motion: its columns, its rows and what their numbers have to do with each other.
+#include "core/run/motion_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "core/friction/study.h"
+#include "core/scene/columns.h"
+#include "core/scene/input_error.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char* kHeader =
+    "time,displacement,velocity,normal_force,tangential_force,mu,indentation,contact_fraction,"
+    "contact_spots,power_in,power_dissipated,mu_interface,realization";
+
+Scene someMotion(SlidingKind kind) {
+  Scene scene;
+  scene.surface.elements = 200;
+  scene.load.normalForce = 0.02;
+  scene.accuracy.oversampling = 2;
+  scene.sliding.kind = kind;
+  scene.sliding.velocity = 0.5;
+  scene.sliding.velocityAfter = 0;
+  scene.sliding.amplitude = 0.5;
+  scene.sliding.frequency = 200;
+  scene.sliding.duration = 0.01;
+  return scene;
+}
+
+using Row = std::map<std::string, double>;
+
+std::vector<std::string> cellsOf(const std::string& line) {
+  std::vector<std::string> cells{""};
+  for (const char letter : line)
+    if (letter == ',')
+      cells.emplace_back();
+    else
+      cells.back() += letter;
+  return cells;
+}
+
+std::vector<Row> rowsOf(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, kHeader);
+  const std::vector<std::string> names = cellsOf(line);
+  std::vector<Row> rows;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> cells = cellsOf(line);
+    EXPECT_EQ(cells.size(), names.size());
+    Row& row = rows.emplace_back();
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      row[names[i]] = cells[i].empty() ? kNotApplicable : std::stod(cells[i]);
+  }
+  return rows;
+}
+
+std::vector<Row> rowsOf(const Scene& scene, const MotionOptions& options = {}) {
+  return rowsOf(motionCsv(marchMotion(scene, options)));
+}
+
+TEST(MotionTable, RowsSayWhatTheirColumnsMean) {
+  for (const SlidingKind kind :
+       {SlidingKind::Start, SlidingKind::Step, SlidingKind::Oscillation, SlidingKind::Reversal}) {
+    const Scene scene = someMotion(kind);
+    const std::vector<Row> rows = rowsOf(scene);
+    ASSERT_GE(rows.size(), 500U);
+    EXPECT_EQ(rows.back().at("time"), scene.sliding.duration);
+    double time = 0, displacement = 0;
+    for (const Row& row : rows) {
+      EXPECT_GT(row.at("time"), time);
+      EXPECT_NEAR(row.at("displacement") - displacement,
+                  row.at("velocity") * (row.at("time") - time), 1e-15);
+      time = row.at("time");
+      displacement = row.at("displacement");
+      EXPECT_NEAR(row.at("normal_force"), 0.02, 1e-12);
+      EXPECT_NEAR(row.at("mu"), std::abs(row.at("tangential_force")) / row.at("normal_force"),
+                  1e-12);
+      EXPECT_NEAR(row.at("power_in"), -row.at("tangential_force") * row.at("velocity"), 1e-15);
+      EXPECT_GE(row.at("power_dissipated"), 0);
+      EXPECT_GT(row.at("contact_spots"), 0);
+      EXPECT_TRUE(std::isnan(row.at("mu_interface")));
+      EXPECT_EQ(row.at("realization"), 0);
+    }
+    if (kind == SlidingKind::Reversal) {
+      EXPECT_LT(rows[rows.size() / 2 - 9].at("tangential_force"), 0);  // against +x
+      EXPECT_GT(rows.back().at("tangential_force"), 0);
+    }
+  }
+}
+
+/// From steady state to steady state all that friction gave is heat: nothing more is stored.
+TEST(MotionTable, WhatSteadySlidingPutsInIsDissipated) {
+  Scene scene = someMotion(SlidingKind::Step);
+  scene.accuracy.oversampling = 4;
+  scene.sliding.velocityAfter = scene.sliding.velocity;
+  scene.sliding.duration = 3 * scene.surface.length / scene.sliding.velocity;
+  double in = 0, out = 0, last = 0;
+  for (const Row& row : rowsOf(scene)) {
+    const double dt = row.at("time") - last;
+    last = row.at("time");
+    if (last < scene.sliding.duration / 3) continue;  // until the march is in its own steady state
+    in += row.at("power_in") * dt;
+    out += row.at("power_dissipated") * dt;
+  }
+  EXPECT_NEAR(out / in, 1, 1e-3);
+}
+
+TEST(MotionTable, EachNthStepIsARowOfTheWholeTableAndTheLastOneToo) {
+  const Scene scene = someMotion(SlidingKind::Step);
+  const std::string whole = motionCsv(marchMotion(scene, {}));
+  const std::vector<Row> all = rowsOf(whole);
+  MotionOptions options;
+  options.every = 7;
+  const std::vector<Row> some = rowsOf(scene, options);
+  ASSERT_EQ(some.size(), (all.size() + 6) / 7);
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    const Row& same = all[std::min(7 * (i + 1), all.size()) - 1];
+    EXPECT_EQ(some[i].at("time"), same.at("time"));
+    EXPECT_EQ(some[i].at("mu"), same.at("mu"));
+  }
+  options.every = 1;
+  options.mostRows = 100;
+  EXPECT_LE(rowsOf(scene, options).size(), 100U);
+}
+
+TEST(MotionTable, LinesAreRealizationsAndTheirMeanIsThePicture) {
+  const Scene scene = someMotion(SlidingKind::Start);
+  MotionOptions options;
+  options.lines = 3;
+  const MotionTable table = marchMotion(scene, options);
+  ASSERT_EQ(table.lines.size(), 3U);
+  EXPECT_EQ(motionCsv(table).find(motionCsv(marchMotion(scene, {}))), 0U);  // line 0 comes first
+  double each = 0;
+  for (const auto& rows : table.lines) each += rows.back().indentation / 3;
+  EXPECT_NE(table.lines[1].back().mu, table.lines[0].back().mu);
+  EXPECT_NEAR(table.mean.back().indentation, each, 1e-12 * each);
+  double sum = 0, wanted = 0;
+  for (const TransientSample& part : table.mean) sum += part.mu / 400;
+  for (const auto& rows : table.lines) {
+    double last = 0;
+    for (const TransientSample& row : rows) {
+      wanted += row.mu * (row.time - last) / scene.sliding.duration / 3;
+      last = row.time;
+    }
+  }
+  EXPECT_NEAR(sum / wanted, 1, 0.01);  // steps do not end where parts do
+}
+
+TEST(MotionTable, IsTheSameWithAnyThreads) {
+  MotionOptions one, two;
+  one.lines = two.lines = 3;
+  one.threads = 1;
+  two.threads = 2;
+  const Scene scene = someMotion(SlidingKind::Step);
+  EXPECT_EQ(motionJson(scene, marchMotion(scene, one)), motionJson(scene, marchMotion(scene, two)));
+}
+
+TEST(MotionTable, LocalFrictionStandsApartAndIsUnknownAtRest) {
+  Scene scene = someMotion(SlidingKind::Step);
+  scene.interface.frictionCoefficient = 0.3;
+  int resting = 0;
+  for (const Row& row : rowsOf(scene)) {
+    if (row.at("velocity") == 0) {
+      ++resting;
+      EXPECT_TRUE(std::isnan(row.at("mu_interface")));
+    } else {
+      EXPECT_EQ(row.at("mu_interface"), 0.3);
+    }
+  }
+  EXPECT_GT(resting, 100);
+}
+
+TEST(MotionTable, StatesItsError) {
+  const Scene scene = someMotion(SlidingKind::Step);
+  const MotionTable table = marchMotion(scene, {});
+  EXPECT_GT(table.relativeError, 1e-3);
+  EXPECT_LT(table.relativeError, 0.2);
+  const auto made = motionProvenance("motion", scene, table);
+  EXPECT_EQ(made["discretization_error"]["mu"], table.muError);
+  EXPECT_EQ(made["options"]["every"], 1);
+}
+
+TEST(MotionTable, TellsItsStepsAndStops) {
+  const Scene scene = someMotion(SlidingKind::Step);
+  MotionOptions options;
+  options.lines = 2;
+  std::int64_t done = 0, total = 0;
+  options.progress = [&](std::int64_t now, std::int64_t all) {
+    EXPECT_GE(now, done);
+    done = now;
+    total = all;
+  };
+  marchMotion(scene, options);
+  EXPECT_EQ(done, total);
+  std::stop_source source;
+  options.stop = source.get_token();
+  options.progress = [&](std::int64_t, std::int64_t) { source.request_stop(); };
+  EXPECT_THROW(marchMotion(scene, options), StudyStopped);
+}
+
+TEST(MotionTable, RefusesWhatItCannotDo) {
+  EXPECT_THROW(marchMotion(someMotion(SlidingKind::Steady), {}), InputError);
+  Scene parabola = someMotion(SlidingKind::Start);
+  parabola.surface.kind = SurfaceKind::Parabola;
+  MotionOptions options;
+  options.lines = 2;
+  EXPECT_THROW(marchMotion(parabola, options), InputError);
+  Scene endless = someMotion(SlidingKind::Start);
+  endless.sliding.duration = 1e6;
+  EXPECT_THROW(marchMotion(endless, {}), InputError);
+}
+
+}  // namespace
+}  // namespace asperity
