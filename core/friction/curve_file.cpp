@@ -88,6 +88,7 @@ std::string curveRow(const CurvePoint& point) {
 }
 
 std::string notesOf(const CurvePoint& point) {
+  if (point.mu == 0) return {};
   // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, and that
   // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part is never
   // more than 0.45 of the first; where a contact has only a few elements it is their sum's error.
@@ -95,7 +96,8 @@ std::string notesOf(const CurvePoint& point) {
   const double damping = 4 * std::sqrt(2.0) * point.dimensionlessVelocity / slope /
                          point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
                          point.contactFraction;
-  return std::abs(point.mu - damping) > damping ? "unresolved_friction" : "";
+  // Of what does not apply nothing is said.
+  return std::isgreater(std::abs(point.mu - damping), damping) ? "unresolved_friction" : "";
 }
 
 std::string curveCsv(const std::vector<CurvePoint>& points) {
