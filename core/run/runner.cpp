@@ -1,5 +1,6 @@
 #include "core/run/runner.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -56,8 +57,8 @@ struct Runner::Body {
     std::optional<FrameFields> fields;
     bool reset = false;
     bool play = false;
-    int steps = 0;
-    bool any() const { return scene || fields || reset || steps > 0; }
+    std::vector<double> steps;  // part of the period, of each
+    bool any() const { return scene || fields || reset || !steps.empty(); }
   };
 
   void march(std::stop_token stop) {
@@ -80,13 +81,14 @@ struct Runner::Body {
   Orders takeOrders(std::stop_token stop, Clock::time_point next, bool running) {
     std::unique_lock guard(lock);
     const auto ordered = [this] { return waiting.any(); };
-    if (running && playing)
+    const auto moves = [&] { return running && playing && isSeen; };
+    if (moves())
       changed.wait_until(guard, stop, next, ordered);
     else
-      changed.wait(guard, stop, [&] { return ordered() || (running && playing); });
+      changed.wait(guard, stop, [&] { return ordered() || moves(); });
     Orders orders = std::move(waiting);
     waiting = {};
-    orders.play = playing;
+    orders.play = playing && isSeen;
     return orders;
   }
 
@@ -103,7 +105,7 @@ struct Runner::Body {
     if (!simulation) return;
     if (orders.fields || orders.scene) simulation->want(fields);
     if (orders.reset) simulation->reset();
-    for (int i = 0; i < orders.steps; ++i) simulation->singleStep();
+    for (const double part : orders.steps) simulation->singleStep(part);
     const std::chrono::duration<double> interval(options.secondsPerFrame());
     const bool due = orders.play && Clock::now() >= next;
     if (due) {
@@ -137,14 +139,31 @@ struct Runner::Body {
         curveOptions.stop = curveWork.get_token();
       }
       curveOptions.threads = options.threads;
-      curveOptions.progress = [&](const CurveProgress& progress) { offer(done, progress); };
-      run(work, curveOptions);
+      run(work, done, curveOptions);
     }
   }
 
-  void run(const Posted& work, const CurveOptions& curveOptions) {
+  /// Where the program chooses the number of lines it may ask for more of them at any time: only the
+  /// end says that a curve is complete.
+  void run(const Posted& work, std::uint64_t number, CurveOptions& curveOptions) {
+    const bool isPlanned = !choosesAccuracy(*work.scene);
+    CurveUpdate last;
+    curveOptions.progress = [&](const CurveProgress& progress) {
+      last.realizationsDone = progress.realizationsDone;
+      last.realizationsTotal = progress.realizationsTotal;
+      last.points = progress.points;
+      last.isComplete = isPlanned && progress.realizationsDone == progress.realizationsTotal;
+      offer(number, last);
+    };
     try {
-      curveOf(*work.scene, curveOptions);
+      Curve curve = curveOf(*work.scene, curveOptions);
+      if (!curve.isComplete || last.isComplete) return;
+      last.points = std::move(curve.points);
+      for (const CurvePoint& point : last.points)
+        last.realizationsTotal = std::max(last.realizationsTotal, point.realizations);
+      last.realizationsDone = last.realizationsTotal;
+      last.isComplete = true;
+      offer(number, last);
     } catch (const InputError& error) {
       say(work.number, error.key(), error.message());
     } catch (const std::exception& error) {
@@ -153,12 +172,13 @@ struct Runner::Body {
   }
 
   /// Hands an average on, under the number of the newest scene that has this curve.
-  void offer(std::uint64_t curve, const CurveProgress& progress) {
+  void offer(std::uint64_t curve, const CurveUpdate& update) {
     {
       const std::lock_guard guard(lock);
       if (curve != curveNumber) return;
-      lastUpdate = {present.scene, present.number, progress.realizationsDone,
-                    progress.realizationsTotal, progress.points};
+      lastUpdate = update;
+      lastUpdate->scene = present.scene;
+      lastUpdate->sceneNumber = present.number;
       updates.push_back(*lastUpdate);
     }
     if (options.curveNews) options.curveNews();
@@ -206,6 +226,7 @@ struct Runner::Body {
   std::mutex lock;     // of everything down to the threads; never held while computing
   std::condition_variable_any changed;
   bool playing = true;
+  bool isSeen = true;
   Orders waiting;
   Posted present;
   std::shared_ptr<const Frame> newest;
@@ -255,9 +276,15 @@ bool Runner::isPlaying() const {
   return body_->playing;
 }
 
-void Runner::singleStep() {
+void Runner::singleStep(double part) {
   const std::lock_guard guard(body_->lock);
-  ++body_->waiting.steps;
+  body_->waiting.steps.push_back(part);
+  body_->changed.notify_all();
+}
+
+void Runner::setSeen(bool seen) {
+  const std::lock_guard guard(body_->lock);
+  body_->isSeen = seen;
   body_->changed.notify_all();
 }
 

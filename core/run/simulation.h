@@ -48,8 +48,9 @@ class Simulation {
   /// would make; the last one is shorter.
   void advanceTo(double time, double part, double wallSeconds);
 
-  /// One time step.
-  void singleStep();
+  /// One time step, or as many as move the line by this part of its period. A steady state of very
+  /// many elements is moved as it stands: marching them would take too long.
+  void singleStep(double part = 0);
 
   Frame frame() const;
 
@@ -68,6 +69,10 @@ class Simulation {
   void addMotion(Frame& frame) const;
   double longestMemory() const;
   bool isSettling() const;
+  bool isFarFromSteady() const;
+  ContactState drawnState(const Frame& frame) const;
+  void stepMotion(double distance);
+  bool beginsAnew();
   double naturalStep() const;
   double restingStep() const;
   bool resolvesContacts() const;
@@ -82,7 +87,7 @@ class Simulation {
   std::uint64_t steps_ = 0;
   double stepsPerFrame_;
   double time_ = 0, timeScale_ = 0;
-  double settlesUntil_ = 0;               // s, at the latest, after a change of the scene
+  double settlesUntil_ = 0;               // s, at the latest, after a change; 0 once settled
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
   double touching_ = 0, stretches_ = 0;   // elements and stretches in contact, of the newest steps
   bool resolves_ = false;                 // steps were short enough to read friction

@@ -1,4 +1,5 @@
-// Where a label at the bottom of the axes hides no contact. Private to ui/picture; pure.
+// Where a label at the bottom of the axes hides no contact, and where one lies on the body that it
+// names. Private to ui/picture; pure.
 #pragma once
 
 #include <optional>
@@ -15,5 +16,11 @@ bool clearAcross(const Frame& frame, const ContactLayout& layout, float top);
 /// the left, at the right (`margin` from the axes) or in the middle; none where all of them would.
 std::optional<float> clearPlace(const Frame& frame, const ContactLayout& layout, float top,
                                 float width, float margin);
+
+enum class Body { Rigid, Elastomer };
+
+/// Whether a label in the box lies on the body and not on the other one: while the line slides by,
+/// or at least now.
+bool liesOn(Body body, const Frame& frame, const ContactLayout& layout, const Box& box);
 
 }  // namespace asperity

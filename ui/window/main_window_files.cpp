@@ -93,7 +93,7 @@ bool MainWindow::openScene(const QString& file) {
     const bool isScene = file.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
     showScene({{}, isScene ? file : QString(), readProvenance(file.toStdString())});
   } catch (const InputError& error) {
-    messages_->showMessage(translatedText(error.what()));
+    messages_->showFailure(MessageBar::Failure::Files, translatedText(error.what()));
     return false;
   }
   addRecentFile(file);
@@ -109,10 +109,10 @@ bool MainWindow::saveScene(const QString& file) {
     checkWritable(path);
     writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), document_->scene())));
   } catch (const std::exception& error) {
-    messages_->showMessage(translatedText(error.what()));
+    messages_->showFailure(MessageBar::Failure::Files, translatedText(error.what()));
     return false;
   }
-  messages_->hide();
+  endFailure(MessageBar::Failure::Files);
   document_->saved(file);
   addRecentFile(file);
   fillRecent();

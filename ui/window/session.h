@@ -35,7 +35,10 @@ class Session : public QObject {
 
   bool isPlaying() const { return runner_.isPlaying(); }
   void setPlaying(bool playing);
-  void singleStep();  // pauses first
+  /// Pauses first. part: of the period, that the line moves by; one time step at least.
+  void singleStep(double part = 0);
+  /// Whether anybody sees the frames: otherwise time stands still.
+  void setSeen(bool seen) { runner_.setSeen(seen); }
   /// What frames hold besides, from now on.
   void wantFields(const FrameFields& fields) { runner_.want(fields); }
   void reset();
