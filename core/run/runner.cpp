@@ -143,8 +143,8 @@ struct Runner::Body {
     }
   }
 
-  /// Where the program chooses the number of lines it may ask for more of them at any time: only the
-  /// end says that a curve is complete.
+  /// Where the program chooses the number of lines it may ask for more of them at any time: only
+  /// the end says that a curve is complete.
   void run(const Posted& work, std::uint64_t number, CurveOptions& curveOptions) {
     const bool isPlanned = !choosesAccuracy(*work.scene);
     CurveUpdate last;

@@ -66,8 +66,8 @@ class Runner {
   void play();
   void pause();
   bool isPlaying() const;
-  /// While paused: one frame, and the line has moved by this part of its period, or by one time step
-  /// where that is more; a motion goes on by one time step at least.
+  /// While paused: one frame, and the line has moved by this part of its period, or by one time
+  /// step where that is more; a motion goes on by one time step at least.
   void singleStep(double part = 0);
 
   /// Whether anybody sees the frames. Unseen, time stands still as if paused; curves and answers to

@@ -294,8 +294,8 @@ void Simulation::stepMotion(double distance) {
   if (beginsAnew()) return;
   const double duration = transient_->motion().duration();
   const double fastest = transient_->motion().fastest(0, duration);
-  const double most = std::min(kMotionByHand * duration,
-                               kBudgetByHand * mostSteps() * transient_->shortestStep());
+  const double most =
+      std::min(kMotionByHand * duration, kBudgetByHand * mostSteps() * transient_->shortestStep());
   const double time = fastest > 0 ? std::min(distance / fastest, most) : most;
   samples_.push_back(transient_->marchTo(transient_->time() + time));
   time_ = transient_->time();

@@ -971,6 +971,10 @@
 <context>
     <name>asperity::MainWindow</name>
     <message>
+        <source>More commands</source>
+        <translation>Weitere Befehle</translation>
+    </message>
+    <message>
         <source>This is the scene before; the changed one is being computed</source>
         <translation>Dies ist die Szene davor; die geänderte wird noch berechnet</translation>
     </message>

@@ -26,8 +26,7 @@ DecadeRange moved(const DecadeRange& range, double by) {
 DecadeRange held(const DecadeRange& range, const DecadeRange& whole) {
   if (range.isEmpty() || whole.isEmpty()) return range;
   const double least = std::min(0.5 * range.size(), whole.size());
-  const double from =
-      std::clamp(range.from, whole.from + least - range.size(), whole.to - least);
+  const double from = std::clamp(range.from, whole.from + least - range.size(), whole.to - least);
   return from == range.from ? range : DecadeRange{from, from + range.size()};
 }
 

@@ -103,8 +103,7 @@ void TransientStrips::paintEvent(QPaintEvent*) {
     strip.translate(0, each + kGap);
   };
   next(names[0], "", lineOf([](const auto& s) { return s.mu; }), guide_, floors.friction);
-  next(names[1], "m", lineOf([](const auto& s) { return s.indentation; }), {},
-       floors.indentation);
+  next(names[1], "m", lineOf([](const auto& s) { return s.indentation; }), {}, floors.indentation);
   next(names[2], "m", lineOf([](const auto& s) { return s.contactLength; }), {},
        floors.contactLength);
   paintTimes(painter, area);

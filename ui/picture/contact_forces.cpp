@@ -36,9 +36,12 @@ double velocityOf(const Frame& frame) {
 
 ContactState drawnState(const Frame& frame) {
   if (frame.isSettling) return frame.drawn;
-  return {frame.indentation,     frame.normalForce,
-          frame.tangentialForce, frame.contactFraction,
-          frame.transient ? frame.muMarch : frame.muSteady, frame.muInterface};
+  return {frame.indentation,
+          frame.normalForce,
+          frame.tangentialForce,
+          frame.contactFraction,
+          frame.transient ? frame.muMarch : frame.muSteady,
+          frame.muInterface};
 }
 
 bool hasInterface(const Frame& frame) {

@@ -56,13 +56,16 @@ void addInterfaceReadings(std::vector<Reading>& readings, const Frame& frame) {
 
 std::string frictionTip(const Frame& frame) {
   if (frame.isSettling)
-    return Words::tr("Tangential over normal force while the elastomer still relaxes after a "
-                     "change, read from the time steps since the last picture.");
+    return Words::tr(
+        "Tangential over normal force while the elastomer still relaxes after a "
+        "change, read from the time steps since the last picture.");
   if (frame.transient)
-    return Words::tr("Tangential over normal force at this moment of the motion, a mean over the "
-                     "time since the last picture.");
-  return Words::tr("Tangential over normal force in steady sliding: of this line at this velocity, "
-                   "computed without time steps.");
+    return Words::tr(
+        "Tangential over normal force at this moment of the motion, a mean over the "
+        "time since the last picture.");
+  return Words::tr(
+      "Tangential over normal force in steady sliding: of this line at this velocity, "
+      "computed without time steps.");
 }
 
 /// Of what is drawn. While that is on its way to the steady state, the friction there is told, too.
@@ -70,18 +73,18 @@ std::vector<Reading> readingsOf(const Frame& frame) {
   std::vector<Reading> readings;
   const bool isSteady = !frame.transient;
   const ContactState state = drawnState(frame);
-  readings.push_back(
-      {{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
-                             : Words::tr("friction coefficient \u03BC")}},
-       shortNumber(state.mu, 3, Zeros::Keep),
-       0,
-       frictionTip(frame)});
+  readings.push_back({{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
+                                            : Words::tr("friction coefficient \u03BC")}},
+                      shortNumber(state.mu, 3, Zeros::Keep),
+                      0,
+                      frictionTip(frame)});
   if (frame.isSettling)
-    readings.push_back({{{Words::tr("\u03BC when settled")}},
-                        shortNumber(frame.muSteady, 3, Zeros::Keep),
-                        7,
-                        Words::tr("What friction comes to in the steady state, as in the chart. The "
-                                  "picture is still on its way there.")});
+    readings.push_back(
+        {{{Words::tr("\u03BC when settled")}},
+         shortNumber(frame.muSteady, 3, Zeros::Keep),
+         7,
+         Words::tr("What friction comes to in the steady state, as in the chart. The "
+                   "picture is still on its way there.")});
   addInterfaceReadings(readings, frame);
   readings.push_back({{{Words::tr("normal force F")}, {"N", false, true}},
                       quantity(state.normalForce, "N"),

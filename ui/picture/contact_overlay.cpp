@@ -25,8 +25,8 @@ std::string_view unitOf(ContactOverlay overlay) {
   return overlay == ContactOverlay::Power ? "W/m" : "N/m";
 }
 
-/// The end with the unit that the numbers before it count in: "200 N/m" or, where there is no prefix
-/// any more, "5×10⁻²⁹ N/m".
+/// The end with the unit that the numbers before it count in: "200 N/m" or, where there is no
+/// prefix any more, "5×10⁻²⁹ N/m".
 std::string lastLabel(double end, const AxisTicks& axis, std::string_view unit) {
   const bool hasPrefix = axis.unitSize == prefixFor(end).size;
   return hasPrefix ? shortNumber(end / axis.unitSize) + " " + axis.unit : quantity(end, unit);

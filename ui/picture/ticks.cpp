@@ -23,8 +23,8 @@ struct AxisUnit {
   double size;
 };
 
-/// Whether a unit counts in a power of ten: where it takes no prefix and plain numbers would be long,
-/// and beyond all prefixes.
+/// Whether a unit counts in a power of ten: where it takes no prefix and plain numbers would be
+/// long, and beyond all prefixes.
 bool takesPower(double magnitude, std::string_view unit) {
   if (!(magnitude > 0) || !std::isfinite(magnitude)) return false;
   if (!takesPrefix(unit)) return !(magnitude >= 1e-2 && magnitude < 1e5);

@@ -114,6 +114,9 @@ class MainWindow : public QMainWindow {
   /// shown.
   void rememberLayout();
   void restoreDefaultLayout();
+  /// All of it lies on its screen, as does what a maximized or full window goes back to. Call
+  /// before it is shown.
+  void fitToScreen();
 
   /// Six scenes with a sentence each; and a small hint at it, until it was taken or put away.
   void startTour();
@@ -197,7 +200,6 @@ class MainWindow : public QMainWindow {
   void leaveFullScreen();
   void showScreenMode();
   void saveLayout();
-  void fitToScreen();
 
   // In main_window_copy.cpp: what leaves the window.
   void buildCopyCommands();

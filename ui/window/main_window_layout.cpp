@@ -202,8 +202,7 @@ void MainWindow::rememberLayout() {
   showScreenMode();
 }
 
-/// A window with its frame lies on its screen as a whole, however large the one was that it was
-/// closed on, and so does the one that a maximized or full window goes back to.
+/// With its frame.
 void MainWindow::fitToScreen() {
   const Qt::WindowStates state = windowState();
   const QRect wanted = state == Qt::WindowNoState ? geometry() : normalGeometry();

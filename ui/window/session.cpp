@@ -90,6 +90,11 @@ void Session::singleStep(double part) {
   runner_.singleStep(part);
 }
 
+void Session::setSeen(bool seen) {
+  isSeen_ = seen;
+  runner_.setSeen(seen);
+}
+
 void Session::reset() {
   runner_.reset();
 }

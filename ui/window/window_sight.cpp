@@ -1,11 +1,11 @@
 #include "ui/window/window_sight.h"
 
+#include <QtGui/qguiapplication_platform.h>
 #include <QEvent>
 #include <QGuiApplication>
 #include <QLibrary>
 #include <QWidget>
 #include <QWindow>
-#include <QtGui/qguiapplication_platform.h>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -21,11 +21,11 @@ namespace {
 
 #if QT_CONFIG(xcb)
 
-/// Asks X11 for the news of a window's visibility, besides what Qt asks for. The functions come from
-/// the library that Qt's own plugin has loaded: other window systems do without it.
+/// Asks X11 for the news of a window's visibility, besides what Qt asks for. The functions come
+/// from the library that Qt's own plugin has loaded: other window systems do without it.
 void askForVisibility(QWidget& window) {
   const auto* x11 = qGuiApp->nativeInterface<QNativeInterface::QX11Application>();
-  if (!x11) return;
+  if (!x11 || !x11->connection()) return;  // other platforms have the interface, but nothing in it
   QLibrary library(QStringLiteral("xcb"), 1);
   const auto function = [&](auto* type, const char* name) {
     return reinterpret_cast<decltype(type)>(library.resolve(name));
@@ -95,7 +95,8 @@ bool WindowSight::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Expose:
     case QEvent::WindowStateChange:
       // Later: the event has not had its effect yet.
-      QMetaObject::invokeMethod(this, [this] { judge(); }, Qt::QueuedConnection);
+      QMetaObject::invokeMethod(
+          this, [this] { judge(); }, Qt::QueuedConnection);
       break;
     default:
       break;

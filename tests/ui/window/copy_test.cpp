@@ -149,13 +149,8 @@ class CallTest : public MainWindowTest {
  protected:
   void pause() {
     if (session().isPlaying()) session().setPlaying(false);
-    // What was under way is over when two polls find the same frame.
-    ASSERT_TRUE(waitFor([&] {
-      const Frame* before = frame();
-      QTest::qWait(60);
-      session().poll();
-      return frame() && frame() == before && before->sceneNumber == session().sceneNumber();
-    }));
+    ASSERT_TRUE(waitForFrame());
+    ASSERT_TRUE(waitForRest());
   }
   QStringList copied() {
     action("copyCommand").trigger();

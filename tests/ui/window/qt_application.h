@@ -26,8 +26,8 @@ class QtApplication : public testing::Environment {
   void TearDown() override { application_.reset(); }
 
  private:
-  /// The first is as large as a window is at first; beside it a lecturer's projector, a small laptop
-  /// and a large screen.
+  /// The first is as large as a window is at first; beside it a lecturer's projector, a small
+  /// laptop and a large screen.
   QString screens() {
     QByteArray list;
     int left = 0;
