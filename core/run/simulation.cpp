@@ -105,6 +105,7 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   march.goOnFrom(*march_);
   march_ = std::move(march);
   settlesUntil_ = time_ + longestMemory();
+  settlesFrom_ = 0;
   recordFields();
   // Another line may stand in the present shape, or above it: the load presses it in before it
   // shows.
@@ -237,7 +238,8 @@ void Simulation::advanceSteadily(double part) {
   } else {
     stepOnce(restingStep(), 0);
   }
-  if (!isFarFromSteady()) settlesUntil_ = 0;
+  if (settlesFrom_ == 0) settlesFrom_ = awayFromSteady();
+  if (hasArrived()) settlesUntil_ = 0;
 }
 
 bool Simulation::beginsAnew() {
@@ -369,20 +371,24 @@ double Simulation::longestMemory() const {
 /// The march of a coarse line never meets the indentation of the resolved one: hence the limit in
 /// time.
 bool Simulation::isSettling() const {
-  return time_ < settlesUntil_ && isFarFromSteady();
+  return time_ < settlesUntil_ && !hasArrived();
 }
 
-/// One of the two is held constant and meets its value at once: the other one tells.
-bool Simulation::isFarFromSteady() const {
+/// Near the steady state, or past it: few elements in contact ripple by more than they are near.
+bool Simulation::hasArrived() const {
+  const double away = awayFromSteady();
+  return std::abs(away) <= kSettled || away * settlesFrom_ < 0;
+}
+
+/// Of indentation and normal force one is held constant and meets its value at once: the other one,
+/// less what it is to become, relative to that.
+double Simulation::awayFromSteady() const {
   const SteadyResult& steady = ready_->steady.result;
-  const auto isFar = [](double value, double wanted) {
-    return !(std::abs(value - wanted) <= kSettled * std::abs(wanted));
-  };
   if (ready_->scene->load.kind == LoadKind::Force)
-    return isFar(march_->indentation(), steady.indentation);
+    return march_->indentation() / steady.indentation - 1;
   double force = 0;
   for (const double pressure : march_->pressure()) force += pressure * ready_->line().spacing;
-  return isFar(force, steady.normalForce);
+  return force / steady.normalForce - 1;
 }
 
 void Simulation::addMotion(Frame& frame) const {

@@ -69,7 +69,8 @@ class Simulation {
   void addMotion(Frame& frame) const;
   double longestMemory() const;
   bool isSettling() const;
-  bool isFarFromSteady() const;
+  bool hasArrived() const;
+  double awayFromSteady() const;
   ContactState drawnState(const Frame& frame) const;
   void stepMotion(double distance);
   bool beginsAnew();
@@ -88,6 +89,7 @@ class Simulation {
   double stepsPerFrame_;
   double time_ = 0, timeScale_ = 0;
   double settlesUntil_ = 0;               // s, at the latest, after a change; 0 once settled
+  double settlesFrom_ = 0;                // awayFromSteady() after the first frame of it; 0 before
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
   double touching_ = 0, stretches_ = 0;   // elements and stretches in contact, of the newest steps
   bool resolves_ = false;                 // steps were short enough to read friction

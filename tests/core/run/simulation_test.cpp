@@ -110,6 +110,21 @@ TEST(Simulation, WhatIsDrawnWhileItSettlesHasItsOwnFacts) {
   }
 }
 
+/// Contacts of a few elements ripple by more than that, and pass the steady state again and again.
+TEST(Simulation, AFewElementsInContactSettleToo) {
+  auto scene = someScene();
+  scene->surface.elements = 1000;
+  scene->load.normalForce = 2e-4;
+  Simulation simulation(scene, 1);
+  simulation.advance(1.0 / 720, 1.0 / 60);
+  auto lighter = std::make_shared<Scene>(*scene);
+  lighter->load.normalForce = 1e-4;
+  simulation.update(lighter, 2);
+  int frames = 0;
+  for (; simulation.frame().isSettling; ++frames) simulation.advance(1.0 / 720, 1.0 / 60);
+  EXPECT_LT(frames, 300) << "long before the longest memory is over";
+}
+
 /// As far as was asked for, however many elements: those of a line of 2^20 could not be marched.
 TEST(Simulation, AStepByHandMovesTheLineAsFarAsItIsAskedFor) {
   for (const std::int64_t elements : {200, 5000, 1 << 20})
