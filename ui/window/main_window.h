@@ -8,6 +8,7 @@
 #include <QFont>
 #include <QMainWindow>
 #include <QPointer>
+#include <QSize>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -19,6 +20,7 @@
 #include "core/run/runner.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/window/icons.h"
+#include "ui/window/message_bar.h"
 
 class QMenu;
 class QSplitter;
@@ -37,7 +39,6 @@ class FigureGallery;
 class GalleryPage;
 class GestureCounter;
 class LatestWork;
-class MessageBar;
 class ParameterPanel;
 class PlanList;
 class PlotView;
@@ -50,8 +51,13 @@ struct FoundScene;
 struct SceneOrigin;
 class TourBar;
 class TransientStrips;
+class WindowSight;
 
 enum class Colours { System, Light, Dark };
+
+/// Said outright: otherwise what the contents need for a moment, in large letters or under a
+/// comparison, would push the window over the edge of the screen for good.
+inline constexpr QSize kLeastWindow{900, 560};
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -111,10 +117,14 @@ class MainWindow : public QMainWindow {
   void setColours(Colours colours);
   Colours colours() const { return colours_; }
 
-  /// Size, docks, tabs and colours as they were when the last window was closed, and from now on
-  /// this window leaves its own behind. Call before it is shown.
+  /// Size, docks, tabs and colours as they were when the last window was closed, as far as the
+  /// screen has room for them, and from now on this window leaves its own behind. Call before it is
+  /// shown.
   void rememberLayout();
   void restoreDefaultLayout();
+  /// All of it lies on its screen, as does what a maximized or full window goes back to. Call
+  /// before it is shown.
+  void fitToScreen();
 
   /// Six scenes with a sentence each; and a small hint at it, until it was taken or put away.
   void startTour();
@@ -142,8 +152,10 @@ class MainWindow : public QMainWindow {
   void buildViews();
   void buildPanel();
   void connectSession();
+  void followSight();
   void showFrame();
   void showComplaint();
+  void endFailure(MessageBar::Failure of);
   void showDescription();
   void showTitle();
   QString nameOfScene() const;
@@ -216,7 +228,7 @@ class MainWindow : public QMainWindow {
   void showAboutScene();
   void showMeasuredCurve();
   struct Measured {
-    double seconds, error;
+    double seconds, standardError, interval;
   };
   void showMeasured(const Measured& measured);
 
@@ -228,6 +240,7 @@ class MainWindow : public QMainWindow {
   void buildViewCommands(QMenu& menu);
   void connectView();
   void wantFields();
+  double partPerStep() const;
 
   // In main_window_chart.cpp: the friction curve's.
   void buildChartCommands(QMenu& menu);
@@ -245,6 +258,8 @@ class MainWindow : public QMainWindow {
   void arrange(Arrangement arrangement);
 
   Session* session_ = nullptr;
+  QTimer* poll_ = nullptr;
+  WindowSight* sight_ = nullptr;
   SceneDocument* document_ = nullptr;
   GestureCounter* gestures_ = nullptr;
   ContactCanvas* canvas_ = nullptr;
@@ -256,7 +271,8 @@ class MainWindow : public QMainWindow {
   DiagramView *spectrum_ = nullptr, *statistics_ = nullptr;
   PlanList* plan_ = nullptr;
   AccuracyPanel* accuracy_ = nullptr;
-  QElapsedTimer curveTime_;                               // since the present curve was wanted
+  std::optional<Scene> timed_;                            // whose curve is timed
+  QElapsedTimer curveTime_;                               // since it was wanted; invalid once there
   std::optional<Measured> measured_;                      // of the present curve
   std::optional<std::pair<QString, QString>> complaint_;  // of the scene: key and text of core
   MessageBar* messages_ = nullptr;

@@ -106,7 +106,7 @@ void MainWindow::openScene(const QString& file) {
     const auto take = [this, file, number, found, error] {
       if (number != openings_) return;  // another scene was shown meanwhile
       if (found) return showFound(file, *found);
-      messages_->showMessage(translatedText(error));
+      messages_->showFailure(MessageBar::Failure::Files, translatedText(error));
       emit sceneRead(file, false);
     };
     QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
@@ -158,10 +158,10 @@ bool MainWindow::saveScene(const QString& file) {
     checkWritable(path);
     writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), document_->scene())));
   } catch (const std::exception& error) {
-    messages_->showMessage(translatedText(error.what()));
+    messages_->showFailure(MessageBar::Failure::Files, translatedText(error.what()));
     return false;
   }
-  messages_->hide();
+  endFailure(MessageBar::Failure::Files);
   document_->saved(file);
   addRecentFile(file);
   fillRecent();

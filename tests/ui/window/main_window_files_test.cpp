@@ -45,12 +45,47 @@ TEST_F(MainWindowTest, AProfileWithoutAFileIsNeitherRunNorSaved) {
   auto& kind = control<QComboBox>("choice:surface.kind");
   kind.setCurrentIndex(kind.findData("profile"));
   emit kind.activated(kind.currentIndex());
-  QTest::qWait(100);
+  QSignalSpy frames(&session(), &Session::frameArrived);
+  ASSERT_TRUE(waitFor([&] { return frames.count() > 5; }));
   EXPECT_EQ(session().sceneNumber(), before);
   EXPECT_FALSE(window_.messages().isVisible());
   const QTemporaryDir folder;
   EXPECT_FALSE(window_.saveScene(folder.filePath("scene.json")));
   EXPECT_TRUE(window_.messages().text().contains("choose a profile file"));
+}
+
+/// What went wrong is said until it goes well, and what it covered comes back.
+TEST_F(MainWindowTest, AFailureIsOverOnceItGoesWell) {
+  const QTemporaryDir folder;
+  ASSERT_TRUE(waitForFrame());
+  const auto save = [&](const QString& file, bool isSaved) {
+    QSignalSpy saved(&window_, &MainWindow::exported);
+    window_.savePicture(file);
+    ASSERT_TRUE(
+        waitFor([&] { return saved.count() == 1 || window_.messages().text().contains(file); }));
+    EXPECT_EQ(saved.count() == 1, isSaved);
+  };
+  const QString nowhere = folder.filePath("no_such_folder/picture.png");
+  save(nowhere, false);
+  EXPECT_TRUE(window_.messages().isVisible());
+  EXPECT_FALSE(window_.saveScene(folder.filePath("no_such_folder/scene.json")));
+  save(folder.filePath("picture.png"), true);
+  EXPECT_TRUE(window_.messages().isVisible()) << "of the scene that was not saved";
+  EXPECT_TRUE(window_.saveScene(folder.filePath("scene.json")));
+  EXPECT_FALSE(window_.messages().isVisible());
+
+  Scene broken = smallScene();
+  broken.surface.kind = SurfaceKind::Sine;
+  broken.surface.waves = 8;
+  broken.surface.elements = 10;
+  window_.showScene(broken);
+  ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
+  const QString complaint = window_.messages().text();
+  save(nowhere, false);
+  EXPECT_NE(window_.messages().text(), complaint);
+  save(folder.filePath("picture.png"), true);
+  EXPECT_EQ(window_.messages().text(), complaint) << "the scene still cannot run";
+  EXPECT_TRUE(window_.messages().isVisible());
 }
 
 TEST_F(MainWindowTest, ScenesAreSavedAndOpened) {

@@ -17,6 +17,7 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
+#include "ui/window/contact_canvas.h"
 #include "ui/window/main_window.h"
 #include "ui/window/session.h"
 
@@ -65,6 +66,19 @@ class MainWindowTest : public testing::Test {
   bool open(const QString& file) { return openIn(window_, file); }
   bool waitForFrame() {
     return waitFor([&] { return frame() && frame()->sceneNumber == session().sceneNumber(); });
+  }
+
+  /// Until the runner stands still, as it does when it is paused or nobody sees it. It obeys one
+  /// order after the other: the answer to one shows that nothing before it goes on.
+  bool waitForRest() {
+    const auto answered = [this](bool slopes) {
+      FrameFields fields = window_.canvas().fields();
+      fields.lineSlope = slopes;
+      session().wantFields(fields);
+      return waitFor([&] { return frame() && frame()->lineSlope.empty() != slopes; });
+    };
+    const bool had = window_.canvas().fields().lineSlope;
+    return answered(!had) && answered(had);
   }
 
   template <class Control>
