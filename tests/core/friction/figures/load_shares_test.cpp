@@ -38,6 +38,7 @@ TEST(LoadShares, OfASineInCompleteContact) {
   }
 }
 
+/// Contacts shorter than the distance of the nodes do not count for more than they carry.
 /// Slow sliding is elastic and has two sides alike; fast sliding is viscous and one-sided, and on
 /// the last smooth summits mu is 2/sqrt(3) times the slope in contact.
 TEST(LoadShares, OfARoughLineInItsLimits) {
