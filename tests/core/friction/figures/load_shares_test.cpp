@@ -44,7 +44,7 @@ TEST(LoadShares, OfASineInCompleteContact) {
 TEST(LoadShares, OfARoughLineInItsLimits) {
   const Scene scene = sceneOfSize(2000, 1, 6);
   const LoadShares shares = sharesAt(scene, 0.0034, {1e-5, 1.0, 1e5}, 6);
-  EXPECT_NEAR(shares.elastic(0, 0), 1, 1e-3);
+  EXPECT_NEAR(shares.elastic(0, 0), 1, 0.02) << "summed over nodes";
   EXPECT_NEAR(shares.trailing(0, 0), 0.5, 0.05);
   EXPECT_LT(shares.elastic(0, 1), 0.2);
   EXPECT_LT(shares.trailing(0, 1), 0.02);
