@@ -26,12 +26,14 @@ Coefficients coefficientsOf(const Study& study) {
       jackknife(study.groups(), [&](int out) { return alphaOf(study, out); }),
       jackknife(study.groups(), [&](int out) { return betaOf(study, out); }),
       jackknife(study.groups(), [&](int out) { return alphaOf(study, out, kBetaUpTo); })};
-  for (int out = 0; out < study.groups(); ++out) one.without.push_back(alphaOf(study, out));
+  for (int out = 0; study.groups() > 1 && out < study.groups(); ++out)
+    one.without.push_back(alphaOf(study, out));
   return one;
 }
 
 /// Of two exponents, by leaving out the same realizations; NaN with fewer than three groups.
 double correlation(const Coefficients& a, const Coefficients& b) {
+  if (a.without.size() < 3) return kNotApplicable;
   const auto n = static_cast<double>(a.without.size());
   double sumA = 0, sumB = 0, aa = 0, bb = 0, ab = 0;
   for (std::size_t k = 0; k < a.without.size(); ++k) {
@@ -44,7 +46,7 @@ double correlation(const Coefficients& a, const Coefficients& b) {
     bb += y * y;
     ab += x * y;
   }
-  return n > 2 && aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : kNotApplicable;
+  return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : kNotApplicable;
 }
 
 /// All exponents have the same random phases: what neighbours have in common.

@@ -69,7 +69,7 @@ TEST(Claims, AreNotReversedByAnotherSeed) {
   std::set<std::pair<std::string, Verdict>> verdicts;
   for (const char* seed : {"surface.seed=1", "surface.seed=2", "surface.seed=3", "surface.seed=4"})
     for (const Claim& claim :
-         makeFigure(FigureName::Velocity, optionsOf(40, {seed, "surface.elements=600"})).claims) {
+         makeFigure(FigureName::Velocity, optionsOf(60, {seed, "surface.elements=1000"})).claims) {
       ids.insert(claim.id);
       verdicts.emplace(claim.id, claim.holds);
     }
@@ -79,7 +79,7 @@ TEST(Claims, AreNotReversedByAnotherSeed) {
 }
 
 TEST(Claims, OfFigure2SayWhatRegionsThreeAndFourAre) {
-  const Figure figure = makeFigure(FigureName::Velocity, optionsOf(40, {"surface.elements=1000"}));
+  const Figure figure = makeFigure(FigureName::Velocity, optionsOf(60, {"surface.elements=2000"}));
   EXPECT_EQ(claimOf(figure, "elasticity_negligible_on_plateau").holds, Verdict::Yes);
   const Claim& follows = claimOf(figure, "region_4_follows_slope");
   EXPECT_EQ(follows.holds, Verdict::Yes);
