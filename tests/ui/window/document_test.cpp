@@ -317,7 +317,7 @@ TEST_F(DocumentTest, RecentFilesAreOfferedWhileTheyAreThere) {
   ASSERT_TRUE(open(folder.filePath("5.json")));
   EXPECT_EQ(menu.actions().first()->text(), "5.json");
   menu.actions().at(1)->trigger();
-  EXPECT_TRUE(window_.document().file().endsWith("8.json"));
+  EXPECT_TRUE(waitFor([&] { return window_.document().file().endsWith("8.json"); }));
   menu.actions().last()->trigger();
   EXPECT_TRUE(recentFiles().isEmpty());
   EXPECT_FALSE(menu.isEnabled());
