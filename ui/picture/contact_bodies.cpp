@@ -67,7 +67,7 @@ void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layo
   if (!std::isfinite(offset)) offset = 0;
   // Lines of one colour, which vector pictures can keep as such.
   const Rgba colour = withAlpha(layout.theme.rigidEdge, 0.15F);
-  const float width = 1.4F * std::max(1.0F, layout.sizes.unit);
+  const float width = std::max(1.0F, layout.sizes.unit);
   for (double x = p.x + offset - gap; x < p.right() + p.height; x += gap) {
     const auto top = static_cast<float>(x), end = top - (bottom - p.y);
     addLine(layer, {{top, p.y}, {end, bottom}}, width, colour);
