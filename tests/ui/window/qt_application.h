@@ -26,12 +26,12 @@ class QtApplication : public testing::Environment {
   void TearDown() override { application_.reset(); }
 
  private:
-  /// The first is as large as a window is at first; beside it a lecturer's projector, a small
-  /// laptop and a large screen.
+  /// The first is the platform's own; beside it a lecturer's projector, a small laptop and a large
+  /// screen.
   QString screens() {
     QByteArray list;
     int left = 0;
-    for (const QSize size : {QSize(1280, 800), {1280, 720}, {1366, 768}, {2560, 1440}}) {
+    for (const QSize size : {QSize(800, 800), {1280, 720}, {1366, 768}, {2560, 1440}}) {
       list += (list.isEmpty() ? "" : ", ") +
               QStringLiteral(R"({"name": "%1x%2", "x": %3, "y": 0, "width": %1, "height": %2,
                                 "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1})")
