@@ -225,8 +225,12 @@ grid. show: contact, curve, both, or transient. DIR gets index.html, contact_she
 and for each scene NAME.png, NAME.csv (its curve) and NAME.json (the scene).)";
 
 Batch readBatch(const std::filesystem::path& file) {
+  return readBatch(readWholeFile(file, kLargest), file);
+}
+
+Batch readBatch(std::string_view json, const std::filesystem::path& file) {
   try {
-    const Json root = parseJson(readWholeFile(file, kLargest), kDeepest);
+    const Json root = parseJson(json, kDeepest);
     checkKeys(root, "", {"schema", "title", "size", "entries"});
     if (textOf(root, "schema", "") != "asperity-batch/1")
       refuse("schema", "is not asperity-batch/1");

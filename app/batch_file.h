@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,5 +33,7 @@ extern const char* const kBatchFormat;
 /// An entry that is wrong becomes an item with an error. Throws InputError where the file as a
 /// whole does not read.
 Batch readBatch(const std::filesystem::path& file);
+/// The same from its text; `file` stands for it in errors and names the folder of its scenes.
+Batch readBatch(std::string_view json, const std::filesystem::path& file);
 
 }  // namespace asperity

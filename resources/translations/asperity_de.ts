@@ -1303,6 +1303,26 @@
         <translation>„%1“ wurde geändert. Änderungen speichern?</translation>
     </message>
     <message>
+        <source>Open the scene in “%1”?</source>
+        <translation>Die Szene in „%1“ öffnen?</translation>
+    </message>
+    <message>
+        <source>It reads a file that does not lie beside it: %1</source>
+        <translation>Sie liest eine Datei, die nicht daneben liegt: %1</translation>
+    </message>
+    <message>
+        <source>It takes about %1 GB of memory.</source>
+        <translation>Sie braucht etwa %1 GB Speicher.</translation>
+    </message>
+    <message>
+        <source>Its curve takes about %1 minutes of processor time.</source>
+        <translation>Ihre Kurve braucht etwa %1 Minuten Rechenzeit.</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
         <source>They go into a new file.</source>
         <translation>Sie kommen in eine neue Datei.</translation>
     </message>

@@ -21,6 +21,7 @@
 #include "ui/window/diagram_view.h"
 #include "ui/window/gallery_page.h"
 #include "ui/window/gesture_counter.h"
+#include "ui/window/latest_work.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/plan_list.h"
 #include "ui/window/scene_document.h"

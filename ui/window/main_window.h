@@ -8,6 +8,7 @@
 #include <QFont>
 #include <QMainWindow>
 #include <QPointer>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -35,6 +36,7 @@ class DiagramView;
 class FigureGallery;
 class GalleryPage;
 class GestureCounter;
+class LatestWork;
 class MessageBar;
 class ParameterPanel;
 class PlanList;
@@ -44,6 +46,7 @@ class Session;
 class StatusLine;
 struct ContactShot;
 struct CurveWish;
+struct FoundScene;
 struct SceneOrigin;
 class TourBar;
 class TransientStrips;
@@ -77,9 +80,14 @@ class MainWindow : public QMainWindow {
   void editScene(const Scene& scene, const char* what = nullptr);
   SceneDocument& document() { return *document_; }
 
-  /// A scene file, or any file that the program wrote from one. False, with the reason in the
-  /// message bar, where the file does not read or write.
-  bool openScene(const QString& file);
+  /// Reads a scene file, or any file that the program wrote from one, in the background, and shows
+  /// its scene as showFound() does; the newest call wins. sceneRead() follows; where the file does
+  /// not read, with the reason in the message bar.
+  void openScene(const QString& file);
+  /// Shows a scene that was read from a file. Asks first where it comes out of a picture, film or
+  /// table and would read a file elsewhere, or take very much memory or time.
+  void showFound(const QString& file, const FoundScene& found);
+  /// False, with the reason in the message bar, where the file cannot be written.
   bool saveScene(const QString& file);
 
   /// The contact as it is shown, with its title, as .png, .svg or .pdf. In the background;
@@ -118,6 +126,8 @@ class MainWindow : public QMainWindow {
   bool isPresenting() const { return presentation_.has_value(); }
 
  signals:
+  /// A file that was to be opened was read, and its scene is shown or not.
+  void sceneRead(const QString& file, bool isShown);
   /// A picture is on the clipboard (empty) or in this file.
   void exported(const QString& file);
 
@@ -163,6 +173,7 @@ class MainWindow : public QMainWindow {
   void fillFiles(QMenu& menu);
   void fillRecent();
   void askOpen();
+  bool mayShowFound(const QString& file, const FoundScene& found);
   bool save();
   bool askSave();
 
@@ -288,7 +299,9 @@ class MainWindow : public QMainWindow {
   };
   std::optional<Presentation> presentation_;
   bool hadDock_ = true, hadStatus_ = true;  // before the figures were opened
-  std::jthread export_;                     // last: ends before anything else here goes
+  std::uint64_t openings_ = 0;          // of scenes: what was read for an earlier one is dropped
+  std::unique_ptr<LatestWork> reader_;  // of files that are opened
+  std::jthread export_;                 // last: ends before anything else here goes
 };
 
 }  // namespace asperity

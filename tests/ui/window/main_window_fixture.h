@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
 
@@ -27,6 +28,14 @@ inline Scene smallScene() {
   Scene scene = sceneOfSize(256, 9, 3);
   scene.title = "small";
   return scene;
+}
+
+/// Opens a file in a window; whether its scene is shown, once it was read.
+inline bool openIn(MainWindow& window, const QString& file) {
+  QSignalSpy reads(&window, &MainWindow::sceneRead);
+  window.openScene(file);
+  return QTest::qWaitFor([&] { return !reads.isEmpty(); }, kWindowPatience) &&
+         reads.takeFirst().at(1).toBool();
 }
 
 class MainWindowTest : public testing::Test {
@@ -52,6 +61,8 @@ class MainWindowTest : public testing::Test {
     QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&window_, &drop);
   }
+  /// Whether the file's scene is shown, once it was read.
+  bool open(const QString& file) { return openIn(window_, file); }
   bool waitForFrame() {
     return waitFor([&] { return frame() && frame()->sceneNumber == session().sceneNumber(); });
   }
