@@ -128,9 +128,23 @@ class Reader : public nlohmann::json_sax<Json> {
   std::vector<Place> places_;
 };
 
+std::string_view withoutBlanks(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+}
+
+[[noreturn]] void refuseKind(std::string_view kind, std::string_view wanted) {
+  throw InputError("", "", "is " + std::string(kind) + "; " + std::string(wanted));
+}
+
 }  // namespace
 
-nlohmann::ordered_json parseJson(std::string_view text, int deepest) {
+nlohmann::ordered_json parseJson(std::string_view text, int deepest, std::string_view wanted) {
+  if (const std::string_view kind = foreignKindOf(text); !kind.empty()) refuseKind(kind, wanted);
+  const std::string_view beginning = withoutBlanks(text).substr(0, 1);
+  if (beginning.empty()) refuseKind("an empty file", wanted);
+  if (beginning != "{" && beginning != "[" && !Json::accept(text))
+    refuseKind("text that is not JSON", wanted);
   Reader reader(deepest, nullptr);
   Json::sax_parse(text, &reader);
   return std::move(reader.root());
