@@ -264,8 +264,12 @@ std::vector<std::string> filesOf(const BatchItem& item) {
 }
 
 Batch readBatch(const std::filesystem::path& file) {
+  return readBatch(readWholeFile(file, kLargest), file);
+}
+
+Batch readBatch(std::string_view json, const std::filesystem::path& file) {
   try {
-    const Json root = parseJson(readWholeFile(file, kLargest), kDeepest);
+    const Json root = parseJson(json, kDeepest);
     checkKeys(root, "", {"schema", "title", "size", "entries"});
     if (textOf(root, "schema", "") != "asperity-batch/1")
       refuse("schema", "is not asperity-batch/1");

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -37,5 +38,7 @@ extern const char* const kBatchFormat;
 /// whole does not read, or where two entries would write one file or one of them a file that
 /// belongs to the whole batch.
 Batch readBatch(const std::filesystem::path& file);
+/// The same from its text; `file` stands for it in errors and names the folder of its scenes.
+Batch readBatch(std::string_view json, const std::filesystem::path& file);
 
 }  // namespace asperity

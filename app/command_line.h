@@ -12,6 +12,7 @@
 #include "app/picture_choice.h"
 #include "app/view_choice.h"
 #include "core/scene/input_error.h"
+#include "core/scene/provenance.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -119,7 +120,9 @@ int runFigure(const FigureCommand& command);
 /// The window; an empty scene opens the default one.
 int runWindowCommand(const CommonOptions& command);
 /// The window with this scene. Throws std::runtime_error where there is no display.
-int showWindow(const std::optional<Scene>& scene, const CommonOptions& options);
+/// `found`: a scene out of the file options.scene that the window asks about before it shows it.
+int showWindow(const std::optional<Scene>& scene, const CommonOptions& options,
+               const FoundScene* found = nullptr);
 int runBatch(const BatchCommand& command);
 int runOpen(const OpenCommand& command);
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/command_line.h"
 #include "app/named_choice.h"
@@ -111,7 +112,9 @@ std::vector<CurvePoint> pointsOf(const Scene& scene, const CommonOptions& common
   options.progress = [&bar](const CurveProgress& progress) {
     bar.show(progress.realizationsDone, progress.realizationsTotal);
   };
-  return curveOf(scene, options).points;
+  Curve curve = curveOf(scene, options);
+  requireTarget(curve);
+  return std::move(curve.points);
 }
 
 nlohmann::ordered_json numberOr(double value) {

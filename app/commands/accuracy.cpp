@@ -80,7 +80,7 @@ std::string methodLine(const WorkPrecisionPoint& point, bool isPresent, std::siz
   std::string text = fmt::format(
       "  {} {} {}  {}", padded(translated(nameOf(point.choice)), nameWidth),
       column(shortNumber(point.error, 2)), padded(point.isDifference ? difference : error, width),
-      column(quantity(point.seconds, "s", 2)));
+      column(quantity(point.secondsWithLine, "s", 2)));
   if (point.isExtrapolated) text += " " + Words::tr("(extrapolated)");
   if (point.isOnFront) text += "  " + Words::tr("best for its time");
   if (isPresent) text += "  " + Words::tr("<- this scene");

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "app/command_line.h"
 #include "app/headless_pictures.h"
@@ -17,7 +16,6 @@
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
-#include "core/scene/printed_number.h"
 #include "core/scene/provenance.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -139,11 +137,7 @@ int runCurve(const CurveCommand& command) {
     fmt::print("{}", tableOf(set, command.curves));
   if (!tableOnStdout)
     printSummary(command.common.json, command.common.quiet, summaryOf(curve, command.outputs));
-  if (!curve.isTargetMet)
-    throw std::runtime_error(
-        fmt::format("accuracy.target_relative_error is not reached within the lines and memory "
-                    "allowed: {}",
-                    printedNumber(curve.achievedError, 2)));
+  requireTarget(curve);
   return kDone;
 }
 

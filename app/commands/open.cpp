@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/command_line.h"
+#include "core/scene/foreign_scene.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 
@@ -9,11 +10,17 @@ namespace asperity {
 
 int runOpen(const OpenCommand& command) {
   const CommonOptions& common = command.common;
-  const Scene found = readProvenance(common.scene);
-  const Scene scene = readScene(writeScene(found), common.scene, found.folder, common.assignments);
-  if (!common.json) return showWindow(scene, common);
-  fmt::print("{}", writeScene(scene));
-  return kDone;
+  FoundScene found = findScene(common.scene);
+  found.scene =
+      readScene(writeScene(found.scene), common.scene, found.scene.folder, common.assignments);
+  if (common.json) {
+    fmt::print("{}", writeScene(found.scene));
+    return kDone;
+  }
+  // The window asks before it shows a scene that wants much; the first of the library stands there
+  // meanwhile.
+  if (found.isCarried && demandsOf(found.scene).any()) return showWindow({}, common, &found);
+  return showWindow(found.scene, common);
 }
 
 }  // namespace asperity

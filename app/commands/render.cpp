@@ -15,7 +15,7 @@
 #include "app/picture_composer.h"
 #include "app/progress_bar.h"
 #include "app/sequence_files.h"
-#include "core/friction/ensemble.h"
+#include "core/accuracy/target_curve.h"
 #include "core/scene/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/input_error.h"
@@ -200,7 +200,9 @@ class Rendering {
       options.progress = [&bar](const CurveProgress& progress) {
         bar.show(progress.realizationsDone, progress.realizationsTotal);
       };
-      own = frictionCurve(steady, options).points;
+      const Curve curve = curveOf(steady, options);
+      requireTarget(curve);
+      own = curve.points;
     }
     curves_ = curvesOf(command_.curves, steady, std::move(own), command_.common);
   }

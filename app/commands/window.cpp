@@ -31,7 +31,8 @@ void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
 
 }  // namespace
 
-int showWindow(const std::optional<Scene>& scene, const CommonOptions& command) {
+int showWindow(const std::optional<Scene>& scene, const CommonOptions& command,
+               const FoundScene* found) {
   if (!hasDisplay())
     throw std::runtime_error(
         "there is no display for the window; 'asperity render SCENE -o DIR' needs none");
@@ -43,7 +44,8 @@ int showWindow(const std::optional<Scene>& scene, const CommonOptions& command) 
   qInstallMessageHandler(usual);
   RunnerOptions options;
   options.threads = command.threads;
-  return runWindow(application, scene, options, {command.language, command.timing});
+  return runWindow(application, scene, options,
+                   {command.language, command.timing, found, command.scene});
 }
 
 int runWindowCommand(const CommonOptions& command) {

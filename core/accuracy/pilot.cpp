@@ -14,6 +14,8 @@ namespace asperity {
 namespace {
 
 constexpr std::int64_t kFewestElements = 64;
+constexpr double kTimedVelocities = 41, kTimedLines = 2;
+constexpr double kOfProgram = 3e6;  // bytes that threads and transforms of any run take
 
 /// Sum of j^-power over j = first ... last, to about 1e-6.
 double sumOfPowers(double first, double last, double power) {
@@ -26,15 +28,14 @@ double sumOfPowers(double first, double last, double power) {
                            : (std::pow(from, 1 - power) - std::pow(to, 1 - power)) / (power - 1));
 }
 
-/// Sum of the spectrum over a line's modes from `first` on, relative; flat below the roll-off.
-double sumOfModes(const Surface& surface, double first) {
+/// Sum of the spectrum over a line's modes, relative; flat below the roll-off.
+double sumOfModes(const Surface& surface) {
   const double last = std::floor((static_cast<double>(surface.elements) - 1) / 2);
   const double rollOff =
       surface.rollOffWavelength > 0 ? surface.length / surface.rollOffWavelength : 0;
   const double power = 2 * surface.hurst + 1;
-  const double flat = std::clamp(std::floor(rollOff) - first + 1, 0.0, last);
-  return flat * std::pow(std::max(rollOff, 1.0), -power) +
-         sumOfPowers(std::max(first, std::floor(rollOff) + 1), last, power);
+  const double flat = std::min(std::floor(rollOff), last);
+  return flat * std::pow(std::max(rollOff, 1.0), -power) + sumOfPowers(flat + 1, last, power);
 }
 
 bool isIsolated(const Surface& surface) {
@@ -84,9 +85,9 @@ Scene shortened(const Scene& scene, std::int64_t factor) {
         static_cast<std::int64_t>(std::clamp(waves, 1.0, static_cast<double>((wanted - 1) / 2)));
     return part;
   }
-  // The waves that are left keep their strength.
+  // The waves that are left keep their strength: one of them stands for 1 / share of the line's.
   surface.rmsHeight *=
-      std::sqrt(sumOfModes(scene.surface, 1 / share) / sumOfModes(scene.surface, 1));
+      std::pow(share, surface.hurst) * std::sqrt(sumOfModes(surface) / sumOfModes(scene.surface));
   return part;
 }
 
@@ -124,6 +125,13 @@ PilotPlan planPilot(const Scene& scene, int threads) {
   // The resolution is that of the run, however many elements the pilot has.
   if (scene.accuracy.scheme != Scheme::Nodal)
     plan.scene.accuracy.oversampling = static_cast<std::int64_t>(points);
+  const double timed = std::min(velocities, kTimedVelocities);
+  const double withTimed = perPoint + kTimedLines * (1 + balance * timed);
+  if (withTimed * points * elementsOf(plan.scene) <= allowed) {
+    perPoint = withTimed;
+    plan.timedVelocities = logSpaced(scene.sweep.velocityFrom, scene.sweep.velocityTo,
+                                     static_cast<std::int64_t>(timed));
+  }
   plan.shortening = elementsOf(scene) / elementsOf(plan.scene);
   plan.operations = perPoint * points * elementsOf(plan.scene);
   return plan;
@@ -144,7 +152,7 @@ double memoryOfCurve(const Scene& scene, int threads) {
                                                      : 2 + 4 / 3.0;
   const bool hasSpectrum = isRandom || scene.surface.kind == SurfaceKind::Profile;
   const double ofTransform = hasSpectrum ? 2 : 0;
-  double bytes = (ofLine + ofTravel) * nodes * kNumber * parallel;
+  double bytes = kOfProgram + (ofLine + ofTravel) * nodes * kNumber * parallel;
   bytes += ofTransform * nodes * kNumber * (isRandom ? parallel : 1);
   if (isRandom) bytes += (0.5 + parallel) * elements * kNumber;  // amplitudes and phases
   if (!isRandom) bytes += 2 * nodes * kNumber;                   // of the only line
@@ -153,7 +161,7 @@ double memoryOfCurve(const Scene& scene, int threads) {
   // Results of a batch of 32 lines wait for their turn, and those of the first are kept.
   const auto points = static_cast<double>(scene.sweep.points);
   return bytes + points * ((std::min(lines, 32.0) + 1) * sizeof(SteadyResult) +
-                           sizeof(CurveAverages) + 2 * sizeof(CurvePoint));
+                           sizeof(CurveAverages) + sizeof(CurvePoint));
 }
 
 }  // namespace asperity

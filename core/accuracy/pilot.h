@@ -11,8 +11,9 @@
 namespace asperity {
 
 /// One operation makes one point of a line ready, about 20 ns. A pilot may take a tenth of the run,
-/// at least kLeastPilot (some milliseconds) and at most kMostPilot (0.1 to 0.2 s).
-inline constexpr double kLeastPilot = 4e5, kMostPilot = 4e6;
+/// at least kLeastPilot (some milliseconds) and at most kMostPilot (0.1 to 0.2 s where lines are
+/// long).
+inline constexpr double kLeastPilot = 4e5, kMostPilot = 2e6;
 
 /// A scene with a line that is `factor` times shorter, or a little more where the elements do not
 /// divide: the same elements and waves under the same load on each length. A wedge and a parabola
@@ -28,8 +29,11 @@ struct PilotPlan {
   std::int64_t lines = 1;          // at the scene's own resolution
   std::int64_t refinedLines = 1;   // of those, at twice the points as well
   std::vector<double> velocities;  // m/s
-  double operations = 0;           // of the pilot, counted
-  double runOperations = 0;        // of the run on one thread
+  /// As many as the kernel has side by side in the run, for the time alone; empty where the pilot
+  /// cannot afford them.
+  std::vector<double> timedVelocities;
+  double operations = 0;     // of the pilot, counted
+  double runOperations = 0;  // of the run on one thread
 };
 
 /// Of a friction curve on so many threads.

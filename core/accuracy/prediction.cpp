@@ -61,6 +61,9 @@ class Pilot {
   double secondsOfBalance() const {
     return median(sweeping_) / static_cast<double>(velocities_.size());
   }
+  double secondsOfLastBalance() const {
+    return sweeping_.back() / static_cast<double>(velocities_.size());
+  }
 
  private:
   Scene scene_;
@@ -222,10 +225,16 @@ Prediction predictCurve(const Scene& scene, int threads, const std::stop_token& 
   const double parallel = std::min(static_cast<double>(prediction.threads), lines);
   prediction.lines = lines;
   prediction.simulations = lines * static_cast<double>(scene.sweep.points);
+  double balance = pilot.secondsOfBalance();
+  if (!plan.timedVelocities.empty()) {
+    Pilot timed(plan.scene, plan.timedVelocities);
+    timed.slide(0);  // fills the memory that the next one uses
+    timed.slide(pilot.isRandom() ? 1 : 0);
+    balance = timed.secondsOfLastBalance();
+  }
   const double slower = 1 + kSlowdownOfDoubling * std::log2(plan.shortening);
   const double making = pilot.secondsOfLine() * plan.shortening * slower;
-  const double line =
-      making + pilot.secondsOfBalance() * plan.shortening * static_cast<double>(scene.sweep.points);
+  const double line = making + balance * plan.shortening * static_cast<double>(scene.sweep.points);
   // The first line is slid alone; it is to be seen at once.
   prediction.seconds = planning * plan.shortening * slower + line * (1 + (lines - 1) / parallel);
   prediction.memory = memoryOfCurve(scene, prediction.threads);

@@ -197,6 +197,9 @@ class Comparison {
       }
       step();
     }
+    for (WorkPrecisionPoint& point : region.points)
+      point.secondsWithLine =
+          point.seconds + point.lineSeconds / static_cast<double>(scene_.sweep.points);
     markFront(region.points);
     addSpread(region);
     step();
@@ -270,7 +273,7 @@ class Comparison {
       point.isOnFront =
           !point.isDifference &&
           std::none_of(points.begin(), points.end(), [&](const WorkPrecisionPoint& other) {
-            return !other.isDifference && other.seconds < point.seconds &&
+            return !other.isDifference && other.secondsWithLine < point.secondsWithLine &&
                    other.error < point.error;
           });
   }

@@ -5,8 +5,9 @@
 // and `cubic` it is the error of their resolution; `nodal` and the literal march are other models
 // (separate elements), so theirs is a difference. Reference: `cubic` at two high resolutions,
 // extrapolated (Richardson); its own error is estimated from their difference.
-// Time: processor time of one thread for one simulation (one line, one velocity, balance solved),
-// line given; the median of repeated runs, all methods by turns, so that a busy machine shifts all.
+// Time: processor time of one thread for one simulation (one line, one velocity, balance solved)
+// and the share that one velocity of the sweep has in making the line, because a finer line costs
+// both; the median of repeated runs, all methods by turns, so that a busy machine shifts all.
 // Threading: one thread at a time (time is measured). Failure: InputError for a scene without
 // steady sliding or without a region; StudyStopped where `stop` was requested.
 #pragma once
@@ -45,7 +46,9 @@ struct WorkPrecisionPoint {
   double seconds = 0;               // one simulation, median
   double fastest = 0, slowest = 0;  // quartiles of the repeated runs
   double lineSeconds = 0;           // to make one line and prepare it
-  bool isExtrapolated = false;      // a part of the march was timed; its error is not known: NaN
+  double secondsWithLine =
+      0;  // of one velocity of the sweep: its simulation, its share of the line
+  bool isExtrapolated = false;  // a part of the march was timed; its error is not known: NaN
   bool isOnFront = false;  // nothing known is both faster and more accurate (of the same model)
 };
 

@@ -17,6 +17,7 @@ void CurveAverages::add(const SteadyResult& result) {
   indentation.add(result.indentation);
   normalForce.add(result.normalForce);
   tangentialForce.add(result.tangentialForce);
+  marginalShare.add(result.marginalShare);
   if (std::isfinite(result.rmsSlopeContact)) rmsSlopeContact.add(result.rmsSlopeContact);
 }
 
@@ -30,6 +31,7 @@ CurvePoint CurveAverages::point(double velocity) const {
   point.contactFraction = contactFraction.mean();
   point.rmsSlopeContact = rmsSlopeContact.mean();
   point.indentation = indentation.mean();
+  point.marginalShare = marginalShare.mean();
   point.realizations = mu.count();
   return point;
 }
@@ -53,6 +55,9 @@ double LawColumns::normalized(double mu, const CurveAverages& averages) const {
 void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   if (!hasInterface_) point.muInterface = kNotApplicable;
   if (scene_.load.kind == LoadKind::Force) point.muRatioOfMeans = kNotApplicable;
+  const Accuracy& accuracy = scene_.accuracy;
+  if (accuracy.scheme != Scheme::Nodal || accuracy.targetRelativeError > 0)
+    point.marginalShare = kNotApplicable;
   if (!(line_.rmsHeight > 0)) return;
   const SlidingConditions conditions = conditionsOf(scene_, point.velocity);
   const double force =

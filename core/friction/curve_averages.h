@@ -13,7 +13,7 @@ namespace asperity {
 /// Averages of everything in a row but mu's standard error.
 struct CurveAverages {
   RunningMean mu, muInterface, contactFraction, rmsSlopeContact, indentation, normalForce,
-      tangentialForce;
+      tangentialForce, marginalShare;
   RunningMean rmsSlope, normalizedMu;  // of the whole line, and mu over that of its own line
 
   /// Pressed by nothing a line has no coefficient; what is averaged is counted.
@@ -27,9 +27,9 @@ class LawColumns {
  public:
   LawColumns(const Scene& scene, const LineSource& source);
 
-  /// Adds muLaw, normalizedMu and the dimensionless numbers; takes muInterface away where the scene
-  /// has no local friction, and muRatioOfMeans where it gives the force. Lines that differ in their
-  /// slope are normalized each by its own.
+  /// Adds muLaw, normalizedMu and the dimensionless numbers; takes away muInterface where the scene
+  /// has no local friction, muRatioOfMeans where it gives the force, and marginalShare where the
+  /// scheme is not nodal. Lines that differ in their slope are normalized each by its own.
   void addTo(CurvePoint& point, const CurveAverages& averages) const;
 
  private:

@@ -32,12 +32,12 @@ constexpr std::array<CurveColumn, 10> kCurveColumns{{
 constexpr ColumnName kRealizations = "realizations";
 
 /// Further columns, each where its first row applies: local friction, a constant indentation, a
-/// target accuracy.
+/// target accuracy, the paper's single elements.
 struct ExtraColumn {
   ColumnName name;
   double (*value)(const CurvePoint& point);
 };
-constexpr std::array<ExtraColumn, 6> kExtraColumns{{
+constexpr std::array<ExtraColumn, 7> kExtraColumns{{
     {"mu_interface", [](const CurvePoint& point) { return point.muInterface; }},
     {"mu_total", [](const CurvePoint& point) { return point.mu + point.muInterface; }},
     {"mu_mean_of_ratios",
@@ -47,6 +47,7 @@ constexpr std::array<ExtraColumn, 6> kExtraColumns{{
     {"mu_ratio_of_means", [](const CurvePoint& point) { return point.muRatioOfMeans; }},
     {"mu_low", [](const CurvePoint& point) { return point.muLow; }},
     {"mu_high", [](const CurvePoint& point) { return point.muHigh; }},
+    {"marginal_share", [](const CurvePoint& point) { return point.marginalShare; }},
 }};
 
 std::vector<ExtraColumn> extraColumnsOf(const std::vector<CurvePoint>& points) {
@@ -87,6 +88,7 @@ std::string curveRow(const CurvePoint& point) {
 }
 
 std::string notesOf(const CurvePoint& point) {
+  if (point.mu == 0) return {};
   // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, and that
   // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part is never
   // more than 0.45 of the first; where a contact has only a few elements it is their sum's error.
@@ -94,7 +96,8 @@ std::string notesOf(const CurvePoint& point) {
   const double damping = 4 * std::sqrt(2.0) * point.dimensionlessVelocity / slope /
                          point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
                          point.contactFraction;
-  return std::abs(point.mu - damping) > damping ? "unresolved_friction" : "";
+  // Of what does not apply nothing is said.
+  return std::isgreater(std::abs(point.mu - damping), damping) ? "unresolved_friction" : "";
 }
 
 std::string curveCsv(const std::vector<CurvePoint>& points) {

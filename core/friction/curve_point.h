@@ -27,6 +27,9 @@ struct CurvePoint {
   /// Mean tangential over mean normal force, where lines carry different forces: at a constant
   /// indentation. mu is the mean of the lines' own ratios.
   double muRatioOfMeans = kNotApplicable;
+  /// Of `nodal`: mean over realizations of the share of its load that the element on the edge of
+  /// contact bears, where F_N(d) jumps past the force; 1 where it does not jump.
+  double marginalShare = kNotApplicable;
 };
 
 }  // namespace asperity

@@ -52,10 +52,11 @@ CurveWork CurveOrders::begin() {
   return {ordered_, number_, working_.get_token()};
 }
 
-bool CurveOrders::offer(std::uint64_t number, const CurveProgress& progress) {
+bool CurveOrders::offer(std::uint64_t number, const CurveUpdate& update) {
   if (number != number_) return false;
-  last_ = {present_.scene, present_.number, progress.realizationsDone, progress.realizationsTotal,
-           progress.points};
+  last_ = update;
+  last_->scene = present_.scene;
+  last_->sceneNumber = present_.number;
   updates_.push_back(*last_);
   return true;
 }

@@ -21,8 +21,9 @@ struct CurveUpdate {
   std::shared_ptr<const Scene> scene;
   std::uint64_t sceneNumber = 0;
   std::int64_t realizationsDone = 0;
-  std::int64_t realizationsTotal = 0;
+  std::int64_t realizationsTotal = 0;  // as planned so far, where the scene has a target
   std::vector<CurvePoint> points;
+  bool isComplete = false;  // no more comes of this curve
 };
 
 struct PostedScene {
@@ -55,9 +56,9 @@ class CurveOrders {
   /// The newest curve, for the thread that averages it.
   CurveWork begin();
 
-  /// Keeps an average of a curve under the number of the newest scene that has this curve; false,
-  /// and nothing kept, where another curve was ordered since.
-  bool offer(std::uint64_t number, const CurveProgress& progress);
+  /// Keeps an average of a curve under the newest scene that has this curve, whatever scene the
+  /// update names; false, and nothing kept, where another curve was ordered since.
+  bool offer(std::uint64_t number, const CurveUpdate& update);
 
   /// All updates of the present scene since the last call, oldest first.
   std::vector<CurveUpdate> takeUpdates();

@@ -27,6 +27,16 @@ struct FrameFields {
   }
 };
 
+/// Forces and contact at one moment.
+struct ContactState {
+  double indentation = 0;      // m, d above the line's lowest point
+  double normalForce = 0;      // N
+  double tangentialForce = 0;  // N, magnitude along the motion; NaN as mu
+  double contactFraction = 0;
+  double mu = kNotApplicable;  // NaN where the time steps or elements are too coarse to read it
+  double muInterface = 0;      // of local friction, beside mu
+};
+
 struct Frame {
   std::shared_ptr<const Scene> scene;  // the scene that made it; labels come from here
   std::uint64_t sceneNumber = 0;       // of the scene, as returned by Runner::post
@@ -68,8 +78,13 @@ struct Frame {
   double muInterface = 0;  // of local friction, beside either
 
   /// The march, and with it the picture, is still on its way from the scene before to the steady
-  /// state that the facts are of.
+  /// state that the facts are of. `drawn` then has the facts of the picture.
   bool isSettling = false;
+  ContactState drawn;
+
+  /// N/m, greatest line load of the steady state: the end of a colour scale that does not depend on
+  /// what was shown before. 0: not known, as of other motions.
+  double steadyPressure = 0;
 
   /// What happened since the motion began; null in steady sliding.
   std::shared_ptr<const std::vector<TransientSample>> transient;

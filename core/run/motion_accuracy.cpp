@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kPieceWork = 3e6;  // steps times elements of a piece in each region
 constexpr double kMarches = 9;  // of a pilot: halved steps two, finer elements four, settling two
-/// Steps times elements of a pilot: a tenth of the motion, at least some 10 ms and at most 0.1 s.
-constexpr double kLeastWork = 8e6, kMostWork = 3e7;
+/// Steps times elements of a pilot: a tenth of the motion, at least some 20 ms and at most 0.2 s.
+constexpr double kLeastWork = 2.5e6, kMostWork = 1.5e7;
 constexpr double kWindow = 16;       // steps that friction is averaged over
 constexpr double kLeastWindows = 8;  // of a piece
 constexpr double kMemories = 6;      // distances of memory after which all is forgotten

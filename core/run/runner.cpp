@@ -1,5 +1,6 @@
 #include "core/run/runner.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -42,8 +43,8 @@ struct Runner::Body {
     std::optional<FrameFields> fields;
     bool reset = false;
     bool play = false;
-    int steps = 0;
-    bool any() const { return scene || fields || reset || steps > 0; }
+    std::vector<double> steps;  // part of the period, of each
+    bool any() const { return scene || fields || reset || !steps.empty(); }
   };
 
   void march(std::stop_token stop) {
@@ -66,13 +67,14 @@ struct Runner::Body {
   Orders takeOrders(std::stop_token stop, Clock::time_point next, bool running) {
     std::unique_lock guard(lock);
     const auto ordered = [this] { return waiting.any(); };
-    if (running && playing)
+    const auto moves = [&] { return running && playing && isSeen; };
+    if (moves())
       changed.wait_until(guard, stop, next, ordered);
     else
-      changed.wait(guard, stop, [&] { return ordered() || (running && playing); });
+      changed.wait(guard, stop, [&] { return ordered() || moves(); });
     Orders orders = std::move(waiting);
     waiting = {};
-    orders.play = playing;
+    orders.play = playing && isSeen;
     return orders;
   }
 
@@ -89,7 +91,7 @@ struct Runner::Body {
     if (!simulation) return;
     if (orders.fields || orders.scene) simulation->want(fields);
     if (orders.reset) simulation->reset();
-    for (int i = 0; i < orders.steps; ++i) simulation->singleStep();
+    for (const double part : orders.steps) simulation->singleStep(part);
     const std::chrono::duration<double> interval(options.secondsPerFrame());
     const bool due = orders.play && Clock::now() >= next;
     if (due) {
@@ -119,25 +121,42 @@ struct Runner::Body {
       CurveOptions curveOptions;
       curveOptions.stop = work.stop;
       curveOptions.threads = options.threads;
-      curveOptions.progress = [&](const CurveProgress& progress) { offer(work.number, progress); };
-      run(work.scene, curveOptions);
+      run(work, curveOptions);
     }
   }
 
-  void run(const PostedScene& work, const CurveOptions& curveOptions) {
+  /// Where the program chooses the number of lines it may ask for more of them at any time: only
+  /// the end says that a curve is complete.
+  void run(const CurveWork& work, CurveOptions& curveOptions) {
+    const bool isPlanned = !choosesAccuracy(*work.scene.scene);
+    CurveUpdate last;
+    curveOptions.progress = [&](const CurveProgress& progress) {
+      last.realizationsDone = progress.realizationsDone;
+      last.realizationsTotal = progress.realizationsTotal;
+      last.points = progress.points;
+      last.isComplete = isPlanned && progress.realizationsDone == progress.realizationsTotal;
+      offer(work.number, last);
+    };
     try {
-      curveOf(*work.scene, curveOptions);
+      Curve curve = curveOf(*work.scene.scene, curveOptions);
+      if (!curve.isComplete || last.isComplete) return;
+      last.points = std::move(curve.points);
+      for (const CurvePoint& point : last.points)
+        last.realizationsTotal = std::max(last.realizationsTotal, point.realizations);
+      last.realizationsDone = last.realizationsTotal;
+      last.isComplete = true;
+      offer(work.number, last);
     } catch (const InputError& error) {
-      say(work.number, error.key(), error.message());
+      say(work.scene.number, error.key(), error.message());
     } catch (const std::exception& error) {
-      say(work.number, "", error.what());
+      say(work.scene.number, "", error.what());
     }
   }
 
-  void offer(std::uint64_t curve, const CurveProgress& progress) {
+  void offer(std::uint64_t curve, const CurveUpdate& update) {
     {
       const std::lock_guard guard(lock);
-      if (!curves.offer(curve, progress)) return;
+      if (!curves.offer(curve, update)) return;
     }
     if (options.curveNews) options.curveNews();
   }
@@ -161,6 +180,7 @@ struct Runner::Body {
   std::mutex lock;     // of everything down to the threads; never held while computing
   std::condition_variable_any changed;
   bool playing = true;
+  bool isSeen = true;
   Orders waiting;
   PostedScene present;
   std::shared_ptr<const Frame> newest;
@@ -205,9 +225,15 @@ bool Runner::isPlaying() const {
   return body_->playing;
 }
 
-void Runner::singleStep() {
+void Runner::singleStep(double part) {
   const std::lock_guard guard(body_->lock);
-  ++body_->waiting.steps;
+  body_->waiting.steps.push_back(part);
+  body_->changed.notify_all();
+}
+
+void Runner::setSeen(bool seen) {
+  const std::lock_guard guard(body_->lock);
+  body_->isSeen = seen;
   body_->changed.notify_all();
 }
 

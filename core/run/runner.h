@@ -57,8 +57,13 @@ class Runner {
   void play();
   void pause();
   bool isPlaying() const;
-  /// While paused: one time step, one frame.
-  void singleStep();
+  /// While paused: one frame, and the line has moved by this part of its period, or by one time
+  /// step where that is more; a motion goes on by one time step at least.
+  void singleStep(double part = 0);
+
+  /// Whether anybody sees the frames. Unseen, time stands still as if paused; curves and answers to
+  /// new scenes go on.
+  void setSeen(bool seen);
   /// Back to the scene's steady state at time 0.
   void reset();
 

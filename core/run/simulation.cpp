@@ -10,6 +10,7 @@
 #include "core/run/contact_age.h"
 #include "core/run/rigid_line.h"
 #include "core/run/steady_frames.h"
+#include "core/scene/effects.h"
 #include "core/scene/plan.h"
 
 namespace asperity {
@@ -22,6 +23,29 @@ namespace {
 // too.
 constexpr double kLeastElements = 3.5;
 constexpr double kContactsKept = 0.99;  // of a step's weight, in the next: borders do not flicker
+
+// Of indentation and normal force: a picture nearer than that to the steady state shows it.
+constexpr double kSettled = 0.02;
+
+// For a step by hand: so many times the element-steps of a frame, and of a motion no more than this
+// part of its duration.
+constexpr double kBudgetByHand = 10, kMotionByHand = 0.005;
+
+/// Normal force (N) and share in contact of the elements as they are drawn.
+struct Pressed {
+  double force = 0, fraction = 0;
+};
+
+Pressed pressedIn(const Frame& frame) {
+  Pressed pressed;
+  std::size_t touching = 0;
+  for (const double pressure : frame.pressure) {
+    pressed.force += pressure * frame.spacing;
+    touching += pressure > 0 ? 1 : 0;
+  }
+  pressed.fraction = static_cast<double>(touching) / static_cast<double>(frame.pressure.size());
+  return pressed;
+}
 
 std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
                                          const std::shared_ptr<const RigidLine>& known) {
@@ -48,6 +72,8 @@ struct Simulation::Ready {
     steady = sliding->at(rigid->travel, scene->sliding.velocity);
     requireBalance(steady.result, velocity());
     if (!std::isfinite(steady.result.mu)) throw unmetBalance(steady.result, velocity());
+    const SteadyShape shape = sliding->shape(rigid->travel, velocity(), steady);
+    greatestPressure = std::ranges::max(shape.nodes.pressure);
   }
 
   const Line& line() const { return *rigid->line; }
@@ -59,6 +85,7 @@ struct Simulation::Ready {
   bool isSteady;
   std::optional<SceneSliding> sliding;  // with `steady`, in steady sliding
   SteadyState steady;
+  double greatestPressure = 0;         // N/m, in the steady state
   std::optional<Transient> transient;  // as it begins, of other motions
 };
 
@@ -85,6 +112,7 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   march_ = std::move(march);
   settlesUntil_ = time_ + longestMemory();
   isChanged_ = true;
+  settlesFrom_ = 0;
   recordFields();
   // Another line may stand in the present shape, or above it: the load presses it in before it
   // shows.
@@ -223,17 +251,22 @@ void Simulation::advanceSteadily(double part) {
   } else {
     stepOnce(restingStep(), 0);
   }
+  if (settlesFrom_ == 0) settlesFrom_ = awayFromSteady();
+  if (hasArrived()) settlesUntil_ = 0;
+}
+
+bool Simulation::beginsAnew() {
+  if (!transient_->isOver()) return false;
+  begin();
+  steps_ = 0;
+  time_ = 0;
+  return true;
 }
 
 /// Once over, the motion begins anew. Frames are equally far apart in time through the whole
 /// motion, by as much as its fastest part can be marched in one: what is fast looks fast.
 void Simulation::advanceMotion(double part, double wallSeconds, double end) {
-  if (transient_->isOver()) {
-    begin();
-    steps_ = 0;
-    time_ = 0;
-    return;
-  }
+  if (beginsAnew()) return;
   const double duration = transient_->motion().duration();
   const double stretch = std::min(part * duration, mostSteps() * transient_->shortestStep());
   const double next = (std::round(time_ / stretch) + 1) * stretch;
@@ -250,18 +283,38 @@ void Simulation::advanceTo(double time, double part, double wallSeconds) {
   }
 }
 
-void Simulation::singleStep() {
+void Simulation::singleStep(double part) {
   clearReading();
   const double velocity = ready_->velocity();
-  if (transient_) {
-    samples_.push_back(transient_->singleStep());
-    time_ = transient_->time();
-    steps_ = transient_->steps();
-  } else if (velocity > 0) {
-    stepOnce(naturalStep() / velocity, naturalStep());
-  } else {
-    stepOnce(restingStep(), 0);
+  const double distance = part * ready_->line().length;
+  if (transient_) return stepMotion(distance);
+  if (!(velocity > 0)) return stepOnce(restingStep(), 0);
+  const double wanted = std::max(distance, naturalStep());
+  const double steps =
+      std::min(std::ceil(wanted / naturalStep() - 1e-9), kBudgetByHand * mostSteps());
+  if (wanted > steps * ready_->line().spacing && !isSettling()) {
+    const double timeScale = timeScale_;
+    settle(march_->distance() + wanted);
+    timeScale_ = timeScale;
+    time_ += wanted / velocity;
+    ++steps_;
+    return;
   }
+  const double each = std::min(wanted / steps, ready_->line().spacing);
+  for (double i = 0; i < steps; ++i) stepOnce(each / velocity, each);
+}
+
+/// As far in time as the line needs for that distance where it is fastest.
+void Simulation::stepMotion(double distance) {
+  if (beginsAnew()) return;
+  const double duration = transient_->motion().duration();
+  const double fastest = transient_->motion().fastest(0, duration);
+  const double most =
+      std::min(kMotionByHand * duration, kBudgetByHand * mostSteps() * transient_->shortestStep());
+  const double time = fastest > 0 ? std::min(distance / fastest, most) : most;
+  samples_.push_back(transient_->marchTo(transient_->time() + time));
+  time_ = transient_->time();
+  steps_ = transient_->steps();
 }
 
 bool Simulation::showsSteadyState() const {
@@ -319,14 +372,32 @@ void Simulation::addSteady(Frame& frame) const {
   frame.muSteady = steady.mu;
   frame.muInterface = steady.muInterface;
   if (resolves_ && resolvesContacts() && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
+  frame.steadyPressure = ready_->greatestPressure;
   frame.isSettling = isSettling();
+  if (frame.isSettling) frame.drawn = drawnState(frame);
 }
 
-/// s, after which an element knows nothing of what was before: ten of its longest times, and the
-/// line has come round.
+ContactState Simulation::drawnState(const Frame& frame) const {
+  const Pressed pressed = pressedIn(frame);
+  ContactState drawn;
+  drawn.indentation = march_->indentation();
+  drawn.normalForce = pressed.force;
+  drawn.contactFraction = pressed.fraction;
+  drawn.mu = frame.muMarch;
+  drawn.tangentialForce = std::abs(drawn.mu) * drawn.normalForce;
+  if (hasLocalFriction(*ready_->scene))
+    drawn.muInterface = localFriction(ready_->scene->interface, drawn.normalForce,
+                                      drawn.contactFraction * frame.length);
+  return drawn;
+}
+
+/// s, after which an element knows nothing of what was before: ten of its longest times, more of
+/// them where it was pressed far deeper, and the line has come round.
 double Simulation::longestMemory() const {
   const RetardationModes& modes = march_->modes();
-  const double element = modes.modes() == 0 ? 0 : 10 / modes.rate.front();
+  const double deeper = march_->indentation() / ready_->steady.result.indentation;
+  const double times = 10 + (deeper > 1 && std::isfinite(deeper) ? std::log(deeper) : 0);
+  const double element = modes.modes() == 0 ? 0 : times / modes.rate.front();
   const double velocity = ready_->velocity();
   return element + (velocity > 0 ? ready_->line().length / velocity : 0);
 }
@@ -334,9 +405,24 @@ double Simulation::longestMemory() const {
 /// The march of a coarse line never meets the indentation of the resolved one: hence the limit in
 /// time. Where it ends the steady state takes the march's place in the picture, unseen.
 bool Simulation::isSettling() const {
-  constexpr double kFar = 0.03;  // of the indentation
-  const double wanted = ready_->steady.result.indentation;
-  return time_ < settlesUntil_ && std::abs(march_->indentation() - wanted) > kFar * wanted;
+  return time_ < settlesUntil_ && !hasArrived();
+}
+
+/// Near the steady state, or past it: few elements in contact ripple by more than they are near.
+bool Simulation::hasArrived() const {
+  const double away = awayFromSteady();
+  return std::abs(away) <= kSettled || away * settlesFrom_ < 0;
+}
+
+/// Of indentation and normal force one is held constant and meets its value at once: the other one,
+/// less what it is to become, relative to that.
+double Simulation::awayFromSteady() const {
+  const SteadyResult& steady = ready_->steady.result;
+  if (ready_->scene->load.kind == LoadKind::Force)
+    return march_->indentation() / steady.indentation - 1;
+  double force = 0;
+  for (const double pressure : march_->pressure()) force += pressure * ready_->line().spacing;
+  return force / steady.normalForce - 1;
 }
 
 void Simulation::addMotion(Frame& frame) const {
@@ -344,20 +430,14 @@ void Simulation::addMotion(Frame& frame) const {
   frame.indentation = transient_->march().indentation();
   frame.transient = std::make_shared<const std::vector<TransientSample>>(samples_);
   if (samples_.empty()) {  // the force is carried from the beginning
-    double force = 0;
-    std::size_t touching = 0;
-    for (const double pressure : frame.pressure) {
-      force += pressure * frame.spacing;
-      touching += pressure > 0 ? 1 : 0;
-    }
-    frame.normalForce = force;
-    frame.contactFraction =
-        static_cast<double>(touching) / static_cast<double>(frame.pressure.size());
+    const Pressed pressed = pressedIn(frame);
+    frame.normalForce = pressed.force;
+    frame.contactFraction = pressed.fraction;
     frame.tangentialForce = std::abs(march().slopeForce());
-    if (force > 0) frame.muMarch = frame.tangentialForce / force;
+    if (pressed.force > 0) frame.muMarch = frame.tangentialForce / pressed.force;
     if (frame.velocity != 0)
       frame.muInterface =
-          localFriction(ready_->scene->interface, force, frame.contactFraction * frame.length);
+          localFriction(ready_->scene->interface, pressed.force, pressed.fraction * frame.length);
     return;
   }
   const TransientSample& now = samples_.back();

@@ -48,8 +48,9 @@ class Simulation {
   /// would make; the last one is shorter.
   void advanceTo(double time, double part, double wallSeconds);
 
-  /// One time step.
-  void singleStep();
+  /// One time step, or as many as move the line by this part of its period. A steady state of very
+  /// many elements is moved as it stands: marching them would take too long.
+  void singleStep(double part = 0);
 
   Frame frame() const;
 
@@ -71,6 +72,11 @@ class Simulation {
   bool showsSteadyState() const;
   Frame steadyFrame() const;
   Frame marchedFrame() const;
+  bool hasArrived() const;
+  double awayFromSteady() const;
+  ContactState drawnState(const Frame& frame) const;
+  void stepMotion(double distance);
+  bool beginsAnew();
   double naturalStep() const;
   double restingStep() const;
   bool resolvesContacts() const;
@@ -86,7 +92,8 @@ class Simulation {
   std::uint64_t steps_ = 0;
   double stepsPerFrame_;
   double time_ = 0, timeScale_ = 0;
-  double settlesUntil_ = 0;               // s, at the latest, after a change of the scene
+  double settlesUntil_ = 0;               // s, at the latest, after a change; 0 once settled
+  double settlesFrom_ = 0;                // awayFromSteady() after the first frame of it; 0 before
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
   double touching_ = 0, stretches_ = 0;   // elements and stretches in contact, of the newest steps
   bool isChanged_ = false;                // the scene, since the newest step

@@ -148,6 +148,8 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"seconds_lower_quartile", "s", "Lower quartile of that time.", "", "accuracy"},
     {"seconds_upper_quartile", "s", "Upper quartile of that time.", "", "accuracy"},
     {"line_seconds", "s", "Processor time of making the line.", "", "accuracy"},
+    {"seconds_with_line", "s", "Processor time of one simulation with its part of making the line.",
+     "", "accuracy"},
     {"is_extrapolated", "", "1 where the time was extrapolated from a part of the work.", "",
      "accuracy"},
     {"is_on_front", "", "1 where no other method has less error in less time.", "", "accuracy"},

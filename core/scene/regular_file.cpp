@@ -28,6 +28,8 @@ RegularFile::RegularFile(const std::filesystem::path& file) : name_(file.string(
     if (result < 0)
       throw InputError(name_, "", fmt::format("cannot be opened: {}", std::strerror(errno)));
   };
+  if (file.native().find('\0') != std::string::npos)
+    throw InputError(name_, "", "is no name of a file");
   // The opening alone may wait (pipes) or act (tapes), so the kind is asked first; and again
   // afterwards, because the name may mean another file by then.
   struct stat status;

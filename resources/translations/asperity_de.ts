@@ -439,6 +439,10 @@
         <translation>gemessen: %1, Standardfehler %2</translation>
     </message>
     <message>
+        <source>measured: %1, error %2</source>
+        <translation>gemessen: %1, Fehler %2</translation>
+    </message>
+    <message>
         <source>predicting …</source>
         <translation>Vorhersage läuft …</translation>
     </message>
@@ -1051,6 +1055,10 @@
 <context>
     <name>asperity::MainWindow</name>
     <message>
+        <source>More commands</source>
+        <translation>Weitere Befehle</translation>
+    </message>
+    <message>
         <source>This is the scene before; the changed one is being computed</source>
         <translation>Dies ist die Szene davor; die geänderte wird noch berechnet</translation>
     </message>
@@ -1385,6 +1393,26 @@
     <message>
         <source>“%1” was changed. Save the changes?</source>
         <translation>„%1“ wurde geändert. Änderungen speichern?</translation>
+    </message>
+    <message>
+        <source>Open the scene in “%1”?</source>
+        <translation>Die Szene in „%1“ öffnen?</translation>
+    </message>
+    <message>
+        <source>It reads a file that does not lie beside it: %1</source>
+        <translation>Sie liest eine Datei, die nicht daneben liegt: %1</translation>
+    </message>
+    <message>
+        <source>It takes about %1 GB of memory.</source>
+        <translation>Sie braucht etwa %1 GB Speicher.</translation>
+    </message>
+    <message>
+        <source>Its curve takes about %1 minutes of processor time.</source>
+        <translation>Ihre Kurve braucht etwa %1 Minuten Rechenzeit.</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
     </message>
     <message>
         <source>They go into a new file.</source>
@@ -1793,8 +1821,8 @@
 <context>
     <name>asperity::StatusLine</name>
     <message>
-        <source>The picture is on its way from the scene before to the steady state, which the numbers are of. R shows that at once.</source>
-        <translation>Das Bild ist auf dem Weg von der Szene davor in den stationären Zustand, zu dem die Zahlen gehören. R zeigt ihn sofort.</translation>
+        <source>The picture is on its way from the scene before to the steady state, which these numbers and the chart are of. R shows that at once.</source>
+        <translation>Das Bild ist auf dem Weg von der Szene davor in den stationären Zustand, zu dem diese Zahlen und das Diagramm gehören. R zeigt ihn sofort.</translation>
     </message>
     <message>
         <source>settling (R: at once)</source>
@@ -2395,12 +2423,16 @@
         <translation>So viel simulierte Zeit vergeht hier in einer Sekunde.</translation>
     </message>
     <message>
-        <source>μ of the moving picture</source>
-        <translation>μ des bewegten Bildes</translation>
+        <source>μ when settled</source>
+        <translation>μ eingeschwungen</translation>
     </message>
     <message>
-        <source>The moving picture is a simulation of its own: it follows every element in small steps of time. This is the friction of its last steps. It differs from the steady μ while the elastomer still relaxes after a change, and always a little, because its steps are not infinitely small.</source>
-        <translation>Das bewegte Bild ist eine eigene Simulation: Sie folgt jedem Element in kleinen Zeitschritten. Dies ist die Reibung ihrer letzten Schritte. Sie weicht vom stationären μ ab, solange das Elastomer nach einer Änderung noch relaxiert, und immer ein wenig, weil ihre Schritte nicht unendlich klein sind.</translation>
+        <source>What friction comes to in the steady state, as in the chart. The picture is still on its way there.</source>
+        <translation>Worauf die Reibung im stationären Zustand kommt, wie im Diagramm. Das Bild ist noch auf dem Weg dorthin.</translation>
+    </message>
+    <message>
+        <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
+        <translation>Tangential- durch Normalkraft, während das Elastomer nach einer Änderung noch relaxiert, abgelesen aus den Zeitschritten seit dem letzten Bild.</translation>
     </message>
     <message>
         <source>since contact</source>

@@ -879,8 +879,8 @@
         <translation>Im Grenzfall kleiner Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Bars: one standard error, smaller than most marks.</source>
-        <translation>Balken: ein Standardfehler, kleiner als die meisten Marken.</translation>
+        <source>Bars: one standard error.</source>
+        <translation>Balken: ein Standardfehler.</translation>
     </message>
     <message>
         <source>In zone 1 the coefficient of friction is a power of the force, mu ~ F_N^(-H/(1+H))</source>
@@ -1635,8 +1635,8 @@
         <translation>Die wörtlichen Zeitschritte und das nodale Verfahren sind auf der kleinsten Skala andere Modelle: Bei ihnen ist es ein Unterschied, kein Fehler.</translation>
     </message>
     <message>
-        <source>Processor time of one thread, medians of repeated runs; the line is given.</source>
-        <translation>Prozessorzeit eines Threads, Mediane wiederholter Läufe; die Linie ist gegeben.</translation>
+        <source>Processor time of one thread, medians of repeated runs, with the share of one velocity of the sweep in making the line.</source>
+        <translation>Prozessorzeit eines Threads, Mediane wiederholter Läufe, mit dem Anteil einer Geschwindigkeit der Kurve an der Herstellung der Linie.</translation>
     </message>
     <message>
         <source>Friction over velocity</source>

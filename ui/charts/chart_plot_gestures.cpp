@@ -48,8 +48,19 @@ void ChartPlotView::mouseMoveEvent(QMouseEvent* event) {
   }
   if (gesture_ == Gesture::Marker) dragMarker(place, event->modifiers() & Qt::ShiftModifier);
   if (gesture_ == Gesture::Pan) {
-    setZoom(panned(geometry(), place - panAt_));
+    pan(place - panAt_);
     panAt_ = place;
+  }
+}
+
+/// On both axes or on one, as long as there is something to see.
+void ChartPlotView::pan(QPointF by) {
+  const PlotGeometry map = geometry();
+  const PlotWindow whole{plot_.x.range, plot_.y.range};
+  const bool isEmpty = !showsCurves(window(), plot_);
+  for (const QPointF way : {by, QPointF(by.x(), 0), QPointF(0, by.y())}) {
+    const PlotWindow next = heldWithin(panned(map, way), whole);
+    if (isEmpty || showsCurves(next, plot_)) return setZoom(next);
   }
 }
 
@@ -108,7 +119,9 @@ void ChartPlotView::fit() {
   setZoom(std::nullopt);
 }
 
-void ChartPlotView::setZoom(const std::optional<PlotWindow>& window) {
+void ChartPlotView::setZoom(const std::optional<PlotWindow>& wanted) {
+  std::optional<PlotWindow> window = wanted;
+  if (window) window = heldWithin(*window, {plot_.x.range, plot_.y.range});
   if (window == zoom_) return;
   const bool was = isZoomed();
   zoom_ = window;

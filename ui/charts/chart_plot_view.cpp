@@ -92,6 +92,7 @@ void ChartPlotView::setPlot(const Plot& plot) {
   const bool isNewX = !plot_.marker || !plot.marker || plot.marker->x != plot_.marker->x;
   if (isNewX && gesture_ != Gesture::Marker) wantedX_ = std::numeric_limits<double>::quiet_NaN();
   plot_ = plot;
+  if (zoom_) zoom_ = heldWithin(*zoom_, {plot_.x.range, plot_.y.range});
   showAll();
 }
 

@@ -70,6 +70,7 @@ class ChartPlotView : public PlotView {
   QPointF corner() const;
 
   // In chart_plot_gestures.cpp.
+  void pan(QPointF by);
   void read(QPointF place);
   void gripMarker(QPointF place, bool finely);
   void dragMarker(QPointF place, bool finely);

@@ -128,7 +128,8 @@ int FrictionPlot::pin() {
   if (!curve_) return 0;
   for (const PinnedCurve& pinned : pinned_)
     if (haveSameCurve(*pinned.curve->scene, *curve_->scene) &&
-        pinned.curve->realizationsDone == curve_->realizationsDone)
+        pinned.curve->realizationsDone == curve_->realizationsDone &&
+        pinned.curve->isComplete == curve_->isComplete)
       return 0;
   const auto isTaken = [this](int place) {
     return std::ranges::any_of(pinned_, [&](const PinnedCurve& p) { return p.place == place; });
@@ -194,10 +195,17 @@ Plot FrictionPlot::plot() const {
   plot.marker = marker();
   plot.note = note();
   plot.blank = blank();
-  if (curve_ && !isStale() && curve_->realizationsTotal > 0)
-    plot.progress = static_cast<double>(curve_->realizationsDone) /
-                    static_cast<double>(curve_->realizationsTotal);
+  plot.progress = progress();
   return plot;
+}
+
+double FrictionPlot::progress() const {
+  constexpr double kAlmost = 0.999;
+  if (!curve_ || isStale()) return 0;
+  if (curve_->isComplete) return 1;
+  if (curve_->realizationsTotal <= 0) return 0;
+  return std::min(kAlmost, static_cast<double>(curve_->realizationsDone) /
+                               static_cast<double>(curve_->realizationsTotal));
 }
 
 std::optional<PlotMarker> FrictionPlot::marker() const {

@@ -59,6 +59,9 @@ class FrictionPlot {
 
   bool isStale() const;
   bool hasCurve() const { return curve_ != nullptr; }
+  /// Of the present scene's curve, 0 to 1; 1 only where it is complete, because a target may ask
+  /// for more lines at any time.
+  double progress() const;
   Plot plot() const;
   std::optional<PlotMarker> marker() const;
 

@@ -53,7 +53,7 @@ QString signedPercent(double part) {
 
 /// What there is of a curve while it is averaged.
 QString shareText(const CurveUpdate& curve) {
-  if (curve.realizationsDone >= curve.realizationsTotal) return {};
+  if (curve.isComplete) return {};
   return FrictionSeries::tr("%1 of %2 lines")
       .arg(curve.realizationsDone)
       .arg(curve.realizationsTotal);

@@ -8,7 +8,6 @@ namespace asperity {
 namespace {
 
 constexpr double kNarrowest = 0.1, kWidest = 60;  // decades
-constexpr double kFarthest = 300;                 // of either end from 1
 
 double fraction(double value, const DecadeRange& range) {
   return (std::log10(value) - range.from) / (range.isEmpty() ? 1 : range.size());
@@ -21,8 +20,14 @@ DecadeRange scaled(const DecadeRange& range, double about, double factor) {
 }
 
 DecadeRange moved(const DecadeRange& range, double by) {
-  const double held = std::clamp(by, -kFarthest - range.from, kFarthest - range.to);
-  return {range.from + held, range.to + held};
+  return {range.from + by, range.to + by};
+}
+
+DecadeRange held(const DecadeRange& range, const DecadeRange& whole) {
+  if (range.isEmpty() || whole.isEmpty()) return range;
+  const double least = std::min(0.5 * range.size(), whole.size());
+  const double from = std::clamp(range.from, whole.from + least - range.size(), whole.to - least);
+  return from == range.from ? range : DecadeRange{from, from + range.size()};
 }
 
 double distance(QPointF a, QPointF b) {
@@ -64,6 +69,25 @@ void findSpan(const PlotGeometry& geometry, const Plot& plot, QPointF place, Plo
   for (std::size_t i = 0; i < plot.spans.size(); ++i)
     if (place.x() >= geometry.xOf(plot.spans[i].from) && place.x() < geometry.xOf(plot.spans[i].to))
       target.span = static_cast<int>(i);
+}
+
+/// Whether the straight line between two points on logarithmic axes passes through the window.
+bool crosses(const PlotWindow& window, const PlotPoint& a, const PlotPoint& b) {
+  const double ax = std::log10(a.x), ay = std::log10(a.y);
+  const double dx = std::log10(b.x) - ax, dy = std::log10(b.y) - ay;
+  double from = 0, to = 1;  // the part of it within the ends of both axes
+  const auto cut = [&](double start, double way, const DecadeRange& range) {
+    if (way == 0) {
+      if (start < range.from || start > range.to) to = -1;
+      return;
+    }
+    const double one = (range.from - start) / way, other = (range.to - start) / way;
+    from = std::max(from, std::min(one, other));
+    to = std::min(to, std::max(one, other));
+  };
+  cut(ax, dx, window.x);
+  cut(ay, dy, window.y);
+  return from <= to;
 }
 
 }  // namespace
@@ -126,6 +150,19 @@ PlotWindow panned(const PlotGeometry& geometry, QPointF by) {
   if (!(area.width() > 0) || !(area.height() > 0)) return {geometry.x, geometry.y};
   return {moved(geometry.x, -by.x() / area.width() * geometry.x.size()),
           moved(geometry.y, by.y() / area.height() * geometry.y.size())};
+}
+
+PlotWindow heldWithin(const PlotWindow& window, const PlotWindow& whole) {
+  return {held(window.x, whole.x), held(window.y, whole.y)};
+}
+
+bool showsCurves(const PlotWindow& window, const Plot& plot) {
+  for (const PlotSeries& series : plot.series) {
+    const std::vector<PlotPoint> points = plottable(series.points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (crosses(window, points[i], points[std::min(i + 1, points.size() - 1)])) return true;
+  }
+  return false;
 }
 
 }  // namespace asperity

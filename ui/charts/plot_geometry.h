@@ -55,4 +55,11 @@ PlotWindow zoomed(const PlotGeometry& geometry, QPointF about, double factor, Zo
 /// Moved with the pointer by so many pixels.
 PlotWindow panned(const PlotGeometry& geometry, QPointF by);
 
+/// The window, or the nearest of its size of which on each axis at least a half shows a part of
+/// `whole`, or all of it.
+PlotWindow heldWithin(const PlotWindow& window, const PlotWindow& whole);
+
+/// Whether any curve of the plot passes through the window.
+bool showsCurves(const PlotWindow& window, const Plot& plot);
+
 }  // namespace asperity

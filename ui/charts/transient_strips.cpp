@@ -19,6 +19,8 @@ namespace {
 
 constexpr double kLeft = 78, kRight = 34;  // margins of the strips, pixels, at least
 constexpr double kGap = 8;                 // between strips
+constexpr double kNameGap = 8;             // on either side of the names beside them
+constexpr double kMostForNames = 0.2;      // of the width
 constexpr double kTickWidth = 90;          // that a label of a time needs, times the letters' scale
 
 /// Where a strip begins and ends, with some air; never empty.
@@ -86,7 +88,8 @@ void TransientStrips::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), colours_.background);
   const double text = fontMetrics().height();
   const double left = std::max(kLeft, fontMetrics().horizontalAdvance("8.88×10⁻⁵") + 14.0);
-  const double right = std::max(kRight, fontMetrics().horizontalAdvance("88.8 ms") / 2 + 4.0);
+  const QStringList names{tr("friction μ"), tr("indentation d"), tr("contact length ℓ")};
+  const double right = std::max(kRight, nameWidth(names) + 2 * kNameGap);
   const QRectF area(left, text + 14, width() - left - right, height() - 2 * text - 26);
   paintLegend(painter, {16, 0, width() - 32.0, text + 14});
   const double each = (area.height() - 2 * kGap) / 3;
@@ -94,13 +97,14 @@ void TransientStrips::paintEvent(QPaintEvent*) {
   const StripFloors floors = samples_ ? stripFloors(*samples_, spacing_, period_) : StripFloors{};
   const auto next = [&](const QString& name, const char* unit, const Line& line, const Line& over,
                         double least) {
-    paintStrip(painter, strip, name, unit, line, over, least);
+    paintStrip(painter, strip, unit, line, over, least);
+    painter.setPen(colours_.text);
+    painter.drawText(nameRoom(strip), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, name);
     strip.translate(0, each + kGap);
   };
-  next(tr("friction μ"), "", lineOf([](const auto& s) { return s.mu; }), guide_, floors.friction);
-  next(tr("indentation d"), "m", lineOf([](const auto& s) { return s.indentation; }), {},
-       floors.indentation);
-  next(tr("contact length ℓ"), "m", lineOf([](const auto& s) { return s.contactLength; }), {},
+  next(names[0], "", lineOf([](const auto& s) { return s.mu; }), guide_, floors.friction);
+  next(names[1], "m", lineOf([](const auto& s) { return s.indentation; }), {}, floors.indentation);
+  next(names[2], "m", lineOf([](const auto& s) { return s.contactLength; }), {},
        floors.contactLength);
   paintTimes(painter, area);
 }
@@ -120,9 +124,8 @@ void TransientStrips::paintLegend(QPainter& painter, const QRectF& room) const {
       fontMetrics().elidedText(note(), Qt::ElideRight, static_cast<int>(place.width())));
 }
 
-void TransientStrips::paintStrip(QPainter& painter, const QRectF& room, const QString& name,
-                                 const char* unit, const Line& line, const Line& guide,
-                                 double least) const {
+void TransientStrips::paintStrip(QPainter& painter, const QRectF& room, const char* unit,
+                                 const Line& line, const Line& guide, double least) const {
   const auto [low, high] = rangeOf(line, least);
   const auto place = [&, low = low, high = high](const QPointF& point) {
     return QPointF(room.left() + room.width() * point.x() / sliding_.duration,
@@ -141,14 +144,23 @@ void TransientStrips::paintStrip(QPainter& painter, const QRectF& room, const QS
   painter.setPen(QPen(colours_.marker, 1.6 * scale, Qt::DashLine));
   painter.drawPath(pathOf(guide, place));
   painter.restore();
-  // In a corner that the newest part of the line leaves free for most of the motion.
-  const double width = fontMetrics().horizontalAdvance(name);
-  const QRectF label(room.right() - width - 10, room.top() + 2, width + 6, fontMetrics().height());
-  QColor halo = colours_.background;
-  halo.setAlphaF(0.8F);
-  painter.fillRect(label, halo);
-  painter.setPen(colours_.text);
-  painter.drawText(label, Qt::AlignCenter, name);
+}
+
+/// On one line each where that leaves most of the width to the strips, else word by word.
+double TransientStrips::nameWidth(const QStringList& names) const {
+  double whole = 0, words = 0;
+  for (const QString& name : names) {
+    whole = std::max<double>(whole, fontMetrics().horizontalAdvance(name));
+    for (const QString& word : name.split(' '))
+      words = std::max<double>(words, fontMetrics().horizontalAdvance(word));
+  }
+  return whole < kMostForNames * width() ? whole : words;
+}
+
+/// Beside the strip, where no curve comes; the last line of a name in a low one reaches beyond it.
+QRectF TransientStrips::nameRoom(const QRectF& strip) const {
+  const double left = strip.right() + kNameGap;
+  return {left, strip.top() - kGap, width() - left, strip.height() + 2 * kGap};
 }
 
 /// Labels at the ends would meet those of the next strip: they stay away where two others are left.

@@ -40,8 +40,10 @@ class TransientStrips : public QWidget {
   bool hasGuide() const { return guide_.size() > 1; }
   Line lineOf(const std::function<double(const TransientSample&)>& value) const;
   void paintLegend(QPainter& painter, const QRectF& room) const;
-  void paintStrip(QPainter& painter, const QRectF& room, const QString& name, const char* unit,
-                  const Line& line, const Line& guide, double least) const;
+  void paintStrip(QPainter& painter, const QRectF& room, const char* unit, const Line& line,
+                  const Line& guide, double least) const;
+  double nameWidth(const QStringList& names) const;
+  QRectF nameRoom(const QRectF& strip) const;
   void paintValues(QPainter& painter, const QRectF& room, const char* unit, const AxisEnds& ends,
                    const std::function<double(double)>& yOf) const;
   void paintTimes(QPainter& painter, const QRectF& room) const;

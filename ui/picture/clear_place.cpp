@@ -19,7 +19,48 @@ bool isAbove(const Frame& frame, const ContactLayout& layout, std::size_t point,
   return y + 0.5F * glowDepth(layout) < top || y > layout.plot.bottom() + 0.5F * glowDepth(layout);
 }
 
+/// How many points of the range, which goes on around the period, have it; none twice.
+std::int64_t countWithin(const Frame& frame, const PointRange& range, const auto& has) {
+  const auto n = static_cast<std::int64_t>(frame.pressure.size());
+  std::int64_t count = 0;
+  for (std::int64_t i = range.first; i <= range.last && i < range.first + n; ++i)
+    count += has(static_cast<std::size_t>((i % n + n) % n)) ? 1 : 0;
+  return count;
+}
+
+/// Nothing of the other body comes into the rows of the box, and at most of the points the body
+/// itself reaches its middle: the rest may be air.
+bool liesOn(Body body, const Frame& frame, const ContactLayout& layout, const Box& box,
+            const PointRange& range) {
+  const float middle = box.y + box.height / 2;
+  const bool isRigid = body == Body::Rigid;
+  const auto isIntruded = [&](std::size_t point) {
+    return isRigid ? layout.py(frame.surfaceHeight[point]) < box.bottom()
+                   : layout.py(frame.lineHeight[point]) > box.y;
+  };
+  const auto isReached = [&](std::size_t point) {
+    return isRigid ? layout.py(frame.lineHeight[point]) > middle
+                   : layout.py(frame.surfaceHeight[point]) < middle;
+  };
+  const auto n = static_cast<std::int64_t>(frame.pressure.size());
+  return countWithin(frame, range, isIntruded) == 0 &&
+         2 * countWithin(frame, range, isReached) >= std::min(range.count(), n);
+}
+
+/// The points that lie between two columns of pixels.
+PointRange pointsBetween(const Frame& frame, const ContactLayout& layout, float left, float right) {
+  const double perMetre = layout.pixelsPerMetreAlong();
+  return pointsWithin(frame, layout.view.left + (left - layout.plot.x) / perMetre,
+                      (right - left) / perMetre);
+}
+
 }  // namespace
+
+bool liesOn(Body body, const Frame& frame, const ContactLayout& layout, const Box& box) {
+  const auto last = static_cast<std::int64_t>(frame.pressure.size()) - 1;
+  return liesOn(body, frame, layout, box, {0, last}) ||
+         liesOn(body, frame, layout, box, pointsBetween(frame, layout, box.x, box.right()));
+}
 
 bool clearAcross(const Frame& frame, const ContactLayout& layout, float top) {
   for (std::size_t i = 0; i < frame.pressure.size(); ++i)
@@ -30,17 +71,13 @@ bool clearAcross(const Frame& frame, const ContactLayout& layout, float top) {
 std::optional<float> clearPlace(const Frame& frame, const ContactLayout& layout, float top,
                                 float width, float margin) {
   const Box& plot = layout.plot;
-  const auto n = static_cast<std::int64_t>(frame.pressure.size());
   const auto isClear = [&](float x) {
     const float air = 0.5F * margin;  // less than margin: the axes' ends are no neighbours
-    const double left = layout.view.left + (x - air - plot.x) / layout.pixelsPerMetreAlong();
-    const double across = (width + 2 * air) / layout.pixelsPerMetreAlong();
-    const PointRange range = pointsWithin(frame, left, across);
-    for (std::int64_t i = range.first; i <= range.last && i < range.first + n; ++i) {
-      const auto point = static_cast<std::size_t>((i % n + n) % n);
-      if (touches(frame, layout, point) && !isAbove(frame, layout, point, top)) return false;
-    }
-    return true;
+    return countWithin(frame, pointsBetween(frame, layout, x - air, x + width + air),
+                       [&](std::size_t point) {
+                         return touches(frame, layout, point) &&
+                                !isAbove(frame, layout, point, top);
+                       }) == 0;
   };
   for (const float x : {plot.x + margin, plot.right() - margin - width,
                         std::round(plot.x + (plot.width - width) / 2)})

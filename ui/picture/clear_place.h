@@ -1,5 +1,5 @@
-// Where a label hides no contact, and where one on the rigid body is not crossed by its line.
-// Private to ui/picture; pure.
+// Where a label hides no contact, where one is not crossed by the line of its body, and where one
+// lies on the body that it names. Private to ui/picture; pure.
 #pragma once
 
 #include <optional>
@@ -37,5 +37,10 @@ CurveRows rowsOf(const Frame& frame, const std::vector<double>& heights,
 /// The left end nearest to `wanted`, from `from` to `to`, of a box of this size at the row `top`
 /// that lies above the curve now; none where none does.
 std::optional<float> placeAbove(const CurveRows& curve, const Box& wanted, float from, float to);
+enum class Body { Rigid, Elastomer };
+
+/// Whether a label in the box lies on the body and not on the other one: while the line slides by,
+/// or at least now.
+bool liesOn(Body body, const Frame& frame, const ContactLayout& layout, const Box& box);
 
 }  // namespace asperity

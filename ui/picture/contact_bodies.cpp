@@ -65,14 +65,12 @@ void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layo
   const double slid = velocity < 0 ? -std::abs(frame.distance) : frame.distance;
   double offset = std::fmod((slid - layout.view.left) * layout.pixelsPerMetreAlong(), gap);
   if (!std::isfinite(offset)) offset = 0;
-  const Rgba middle = withAlpha(layout.theme.rigidEdge, 0.15F);
-  const Rgba edge = withAlpha(layout.theme.rigidEdge, 0);
-  const float half = 1.4F * std::max(1.0F, layout.sizes.unit);
+  // Lines of one colour, which vector pictures can keep as such.
+  const Rgba colour = withAlpha(layout.theme.rigidEdge, 0.15F);
+  const float width = std::max(1.0F, layout.sizes.unit);
   for (double x = p.x + offset - gap; x < p.right() + p.height; x += gap) {
     const auto top = static_cast<float>(x), end = top - (bottom - p.y);
-    for (const float side : {-half, half})
-      addQuad(layer, {top, p.y, middle}, {top + side, p.y, edge}, {end + side, bottom, edge},
-              {end, bottom, middle});
+    addLine(layer, {{top, p.y}, {end, bottom}}, width, colour);
   }
 }
 

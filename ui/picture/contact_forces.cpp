@@ -11,6 +11,7 @@ namespace asperity {
 namespace {
 
 constexpr float kLeastPlot = 130;         // units; in lower plots there is no room
+constexpr float kShortestArrow = 5;       // units; a shorter one is lost in the dot at its foot
 constexpr double kTypicalFriction = 0.5;  // of the plateau's mu: its arrow is about as long as F_N
 
 /// 1, 2 or 5 times a power of ten; at plateaus mu is about 1.4 times the rms slope.
@@ -33,16 +34,22 @@ double velocityOf(const Frame& frame) {
   return frame.scene ? frame.scene->sliding.velocity : 0;
 }
 
-double frictionOf(const Frame& frame) {
-  return frame.transient ? frame.muMarch : frame.muSteady;
+ContactState drawnState(const Frame& frame) {
+  if (frame.isSettling) return frame.drawn;
+  return {frame.indentation,
+          frame.normalForce,
+          frame.tangentialForce,
+          frame.contactFraction,
+          frame.transient ? frame.muMarch : frame.muSteady,
+          frame.muInterface};
 }
 
 bool hasInterface(const Frame& frame) {
   return frame.scene && hasLocalFriction(*frame.scene);
 }
 
-double totalFrictionOf(const Frame& frame) {
-  return frictionOf(frame) + frame.muInterface;
+double totalFriction(const ContactState& state) {
+  return state.mu + state.muInterface;
 }
 
 bool pushesRight(const Frame& frame) {
@@ -51,18 +58,19 @@ bool pushesRight(const Frame& frame) {
   return (force != 0 ? force : velocityOf(frame)) < 0;
 }
 
-double frictionForceOf(const Frame& frame) {
-  if (!(frame.muInterface > 0)) return frame.tangentialForce;
-  return std::abs(totalFrictionOf(frame)) * frame.normalForce;
+double frictionForce(const ContactState& state) {
+  if (!(state.muInterface > 0)) return state.tangentialForce;
+  return std::abs(totalFriction(state)) * state.normalForce;
 }
 
 ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout) {
   ForceArrows arrows;
+  const ContactState state = drawnState(frame);
   const float u = layout.sizes.unit;
-  if (!(frame.normalForce > 0) || layout.plot.height < kLeastPlot * u) return arrows;
+  if (!(state.normalForce > 0) || layout.plot.height < kLeastPlot * u) return arrows;
   arrows.down = std::clamp(0.17F * layout.plot.height, 26 * u, 64 * u);
-  const double mu = totalFrictionOf(frame);
-  if (!(mu > 0) || !(frictionForceOf(frame) > 0)) return arrows;
+  const double mu = totalFriction(state);
+  if (!(mu > 0) || !(frictionForce(state) > 0)) return arrows;
   arrows.pointsRight = pushesRight(frame);
   arrows.enlarged = enlargementFor(frame.rmsSlope);
   const double room = 0.3 * layout.plot.width / arrows.down;  // in lengths of the normal force
@@ -70,6 +78,7 @@ ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout) {
     arrows.enlarged = std::max(1.0, arrows.enlarged / 10);
   if (mu * arrows.enlarged > room) arrows.down *= static_cast<float>(room / (mu * arrows.enlarged));
   arrows.sideways = static_cast<float>(mu * arrows.enlarged) * arrows.down;
+  if (arrows.sideways < kShortestArrow * u) arrows.sideways = 0;
   return arrows;
 }
 

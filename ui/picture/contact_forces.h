@@ -12,7 +12,7 @@ namespace asperity {
 /// with mu in total.
 struct ForceArrows {
   float down = 0;      // 0: no force, or no room for arrows
-  float sideways = 0;  // 0: no friction
+  float sideways = 0;  // 0: no friction, or too little of it for an arrow
   double enlarged = 1;
   bool pointsRight = false;
 };
@@ -34,16 +34,17 @@ void addForceArrows(ForceLayers layers, const ForceArrows& arrows, Place from,
 /// m/s, now; 0 without a scene.
 double velocityOf(const Frame& frame);
 
-/// The friction coefficient of the deformation that the frame stands for.
-double frictionOf(const Frame& frame);
+/// Of what is drawn: of the steady state or, while the picture is still on its way there and of any
+/// other motion, of this moment.
+ContactState drawnState(const Frame& frame);
 
 /// Whether local friction stands beside that of the deformation.
 bool hasInterface(const Frame& frame);
 
 /// The friction coefficient with the interface's part.
-double totalFrictionOf(const Frame& frame);
+double totalFriction(const ContactState& state);
 
 /// N, magnitude; with the interface's part: what acts on the line.
-double frictionForceOf(const Frame& frame);
+double frictionForce(const ContactState& state);
 
 }  // namespace asperity

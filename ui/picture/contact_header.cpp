@@ -47,45 +47,64 @@ std::string frictionText(double mu, double error) {
 /// Of the interface and in total, where the scene has local friction.
 void addInterfaceReadings(std::vector<Reading>& readings, const Frame& frame) {
   if (!hasInterface(frame)) return;
+  const ContactState state = drawnState(frame);
   readings.push_back({{{Words::tr("\u03BC of the interface")}},
-                      shortNumber(frame.muInterface, 3, Zeros::Keep),
+                      shortNumber(state.muInterface, 3, Zeros::Keep),
                       2,
                       Words::tr("Of local friction in contact, beside what the deformation costs; "
                                 "it does not change the contact.")});
   readings.push_back(
       {{{Words::tr("\u03BC in total")}},
-       shortNumber(totalFrictionOf(frame), 3, Zeros::Keep),
+       shortNumber(totalFriction(state), 3, Zeros::Keep),
        1,
        Words::tr("Of deformation and interface together: friction force over normal force.")});
 }
 
+std::string frictionTip(const Frame& frame) {
+  if (frame.isSettling)
+    return Words::tr(
+        "Tangential over normal force while the elastomer still relaxes after a "
+        "change, read from the time steps since the last picture.");
+  if (frame.transient)
+    return Words::tr(
+        "Tangential over normal force at this moment of the motion, a mean "
+        "over the time since the last picture. After \u00B1 stands the "
+        "estimated error of elements and time steps.");
+  return Words::tr(
+      "Tangential over normal force in steady sliding: of this line at this velocity, "
+      "computed without time steps.");
+}
+
+/// Of what is drawn. While that is on its way to the steady state, the friction there is told, too.
 std::vector<Reading> readingsOf(const Frame& frame) {
   std::vector<Reading> readings;
-  // A motion that is not steady has only its march.
   const bool isSteady = !frame.transient;
-  const double mu = frictionOf(frame);
+  const ContactState state = drawnState(frame);
   readings.push_back(
       {{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
                              : Words::tr("friction coefficient \u03BC")}},
-       isSteady ? shortNumber(mu, 3, Zeros::Keep) : frictionText(mu, frame.muError),
+       isSteady ? shortNumber(state.mu, 3, Zeros::Keep) : frictionText(state.mu, frame.muError),
        0,
-       isSteady ? Words::tr("Tangential over normal force in steady sliding: of this line at this "
-                            "velocity, computed without time steps.")
-                : Words::tr("Tangential over normal force at this moment of the motion, a mean "
-                            "over the time since the last picture. After \u00B1 stands the "
-                            "estimated error of elements and time steps.")});
+       frictionTip(frame)});
+  if (frame.isSettling)
+    readings.push_back(
+        {{{Words::tr("\u03BC when settled")}},
+         shortNumber(frame.muSteady, 3, Zeros::Keep),
+         7,
+         Words::tr("What friction comes to in the steady state, as in the chart. The "
+                   "picture is still on its way there.")});
   addInterfaceReadings(readings, frame);
   readings.push_back({{{Words::tr("normal force F")}, {"N", false, true}},
-                      quantity(frame.normalForce, "N"),
+                      quantity(state.normalForce, "N"),
                       3,
                       Words::tr("Force that presses one period of the line into the elastomer.")});
   readings.push_back(
       {{{Words::tr("indentation d")}},
-       quantity(frame.indentation, "m"),
+       quantity(state.indentation, "m"),
        5,
        Words::tr("How deep the lowest point of the line lies below the undeformed surface.")});
   readings.push_back({{{Words::tr("in contact")}},
-                      percent(frame.contactFraction),
+                      percent(state.contactFraction),
                       4,
                       Words::tr("Share of the line's length that touches the elastomer.")});
   if (frame.scene)
@@ -100,15 +119,6 @@ std::vector<Reading> readingsOf(const Frame& frame) {
                         "= " + quantity(frame.timeScale, "s"),
                         8,
                         Words::tr("So much of the simulated time passes in one second here.")});
-  if (isSteady && std::isfinite(frame.muMarch))
-    readings.push_back(
-        {{{Words::tr("\u03BC of the moving picture")}},
-         shortNumber(frame.muMarch, 3, Zeros::Keep),
-         7,
-         Words::tr("The moving picture is a simulation of its own: it follows every element in "
-                   "small steps of time. This is the friction of its last steps. It differs from "
-                   "the steady \u03BC while the elastomer still relaxes after a change, and always "
-                   "a little, because its steps are not infinitely small.")});
   return readings;
 }
 

@@ -32,10 +32,10 @@ Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
   const bool toTheRight = pushesRight(frame);
   Tag tag{{{hasInterface(frame) ? Words::tr("friction in total F") : Words::tr("friction F")},
            {"x", false, true},
-           {" = " + quantity(frictionForceOf(frame), "N")}},
+           {" = " + quantity(frictionForce(drawnState(frame)), "N")}},
           toTheRight ? ArrowWay::Right : ArrowWay::Left,
           {}};
-  if (!(arrows.down > 0)) return tag;
+  if (!(arrows.sideways > 0)) return tag;
   tag.arrow = ArrowWay::None;
   if (arrows.enlarged > 1)
     tag.before.push_back({filled(Words::tr(", arrow %1\u00D7"), {shortNumber(arrows.enlarged)})});
@@ -43,7 +43,7 @@ Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
 }
 
 Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
-  return {{{"F"}, {"N", false, true}, {" = " + quantity(frame.normalForce, "N")}},
+  return {{{"F"}, {"N", false, true}, {" = " + quantity(drawnState(frame).normalForce, "N")}},
           arrows.down > 0 ? ArrowWay::None : ArrowWay::Down,
           {}};
 }
@@ -51,9 +51,10 @@ Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
 /// The more important first.
 std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows) {
   std::vector<Tag> tags;
-  if (frame.normalForce > 0) tags.push_back(pressingTag(frame, arrows));
+  const ContactState state = drawnState(frame);
+  if (state.normalForce > 0) tags.push_back(pressingTag(frame, arrows));
   // No steady friction (none at all, or a state that has none): no arrow for what rounding leaves.
-  if (totalFrictionOf(frame) > 0 && frictionForceOf(frame) > 0)
+  if (totalFriction(state) > 0 && frictionForce(state) > 0)
     tags.push_back(frictionTag(frame, arrows));
   return tags;
 }
@@ -124,15 +125,18 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   std::optional<Tag> motion = slidingTag(frame, false);
   const auto both = [&] { return painter.width(name) + painter.width(*motion) + gap; };
   if (motion && both() > right - left) motion = slidingTag(frame, true);
-  painter.paint(name, {left, y}, plate);
-  if (motion && both() > right - left) {  // a narrow picture: one below the other
+  // Zoomed to the rubber, there is no rigid body in its corner.
+  const bool isThere =
+      liesOn(Body::Rigid, frame, layout, {left, y, painter.width(name), painter.height()});
+  if (isThere) painter.paint(name, {left, y}, plate);
+  if (motion && isThere && both() > right - left) {  // a narrow picture: one below the other
     const float below = y + painter.height();
     if (painter.width(*motion) <= right - left && 6 * painter.height() < layout.plot.height &&
         lineStaysBelow(frame, layout, below + painter.height()))
       painter.paint(*motion, {left, below}, plate);
     return;
   }
-  left += painter.width(name) + gap;
+  if (isThere) left += painter.width(name) + gap;
   const ForceArrows arrows = forceArrows(frame, layout);
   for (const Tag& force : forceTags(frame, arrows)) {
     const float needed = painter.width(force) + gap;
@@ -140,7 +144,7 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
     painter.paint(force, {right - painter.width(force), y}, plate);
     right -= needed;
   }
-  if (!motion) return;
+  if (!motion || painter.width(*motion) > right - left) return;
   const float width = painter.width(*motion);
   const float middle = layout.plot.x + (layout.plot.width - width) / 2;
   painter.paint(*motion, {std::round(std::clamp(middle, left, right - width)), y}, plate);
@@ -156,8 +160,8 @@ std::string powerText(const Frame& frame) {
     if (!(frame.pressure[i] > 0)) free += frame.power[i];
   }
   const bool isSteady = !frame.transient && !frame.isSettling;
-  const double power =
-      isSteady ? frictionForceOf(frame) * std::abs(velocityOf(frame)) : whole * frame.spacing;
+  const double power = isSteady ? frictionForce(drawnState(frame)) * std::abs(velocityOf(frame))
+                                : whole * frame.spacing;
   if (!(whole > 0)) return Words::tr("nothing is dissipated");
   return filled(Words::tr("%1 in all, %2 % in the free surface"),
                 {quantity(power, "W"), shortNumber(100 * free / whole, 2)});
@@ -201,9 +205,13 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
   const auto fits = [&](const Tag& tag) {
     return painter.width(tag) + 2 * margin <= layout.plot.width;
   };
+  const auto liesThere = [&](const Tag& tag, float x) {
+    return liesOn(Body::Elastomer, frame, layout, {x, top, painter.width(tag), painter.height()});
+  };
   if (clearAcross(frame, layout, top)) {
     const auto tag = std::find_if(tags.begin(), tags.end(), fits);
-    if (tag != tags.end()) painter.paint(*tag, {layout.plot.x + margin, top}, plate);
+    const float left = layout.plot.x + margin;
+    if (tag != tags.end() && liesThere(*tag, left)) painter.paint(*tag, {left, top}, plate);
     return;
   }
   const std::string words = elastomerWords(frame);
@@ -213,7 +221,7 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
   for (const Tag& tag : tags) {
     if (!fits(tag)) continue;
     const auto x = clearPlace(frame, layout, top, painter.width(tag), margin);
-    if (x) return painter.paint(tag, {*x, top}, plate);
+    if (x && liesThere(tag, *x)) return painter.paint(tag, {*x, top}, plate);
   }
 }
 

@@ -25,6 +25,13 @@ std::string_view unitOf(ContactOverlay overlay) {
   return overlay == ContactOverlay::Power ? "W/m" : "N/m";
 }
 
+/// The end with the unit that the numbers before it count in: "200 N/m" or, where there is no
+/// prefix any more, "5×10⁻²⁹ N/m".
+std::string lastLabel(double end, const AxisTicks& axis, std::string_view unit) {
+  const bool hasPrefix = axis.unitSize == prefixFor(end).size;
+  return hasPrefix ? shortNumber(end / axis.unitSize) + " " + axis.unit : quantity(end, unit);
+}
+
 double greatestOf(const std::vector<double>& values) {
   double greatest = 0;
   for (const double value : values)
@@ -100,8 +107,8 @@ std::string ColourScale::shortTitle() const {
 }
 
 std::vector<LegendTick> ColourScale::ticks(int most) const {
-  const std::string last = quantity(end, unitOf(overlay));
   const AxisTicks round = linearTicks(0, end, most, unitOf(overlay));
+  const std::string last = lastLabel(end, round, unitOf(overlay));
   std::vector<LegendTick> ticks;
   if (overlay == ContactOverlay::Power) {
     // One unit for all: numbers alone are short enough to stand at each decade.
@@ -123,7 +130,9 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
   if (!isDrawable(frame) || values.size() != frame.lineHeight.size() || greatestOf(values) > 0)
     return {};
   const bool rests = velocityOf(frame) == 0;
-  const bool touches = frame.normalForce > 0 || frame.contactFraction > 0;
+  // Points that are all in contact would bear pressure.
+  const bool touches =
+      frame.contactFraction < 1 && (frame.normalForce > 0 || frame.contactFraction > 0);
   if (touches && !(greatestOf(frame.pressure) > 0))
     return Words::tr("no colours: contact lies between two points");
   if (overlay == ContactOverlay::Pressure) return Words::tr("no colours: nothing touches");
@@ -150,13 +159,14 @@ const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay) 
 }
 
 double scaleEnd(const Frame& frame, ContactOverlay overlay, double last) {
+  constexpr double kInHand = 1.1;  // or it would change often
+  if (overlay == ContactOverlay::Pressure && frame.steadyPressure > 0)
+    return roundUp(kInHand * frame.steadyPressure);
   double greatest = greatestOf(valuesOf(frame, overlay));
   if (overlay == ContactOverlay::Relaxation && greatest > 0)
     greatest = std::min(greatest, kRelaxationTimes * longestRelaxation(frame));
   if (!(greatest > 0) || (greatest <= last && greatest > 0.4 * last)) return last;
-  return roundUp(overlay == ContactOverlay::Relaxation
-                     ? greatest
-                     : 1.1 * greatest);  // a tenth in hand, or it would change often
+  return roundUp(overlay == ContactOverlay::Relaxation ? greatest : kInHand * greatest);
 }
 
 double endIn(const ContactView& view, ContactOverlay overlay) {

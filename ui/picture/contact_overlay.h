@@ -48,7 +48,7 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay);
 const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay);
 
 /// A round end of the scale for this frame, 0 where it has nothing to show. `last`: kept as long as
-/// it does.
+/// it does; of pressures only where those of the steady state are not known.
 double scaleEnd(const Frame& frame, ContactOverlay overlay, double last);
 
 /// The end in a view.

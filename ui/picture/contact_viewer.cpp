@@ -20,12 +20,21 @@ double periodOf(const Frame& frame) {
   return frame.spacing * static_cast<double>(frame.lineHeight.size());
 }
 
+/// Whether colours go on: another scene, the end of settling and a motion that begins anew have a
+/// scale of their own, whatever was shown before.
+bool showsTheSame(const Frame& last, const Frame& now) {
+  return last.sceneNumber == now.sceneNumber && last.isSettling == now.isSettling &&
+         last.time <= now.time;
+}
+
 }  // namespace
 
 void ContactViewer::setFrame(std::shared_ptr<const Frame> frame) {
   const std::shared_ptr<const Frame> last = std::exchange(frame_, std::move(frame));
   if (!frame_) return;
   if (last && last->length != frame_->length) fit();
+  if (fitted_ && last && !showsTheSame(*last, *frame_))
+    fitted_->pressure = fitted_->age = fitted_->power = 0;
   fitted_ = fittedView(*frame_, fitted_);
   fitted_->left = fitted_->width = 0;
   if (magnifies_) followPeak(last.get());

@@ -23,10 +23,13 @@ struct AxisUnit {
   double size;
 };
 
-/// Whether a unit without prefixes counts in a power of ten, where plain numbers would be long.
+/// Whether a unit counts in a power of ten: where it takes no prefix and plain numbers would be
+/// long, and beyond all prefixes.
 bool takesPower(double magnitude, std::string_view unit) {
-  return !takesPrefix(unit) && magnitude > 0 && std::isfinite(magnitude) &&
-         !(magnitude >= 1e-2 && magnitude < 1e5);
+  if (!(magnitude > 0) || !std::isfinite(magnitude)) return false;
+  if (!takesPrefix(unit)) return !(magnitude >= 1e-2 && magnitude < 1e5);
+  const double shown = magnitude / prefixFor(magnitude).size;
+  return shown < 1 - 1e-9 || shown >= 1e3 * (1 + 1e-9);
 }
 
 /// The unit that an axis up to `magnitude` counts in, with a prefix where it takes one.

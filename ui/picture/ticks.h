@@ -29,8 +29,8 @@ double roundUp(double value);
 
 /// At most `most` places with a step of 1, 2 or 5 times a power of ten; none if from >= to or the
 /// step is lost in rounding. `unit` is the SI unit; its prefix follows the larger end. A unit that
-/// takes none ("", "%", "1/m", "m²") counts in a power of ten where plain numbers would be long:
-/// that of the largest tick.
+/// takes none ("", "%", "1/m", "m²") counts in a power of ten where plain numbers would be long,
+/// and so does any unit beyond all prefixes: that of the largest tick.
 AxisTicks linearTicks(double from, double to, int most, std::string_view unit);
 
 /// The places between the ticks that split a step of 1, 2, 5 into 5, 4, 5; ascending, in [from,

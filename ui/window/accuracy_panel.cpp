@@ -162,9 +162,11 @@ void AccuracyPanel::showScene(const Scene& scene) {
   predict();
 }
 
-void AccuracyPanel::showMeasured(double time, double standardError) {
+void AccuracyPanel::showMeasured(double time, double standardError, double interval) {
+  const bool isSingle = !std::isfinite(standardError) && std::isfinite(interval);
   measured_->setText(
-      tr("measured: %1, standard error %2").arg(seconds(time), percent(standardError)));
+      isSingle ? tr("measured: %1, error %2").arg(seconds(time), percent(interval))
+               : tr("measured: %1, standard error %2").arg(seconds(time), percent(standardError)));
 }
 
 std::optional<CurveSetting> AccuracyPanel::comparison() const {

@@ -45,8 +45,9 @@ class AccuracyPanel : public QWidget {
   explicit AccuracyPanel(QWidget* parent = nullptr);
 
   void showScene(const Scene& scene);
-  /// Of the finished curve of the scene shown; the error is relative, root mean square.
-  void showMeasured(double seconds, double standardError);
+  /// Of the finished curve of the scene shown; errors are relative, root mean square. interval:
+  /// half of it, said where there is no standard error, as of a single line to a target.
+  void showMeasured(double seconds, double standardError, double interval = kNotApplicable);
   void setTheme(const Theme& theme);
 
   /// With what the curve is to be compared; none: with nothing.

@@ -121,6 +121,7 @@ QString windowStyleSheet(const Theme& theme) {
     QToolBar QToolButton:pressed { background: %3; }
     QToolBar QToolButton:checked { background: %4; }
     QToolBar QToolButton::menu-indicator { image: none; }
+    QToolBar #qt_toolbar_ext_button { padding: 0; border-radius: 3px; }
     QStatusBar { border-top: 1px solid %3; }
     QStatusBar::item { border: none; }
     QSplitter::handle { background: %3; }

@@ -25,7 +25,7 @@ void CurveComparison::setSetting(const std::optional<CurveSetting>& setting) {
 /// Begins when the scene's own curve is complete: the curve comes first.
 void CurveComparison::follow() {
   const CurveUpdate* curve = session_.curve();
-  if (!setting_ || !curve || curve->realizationsDone < curve->realizationsTotal) return;
+  if (!setting_ || !curve || !curve->isComplete) return;
   if (choosesAccuracy(*curve->scene)) return;
   if (compared_ && haveSameCurve(*compared_, *curve->scene)) return;
   compared_ = *curve->scene;
@@ -57,6 +57,7 @@ void CurveComparison::start() {
 void CurveComparison::take(std::uint64_t number,
                            std::shared_ptr<const CurveDifference> difference) {
   if (number != number_ || !setting_) return;
+  emit shown();
   session_.editCurve([&](FrictionPlot& plot) { plot.showDifference(*difference); });
 }
 

@@ -26,6 +26,8 @@ class CurveComparison : public QObject {
 
  signals:
   void failed(const QString& reason);
+  /// Some of a difference is there: whatever failed before is over.
+  void shown();
 
  private:
   void follow();

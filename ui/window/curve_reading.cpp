@@ -61,8 +61,7 @@ CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
   const bool isOfThisScene = curve && haveSameCurve(*frame.scene, *curve->scene);
   if (!isOfThisScene || velocity <= 0 || frame.transient) return reading;
   readMean(*curve, velocity, reading);
-  if (reading.regime.isEmpty() && curve->realizationsDone == curve->realizationsTotal)
-    reading.regime = regionAt(*curve, velocity);
+  if (reading.regime.isEmpty() && curve->isComplete) reading.regime = regionAt(*curve, velocity);
   return reading;
 }
 

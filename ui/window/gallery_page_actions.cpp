@@ -90,10 +90,11 @@ void GalleryPage::save(const QString& file,
     QMetaObject::invokeMethod(this, [this, file, complaint] {
       if (complaint.isEmpty()) {
         note_->setText(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+        if (messages_->end(MessageBar::Failure::Export)) showChosen();
         emit saved(file);
       } else {
         note_->clear();
-        messages_->showMessage(complaint);
+        messages_->showFailure(MessageBar::Failure::Export, complaint);
       }
     });
   });

@@ -21,22 +21,21 @@
 #include "ui/window/diagram_view.h"
 #include "ui/window/gallery_page.h"
 #include "ui/window/gesture_counter.h"
+#include "ui/window/latest_work.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/plan_list.h"
 #include "ui/window/scene_document.h"
 #include "ui/window/session.h"
 #include "ui/window/status_line.h"
 #include "ui/window/tour_bar.h"
+#include "ui/window/window_sight.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr int kPollInterval = 16;  // ms, 60 times a second
-
-/// Said outright: otherwise what the contents need for a moment, in large letters or under a
-/// comparison, would push the window over the edge of the screen for good.
-constexpr QSize kLeastSize{900, 560};
+constexpr int kUnseenPoll = 250;   // ms, where nobody sees what comes
 
 /// A dock's title in the window's own look.
 QWidget* dockTitle(QDockWidget& dock) {
@@ -85,15 +84,23 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   showAboutScene();
   showDescription();
   showHistory();
-  setMinimumSize(kLeastSize);
+  setMinimumSize(kLeastWindow);
   resize(1280, 800);
   defaultLayout_ = saveState();
 
-  auto* timer = new QTimer(this);
-  timer->setTimerType(Qt::PreciseTimer);
-  connect(timer, &QTimer::timeout, session_, &Session::poll);
+  poll_ = new QTimer(this);
+  poll_->setTimerType(Qt::PreciseTimer);
+  connect(poll_, &QTimer::timeout, session_, &Session::poll);
+  sight_ = new WindowSight(*this);
+  connect(sight_, &WindowSight::changed, this, &MainWindow::followSight);
   session_->begin();
-  timer->start(kPollInterval);
+  poll_->start(kPollInterval);
+}
+
+/// Nothing is stepped and drawn for nobody; curves go on.
+void MainWindow::followSight() {
+  poll_->setInterval(sight_->isSeen() ? kPollInterval : kUnseenPoll);
+  session_->setSeen(sight_->isSeen() && !isShowingFigures());
 }
 
 MainWindow::~MainWindow() {
@@ -161,8 +168,10 @@ void MainWindow::connectSession() {
     complaint_ = {key, english};
     showComplaint();
   });
-  connect(session_, &Session::sceneRuns, this, [this] { complaint_.reset(); });
-  connect(session_, &Session::sceneRuns, messages_, &MessageBar::endComplaint);
+  connect(session_, &Session::sceneRuns, this, [this] {
+    complaint_.reset();
+    endFailure(MessageBar::Failure::Scene);
+  });
   connect(session_, &Session::sceneRuns, panel_, &ParameterPanel::clearErrors);
   connect(session_, &Session::playingChanged, this, &MainWindow::showPlaying);
   connectView();
@@ -181,8 +190,13 @@ void MainWindow::showFrame() {
 void MainWindow::showComplaint() {
   const auto& [key, english] = *complaint_;
   const QString text = translatedText(english.toStdString());
-  messages_->showComplaint(key.isEmpty() ? text : key + ": " + text);
+  messages_->showFailure(MessageBar::Failure::Scene, key.isEmpty() ? text : key + ": " + text);
   panel_->showError(key, text);
+}
+
+/// What it may have covered comes to light again.
+void MainWindow::endFailure(MessageBar::Failure of) {
+  if (messages_->end(of) && complaint_) showComplaint();
 }
 
 void MainWindow::showDescription() {

@@ -8,6 +8,8 @@
 #include <QFont>
 #include <QMainWindow>
 #include <QPointer>
+#include <QSize>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -18,6 +20,7 @@
 #include "core/run/runner.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/window/icons.h"
+#include "ui/window/message_bar.h"
 
 class QMenu;
 class QSplitter;
@@ -35,7 +38,7 @@ class DiagramView;
 class FigureGallery;
 class GalleryPage;
 class GestureCounter;
-class MessageBar;
+class LatestWork;
 class ParameterPanel;
 class PlanList;
 class PlotView;
@@ -44,11 +47,17 @@ class Session;
 class StatusLine;
 struct ContactShot;
 struct CurveWish;
+struct FoundScene;
 struct SceneOrigin;
 class TourBar;
 class TransientStrips;
+class WindowSight;
 
 enum class Colours { System, Light, Dark };
+
+/// Said outright: otherwise what the contents need for a moment, in large letters or under a
+/// comparison, would push the window over the edge of the screen for good.
+inline constexpr QSize kLeastWindow{900, 560};
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -77,9 +86,14 @@ class MainWindow : public QMainWindow {
   void editScene(const Scene& scene, const char* what = nullptr);
   SceneDocument& document() { return *document_; }
 
-  /// A scene file, or any file that the program wrote from one. False, with the reason in the
-  /// message bar, where the file does not read or write.
-  bool openScene(const QString& file);
+  /// Reads a scene file, or any file that the program wrote from one, in the background, and shows
+  /// its scene as showFound() does; the newest call wins. sceneRead() follows; where the file does
+  /// not read, with the reason in the message bar.
+  void openScene(const QString& file);
+  /// Shows a scene that was read from a file. Asks first where it comes out of a picture, film or
+  /// table and would read a file elsewhere, or take very much memory or time.
+  void showFound(const QString& file, const FoundScene& found);
+  /// False, with the reason in the message bar, where the file cannot be written.
   bool saveScene(const QString& file);
 
   /// The contact as it is shown, with its title, as .png, .svg or .pdf. In the background;
@@ -103,10 +117,14 @@ class MainWindow : public QMainWindow {
   void setColours(Colours colours);
   Colours colours() const { return colours_; }
 
-  /// Size, docks, tabs and colours as they were when the last window was closed, and from now on
-  /// this window leaves its own behind. Call before it is shown.
+  /// Size, docks, tabs and colours as they were when the last window was closed, as far as the
+  /// screen has room for them, and from now on this window leaves its own behind. Call before it is
+  /// shown.
   void rememberLayout();
   void restoreDefaultLayout();
+  /// All of it lies on its screen, as does what a maximized or full window goes back to. Call
+  /// before it is shown.
+  void fitToScreen();
 
   /// Six scenes with a sentence each; and a small hint at it, until it was taken or put away.
   void startTour();
@@ -118,6 +136,8 @@ class MainWindow : public QMainWindow {
   bool isPresenting() const { return presentation_.has_value(); }
 
  signals:
+  /// A file that was to be opened was read, and its scene is shown or not.
+  void sceneRead(const QString& file, bool isShown);
   /// A picture is on the clipboard (empty) or in this file.
   void exported(const QString& file);
 
@@ -132,8 +152,10 @@ class MainWindow : public QMainWindow {
   void buildViews();
   void buildPanel();
   void connectSession();
+  void followSight();
   void showFrame();
   void showComplaint();
+  void endFailure(MessageBar::Failure of);
   void showDescription();
   void showTitle();
   QString nameOfScene() const;
@@ -163,6 +185,7 @@ class MainWindow : public QMainWindow {
   void fillFiles(QMenu& menu);
   void fillRecent();
   void askOpen();
+  bool mayShowFound(const QString& file, const FoundScene& found);
   bool save();
   bool askSave();
 
@@ -205,7 +228,7 @@ class MainWindow : public QMainWindow {
   void showAboutScene();
   void showMeasuredCurve();
   struct Measured {
-    double seconds, error;
+    double seconds, standardError, interval;
   };
   void showMeasured(const Measured& measured);
 
@@ -217,6 +240,7 @@ class MainWindow : public QMainWindow {
   void buildViewCommands(QMenu& menu);
   void connectView();
   void wantFields();
+  double partPerStep() const;
 
   // In main_window_chart.cpp: the friction curve's.
   void buildChartCommands(QMenu& menu);
@@ -234,6 +258,8 @@ class MainWindow : public QMainWindow {
   void arrange(Arrangement arrangement);
 
   Session* session_ = nullptr;
+  QTimer* poll_ = nullptr;
+  WindowSight* sight_ = nullptr;
   SceneDocument* document_ = nullptr;
   GestureCounter* gestures_ = nullptr;
   ContactCanvas* canvas_ = nullptr;
@@ -245,7 +271,8 @@ class MainWindow : public QMainWindow {
   DiagramView *spectrum_ = nullptr, *statistics_ = nullptr;
   PlanList* plan_ = nullptr;
   AccuracyPanel* accuracy_ = nullptr;
-  QElapsedTimer curveTime_;                               // since the present curve was wanted
+  std::optional<Scene> timed_;                            // whose curve is timed
+  QElapsedTimer curveTime_;                               // since it was wanted; invalid once there
   std::optional<Measured> measured_;                      // of the present curve
   std::optional<std::pair<QString, QString>> complaint_;  // of the scene: key and text of core
   MessageBar* messages_ = nullptr;
@@ -288,7 +315,9 @@ class MainWindow : public QMainWindow {
   };
   std::optional<Presentation> presentation_;
   bool hadDock_ = true, hadStatus_ = true;  // before the figures were opened
-  std::jthread export_;                     // last: ends before anything else here goes
+  std::uint64_t openings_ = 0;          // of scenes: what was read for an earlier one is dropped
+  std::unique_ptr<LatestWork> reader_;  // of files that are opened
+  std::jthread export_;                 // last: ends before anything else here goes
 };
 
 }  // namespace asperity

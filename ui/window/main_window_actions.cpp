@@ -26,7 +26,7 @@ void MainWindow::buildActions() {
   play_ = addCommand("play", tr("Pause"), Qt::Key_Space, Symbol::Pause,
                      [this] { session_->setPlaying(!session_->isPlaying()); });
   step_ = addCommand("step", tr("Step"), Qt::Key_Period, Symbol::Step,
-                     [this] { session_->singleStep(); });
+                     [this] { session_->singleStep(partPerStep()); });
   reset_ =
       addCommand("reset", tr("Reset"), Qt::Key_R, Symbol::Reset, [this] { session_->reset(); });
   buildFileCommands();
@@ -140,6 +140,14 @@ void MainWindow::buildToolBar() {
   for (QAction* action : {undo_, redo_, light_})
     if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action)))
       button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+
+  // What has no room is behind this button. Its own arrow is black and lost in the style sheet.
+  if (auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
+    more->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    more->setText(QStringLiteral("»"));
+    more->setToolTip(tr("More commands"));
+    more->setAccessibleName(tr("More commands"));
+  }
 }
 
 void MainWindow::showPlaying(bool playing) {

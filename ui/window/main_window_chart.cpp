@@ -47,7 +47,11 @@ void MainWindow::connectChart() {
     // Two plots need more room than one.
     plot_->setMinimumHeight(accuracy_->comparison() ? kTwoPlots : kOnePlot);
   });
-  connect(comparison, &CurveComparison::failed, messages_, &MessageBar::showMessage);
+  connect(comparison, &CurveComparison::failed, this, [this](const QString& reason) {
+    messages_->showFailure(MessageBar::Failure::Comparison, reason);
+  });
+  connect(comparison, &CurveComparison::shown, this,
+          [this] { endFailure(MessageBar::Failure::Comparison); });
 }
 
 }  // namespace asperity

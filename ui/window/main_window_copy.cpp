@@ -72,7 +72,10 @@ void MainWindow::runExport(std::function<void()> work, std::function<void()> don
       complaint = translatedText(error.what());
     }
     QMetaObject::invokeMethod(this, [this, complaint, done] {
-      complaint.isEmpty() ? done() : messages_->showMessage(complaint);
+      if (!complaint.isEmpty())
+        return messages_->showFailure(MessageBar::Failure::Export, complaint);
+      endFailure(MessageBar::Failure::Export);
+      done();
     });
   });
 }

@@ -110,6 +110,7 @@ void MainWindow::showScene(const Scene& scene) {
 }
 
 void MainWindow::showScene(const SceneOrigin& origin) {
+  ++openings_;
   endTour();
   messages_->hide();  // whatever was said of the scene before
   complaint_.reset();

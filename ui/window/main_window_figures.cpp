@@ -91,6 +91,7 @@ void MainWindow::openFigures() {
   for (QAction* action : {play_, step_, reset_}) action->setEnabled(false);
   gallery().setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   pages_->setCurrentWidget(gallery_);
+  followSight();
   showScreenMode();  // Escape is the page's
   showExports();
 }
@@ -103,6 +104,7 @@ void MainWindow::closeFigures() {
   for (QAction* action : {play_, step_, reset_}) action->setEnabled(true);
   gallery_->setSizePolicy(kNoRoom, kNoRoom);
   pages_->setCurrentIndex(0);
+  followSight();
   showScreenMode();
   showExports();
   if (session_->frame()) canvas_->setFrame(session_->frame());

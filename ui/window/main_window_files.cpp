@@ -1,9 +1,13 @@
 // The main window's files: scenes opened, saved and dropped on it.
+#include <QDir>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QTimer>
 #include <QUrl>
 #include <exception>
@@ -11,6 +15,7 @@
 #include <string>
 
 #include "core/scene/atomic_file.h"
+#include "core/scene/foreign_scene.h"
 #include "core/scene/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
@@ -18,6 +23,7 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/ask_file.h"
 #include "ui/window/command_words.h"
+#include "ui/window/latest_work.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/recent_files.h"
@@ -87,18 +93,61 @@ void MainWindow::fillRecent() {
   });
 }
 
-bool MainWindow::openScene(const QString& file) {
-  try {
+void MainWindow::openScene(const QString& file) {
+  if (!reader_) reader_ = std::make_unique<LatestWork>();
+  reader_->request([this, file, number = ++openings_](const std::stop_token&) {
+    std::shared_ptr<const FoundScene> found;
+    std::string error;
+    try {
+      found = std::make_shared<const FoundScene>(findScene(file.toStdString()));
+    } catch (const std::exception& failure) {
+      error = failure.what();
+    }
+    const auto take = [this, file, number, found, error] {
+      if (number != openings_) return;  // another scene was shown meanwhile
+      if (found) return showFound(file, *found);
+      messages_->showFailure(MessageBar::Failure::Files, translatedText(error));
+      emit sceneRead(file, false);
+    };
+    QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
+  });
+}
+
+void MainWindow::showFound(const QString& file, const FoundScene& found) {
+  const bool mayShow = mayShowFound(file, found);
+  if (mayShow) {
     // What was opened from a picture is not saved over it.
-    const bool isScene = file.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
-    showScene({{}, isScene ? file : QString(), readProvenance(file.toStdString())});
-  } catch (const InputError& error) {
-    messages_->showMessage(translatedText(error.what()));
-    return false;
+    showScene({{}, found.isCarried ? QString() : file, found.scene});
+    addRecentFile(file);
+    fillRecent();
   }
-  addRecentFile(file);
-  fillRecent();
-  return true;
+  emit sceneRead(file, mayShow);
+}
+
+/// Asks where a scene that another person may have put into a file wants more than to be shown.
+bool MainWindow::mayShowFound(const QString& file, const FoundScene& found) {
+  const SceneDemands demands = found.isCarried ? demandsOf(found.scene) : SceneDemands{};
+  if (!demands.any()) return true;
+  QStringList wants;
+  if (!demands.file.empty())
+    wants += tr("It reads a file that does not lie beside it: %1")
+                 .arg(QDir::toNativeSeparators(QString::fromStdString(demands.file.string())));
+  if (demands.memory > 0)
+    wants +=
+        tr("It takes about %1 GB of memory.").arg(QLocale().toString(demands.memory / 1e9, 'f', 1));
+  if (demands.seconds > 0)
+    wants += tr("Its curve takes about %1 minutes of processor time.")
+                 .arg(QLocale().toString(demands.seconds / 60, 'g', 2));
+  QMessageBox box(QMessageBox::Warning, tr("Asperity"), {}, QMessageBox::Open | QMessageBox::Cancel,
+                  this);
+  box.setObjectName("demandQuestion");
+  box.setTextFormat(Qt::PlainText);  // names of files are no markup
+  box.setText(tr("Open the scene in “%1”?").arg(QFileInfo(file).fileName()) + "\n\n" +
+              wants.join('\n'));
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.button(QMessageBox::Open)->setText(tr("&Open"));
+  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
+  return box.exec() == QMessageBox::Open;
 }
 
 bool MainWindow::saveScene(const QString& file) {
@@ -109,10 +158,10 @@ bool MainWindow::saveScene(const QString& file) {
     checkWritable(path);
     writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), document_->scene())));
   } catch (const std::exception& error) {
-    messages_->showMessage(translatedText(error.what()));
+    messages_->showFailure(MessageBar::Failure::Files, translatedText(error.what()));
     return false;
   }
-  messages_->hide();
+  endFailure(MessageBar::Failure::Files);
   document_->saved(file);
   addRecentFile(file);
   fillRecent();
@@ -148,7 +197,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (urls.size() != 1 || !urls.front().isLocalFile()) return;
   event->acceptProposedAction();
   const QString file = urls.front().toLocalFile();
-  if (!document_->isChanged() || isTouring_) return void(openScene(file));
+  if (!document_->isChanged() || isTouring_) return openScene(file);
   QTimer::singleShot(0, this, [this, file] {  // who dropped it does not wait for an answer
     if (mayLeaveScene()) openScene(file);
   });

@@ -40,6 +40,7 @@ struct MainWindow::Arrangement {
   std::optional<CurveSetting> comparison;
   std::optional<ComparedMethods> methods;
   QString message;  // that is no complaint of the scene; in the language of its time
+  MessageBar::Failure failure = MessageBar::Failure::None;
   bool isDescribed = false, isOffered = false, isTouring = false;
   int tourStep = 0;
   std::unique_ptr<FigureGallery> figures;
@@ -73,7 +74,10 @@ MainWindow::Arrangement MainWindow::arrangementNow() {
   now.panel = panel_->state();
   now.comparison = accuracy_->comparison();
   now.methods = accuracy_->comparedMethods();
-  if (!messages_->isHidden() && !messages_->isComplaint()) now.message = messages_->text();
+  if (!messages_->isHidden() && messages_->failure() != MessageBar::Failure::Scene) {
+    now.message = messages_->text();
+    now.failure = messages_->failure();
+  }
   now.isDescribed = !description_->isHidden();
   now.isOffered = !hint_->isHidden();
   now.isTouring = isTouring_;
@@ -114,10 +118,7 @@ void MainWindow::arrange(Arrangement arrangement) {
   splitter_->restoreState(arrangement.split);
   setDark(dark_);
   colourActions_.at(static_cast<int>(colours_))->setChecked(true);
-  const auto measured = measured_;
   showAboutScene();
-  curveTime_.invalidate();  // it was measured before
-  if (measured) showMeasured(*measured);
   if (!(arrangement.typed == session_->scene())) panel_->setScene(arrangement.typed);
   accuracy_->setComparison(arrangement.comparison);
   if (arrangement.methods) accuracy_->showComparedMethods(*arrangement.methods);
@@ -131,7 +132,8 @@ void MainWindow::arrange(Arrangement arrangement) {
   showDescription();
   if (!arrangement.isDescribed) description_->hide();
   if (complaint_) showComplaint();
-  if (!arrangement.message.isEmpty()) messages_->showMessage(arrangement.message);
+  if (!arrangement.message.isEmpty())
+    messages_->showFailure(arrangement.failure, arrangement.message);
 
   showHistory();
   showPlaying(session_->isPlaying());

@@ -28,6 +28,10 @@ namespace {
 
 constexpr int kLayoutVersion = 1;  // of docks and tool bars
 
+/// What a window manager draws around a window at most, usually: it tells only when the window is
+/// shown.
+constexpr QMargins kFrame{8, 40, 8, 8};
+
 const QList<int>& defaultSplit() {
   static const QList<int> sizes{580, 420};
   return sizes;
@@ -188,6 +192,7 @@ void MainWindow::rememberLayout() {
   QSettings settings;
   settings.beginGroup("window");
   restoreGeometry(settings.value("geometry").toByteArray());
+  fitToScreen();
   restoreState(settings.value("docks").toByteArray(), kLayoutVersion);
   splitter_->restoreState(settings.value("split").toByteArray());
   const QStringList hidden = settings.value("hiddenTabs").toStringList();
@@ -195,6 +200,24 @@ void MainWindow::rememberLayout() {
     if (hidden.contains(tabName(*tabs_, i))) tabActions_[i]->setChecked(false);
   setColours(static_cast<Colours>(std::clamp(settings.value("colours", 0).toInt(), 0, 2)));
   showScreenMode();
+}
+
+/// With its frame.
+void MainWindow::fitToScreen() {
+  const Qt::WindowStates state = windowState();
+  const QRect wanted = state == Qt::WindowNoState ? geometry() : normalGeometry();
+  const bool hasPlace = testAttribute(Qt::WA_Moved);
+  const QScreen* there = hasPlace ? QGuiApplication::screenAt(wanted.center()) : nullptr;
+  const QRect room = (there ? there : screen())->availableGeometry().marginsRemoved(kFrame);
+  setMinimumSize(kLeastWindow.boundedTo(room.size()));
+  const QSize size = wanted.size().boundedTo(room.size());
+  const QRect fitted(std::clamp(wanted.x(), room.left(), room.right() + 1 - size.width()),
+                     std::clamp(wanted.y(), room.top(), room.bottom() + 1 - size.height()),
+                     size.width(), size.height());
+  if (fitted == wanted) return;
+  setWindowState(Qt::WindowNoState);
+  hasPlace ? setGeometry(fitted) : resize(size);
+  setWindowState(state);
 }
 
 /// As it is without the figures and without an audience.

@@ -2,7 +2,6 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QUndoStack>
-#include <algorithm>
 
 #include "ui/window/contact_canvas.h"
 #include "ui/window/main_window.h"
@@ -32,16 +31,17 @@ void MainWindow::buildStatus() {
   connect(work, &QTimer::timeout, this, &MainWindow::showWork);
   work->start(kWorkInterval);
   connect(status_, &StatusLine::stopWanted, session_, &Session::stopCurve);
-  connect(status_, &StatusLine::againWanted, session_, &Session::startCurve);
+  connect(status_, &StatusLine::againWanted, this, [this] {
+    curveTime_.start();
+    session_->startCurve();
+  });
   connect(status_, &StatusLine::backWanted, this, [this] { document_->history().undo(); });
 }
 
 void MainWindow::showWork() {
   Work work;
   work.simulationsPerSecond = session_->simulationsPerSecond();
-  if (const CurveUpdate* curve = session_->curve())
-    work.progress = static_cast<double>(curve->realizationsDone) /
-                    static_cast<double>(std::max<std::int64_t>(1, curve->realizationsTotal));
+  work.progress = session_->friction().progress();
   if (session_->isWaiting())
     work.state = Work::State::Waiting;
   else if (session_->averaging() == Session::Averaging::Running)

@@ -19,6 +19,18 @@ namespace {
 
 constexpr int kMotionTab = 1;
 
+/// Of the points that have such a value; NaN where none has.
+double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(const CurvePoint&)) {
+  double squares = 0;
+  int count = 0;
+  for (const CurvePoint& point : points)
+    if (const double one = value(point); std::isfinite(one)) {
+      squares += one * one;
+      ++count;
+    }
+  return count > 0 ? std::sqrt(squares / count) : kNotApplicable;
+}
+
 }  // namespace
 
 /// What is known of the scene, under the contact; the motion's strips only where it has one.
@@ -63,30 +75,31 @@ void MainWindow::showAboutScene() {
   plan_->showScene(session_->scene());
   spectrum_->show([scene = session_->scene()] { return spectrumSheet(scene); });
   accuracy_->showScene(session_->scene());
-  curveTime_.start();
-  measured_.reset();
+  if (!timed_ || !haveSameCurve(*timed_, session_->scene())) {
+    timed_ = session_->scene();
+    curveTime_.start();
+    measured_.reset();
+  } else if (measured_) {
+    showMeasured(*measured_);
+  }
 }
 
 /// Once, when the present scene's curve is complete.
 void MainWindow::showMeasuredCurve() {
-  const Plot plot = session_->plot();
-  if (!curveTime_.isValid() || plot.progress < 1) return;
-  double squares = 0;
-  int count = 0;
-  for (const PlotSeries& series : plot.series)
-    for (const PlotPoint& point : series.points)
-      if (series.id == kPresentCurve && std::isfinite(point.error)) {
-        squares += std::pow(point.error / point.y, 2);
-        ++count;
-      }
-  showMeasured({1e-3 * static_cast<double>(curveTime_.elapsed()),
-                count > 0 ? std::sqrt(squares / count) : kNotApplicable});
+  const CurveUpdate* curve = session_->curve();
+  if (!curveTime_.isValid() || !curve || !curve->isComplete) return;
+  const auto& points = curve->points;
+  showMeasured(
+      {1e-3 * static_cast<double>(curveTime_.elapsed()),
+       rootMeanSquare(points, [](const CurvePoint& at) { return at.muStandardError / at.mu; }),
+       rootMeanSquare(points,
+                      [](const CurvePoint& at) { return (at.muHigh - at.muLow) / 2 / at.mu; })});
   curveTime_.invalidate();
 }
 
 void MainWindow::showMeasured(const Measured& measured) {
   measured_ = measured;
-  accuracy_->showMeasured(measured.seconds, measured.error);
+  accuracy_->showMeasured(measured.seconds, measured.standardError, measured.interval);
 }
 
 }  // namespace asperity

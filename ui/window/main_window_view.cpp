@@ -32,6 +32,14 @@ void MainWindow::connectView() {
   });
 }
 
+/// Of the period, so that a step by hand can be seen: a part of what is in view.
+double MainWindow::partPerStep() const {
+  constexpr double kOfView = 1.0 / 200;
+  const Frame* frame = canvas_->frame();
+  if (!frame || !(frame->length > 0)) return kOfView;
+  return kOfView * canvas_->viewer().options().view.width / frame->length;
+}
+
 /// What the contact shows and what the statistics count, and no more.
 void MainWindow::wantFields() {
   FrameFields fields = canvas_->fields();

@@ -42,23 +42,25 @@ void MessageBar::showOffer(const QString& text, const QString& button) {
   accept_->setText(button);
   accept_->setAccessibleName(button);
   accept_->show();
-  isComplaint_ = false;
+  failure_ = Failure::None;
   label_->setText(text);
   show();
 }
 
-void MessageBar::showComplaint(const QString& text) {
+void MessageBar::showFailure(Failure of, const QString& text) {
   showMessage(text);
-  isComplaint_ = true;
+  failure_ = of;
 }
 
-void MessageBar::endComplaint() {
-  if (isComplaint_) hide();
+bool MessageBar::end(Failure of) {
+  if (isHidden() || failure_ != of) return false;
+  hide();
+  return true;
 }
 
 void MessageBar::showMessage(const QString& text) {
   accept_->hide();
-  isComplaint_ = false;
+  failure_ = Failure::None;
   label_->setText(text);
   show();
 }

@@ -17,14 +17,16 @@ class MessageBar : public QFrame {
 
   void showMessage(const QString& text);
 
-  /// Of the present scene: leaves with endComplaint(), which does nothing to other messages.
-  void showComplaint(const QString& text);
-  void endComplaint();
+  /// What failed. Its message leaves with end(), once that goes well again; end() says whether it
+  /// was to be seen.
+  enum class Failure { None, Scene, Files, Export, Comparison };
+  void showFailure(Failure of, const QString& text);
+  bool end(Failure of);
 
   /// With a button that takes up the offer.
   void showOffer(const QString& text, const QString& button);
   QString text() const;
-  bool isComplaint() const { return isComplaint_; }
+  Failure failure() const { return failure_; }
 
  signals:
   void accepted();
@@ -33,7 +35,7 @@ class MessageBar : public QFrame {
  private:
   QLabel* label_;
   QPushButton* accept_;
-  bool isComplaint_ = false;
+  Failure failure_ = Failure::None;
 };
 
 }  // namespace asperity

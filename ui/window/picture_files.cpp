@@ -15,7 +15,6 @@ namespace asperity {
 std::shared_ptr<const Frame> stillOf(const Frame& frame) {
   const auto still = std::make_shared<Frame>(frame);
   still->timeScale = 0;
-  if (!still->transient) still->muMarch = kNotApplicable;
   return still;
 }
 

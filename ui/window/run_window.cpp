@@ -3,11 +3,15 @@
 #include <QApplication>
 #include <QFont>
 #include <QStyleFactory>
+#include <QTimer>
+#include <utility>
 
+#include "core/scene/provenance.h"
 #include "ui/language/language.h"
 #include "ui/picture/text_painter.h"
 #include "ui/window/appearance.h"
 #include "ui/window/main_window.h"
+#include "ui/window/quit_limit.h"
 #include "ui/window/scene_library.h"
 #include "ui/window/start_times.h"
 #include "ui/window/window_language.h"
@@ -15,6 +19,9 @@
 namespace asperity {
 
 namespace {
+
+/// With what comes before and after it less than half a second.
+constexpr std::chrono::milliseconds kQuitTime{400};
 
 Scene firstScene() {
   const std::vector<LibraryScene>& scenes = libraryScenes();
@@ -41,12 +48,23 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   if (start.timing) sayTime("connected to the display");
   prepareApplication(application);
   useLanguage(start.language.empty() ? windowLanguage() : start.language);
-  MainWindow window(scene ? *scene : firstScene(), options);
-  window.rememberLayout();
-  window.offerTour();
-  if (start.timing) new StartTimes(window);
-  window.show();
-  return application.exec();
+  auto window = std::make_unique<MainWindow>(scene ? *scene : firstScene(), options);
+  window->rememberLayout();
+  window->offerTour();
+  if (start.timing) new StartTimes(*window);
+  window->show();
+  if (start.found)
+    QTimer::singleShot(0, window.get(), [&start, shown = window.get()] {
+      shown->showFound(QString::fromStdString(start.file), *start.found);
+    });
+  return runUntilClosed(application, std::move(window));
+}
+
+int runUntilClosed(QApplication& application, std::unique_ptr<MainWindow> window) {
+  const int status = application.exec();
+  const QuitLimit limit(kQuitTime, status);
+  window.reset();
+  return status;
 }
 
 }  // namespace asperity

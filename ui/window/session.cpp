@@ -85,9 +85,14 @@ void Session::setPlaying(bool playing) {
   emit playingChanged(playing);
 }
 
-void Session::singleStep() {
+void Session::singleStep(double part) {
   if (runner_.isPlaying()) setPlaying(false);
-  runner_.singleStep();
+  runner_.singleStep(part);
+}
+
+void Session::setSeen(bool seen) {
+  isSeen_ = seen;
+  runner_.setSeen(seen);
 }
 
 void Session::reset() {
@@ -96,7 +101,7 @@ void Session::reset() {
 
 Session::Averaging Session::averaging() const {
   const CurveUpdate* present = curve();
-  if (present && present->realizationsDone >= present->realizationsTotal) return Averaging::Done;
+  if (present && present->isComplete) return Averaging::Done;
   return isStopped_ || brokenNumber_ == sceneNumber_ ? Averaging::Stopped : Averaging::Running;
 }
 
@@ -160,6 +165,11 @@ void Session::takeCurves() {
     changed = true;
   }
   if (changed) emit plotChanged();
+  const bool isSound = runningNumber_ == sceneNumber_ && trouble_.isEmpty();
+  if (brokenNumber_ == sceneNumber_ && isSound && changed && curve_->isComplete) {
+    brokenNumber_ = 0;  // averaged anew it went well
+    emit sceneRuns();
+  }
 }
 
 void Session::takeFrame() {

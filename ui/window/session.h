@@ -35,7 +35,11 @@ class Session : public QObject {
 
   bool isPlaying() const { return runner_.isPlaying(); }
   void setPlaying(bool playing);
-  void singleStep();  // pauses first
+  /// Pauses first. part: of the period, that the line moves by; one time step at least.
+  void singleStep(double part = 0);
+  /// Whether anybody sees the frames: otherwise time stands still.
+  void setSeen(bool seen);
+  bool isSeen() const { return isSeen_; }
   /// What frames hold besides, from now on.
   void wantFields(const FrameFields& fields) { runner_.want(fields); }
   void reset();
@@ -103,6 +107,7 @@ class Session : public QObject {
   QElapsedTimer sceneTime_, curveTime_;  // since the scene came, and since its curve was begun
   bool isStopped_ = false;
   bool wasWaiting_ = false;
+  bool isSeen_ = true;
   double rate_ = 0;  // 1/s
 };
 

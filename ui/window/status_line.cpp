@@ -23,6 +23,8 @@ namespace {
 
 constexpr int kSaidFor = 5000;  // ms
 
+const QString kStopSign = QStringLiteral("✕"), kAgainSign = QStringLiteral("↻");
+
 double orMissing(double value) {
   return std::isfinite(value) ? value : kNotApplicable;
 }
@@ -101,7 +103,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   velocity_ = addFact(*line, "factVelocity", velocityTip());
   settling_ = addFact(*line, "factSettling",
                       tr("The picture is on its way from the scene before to the steady state, "
-                         "which the numbers are of. R shows that at once."));
+                         "which these numbers and the chart are of. R shows that at once."));
   said_ = new SaidLabel;
   said_->setObjectName("said");
   line->addWidget(said_, 1);
@@ -116,7 +118,8 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   showWork({});
 }
 
-/// Slim, and there only while something is under way.
+/// Slim, and there only while something is under way; but its height is kept: the views above must
+/// not move when a curve begins or ends.
 void StatusLine::addWork(QHBoxLayout& line) {
   progress_ = new QProgressBar;
   progress_->setObjectName("workProgress");
@@ -132,6 +135,13 @@ void StatusLine::addWork(QHBoxLayout& line) {
   room->addWidget(progress_);
   room->addWidget(stop_);
   line.addLayout(room);
+  int height = 0;
+  for (const QString& sign : {kStopSign, kAgainSign}) {
+    stop_->setText(sign);
+    height = std::max(height, stop_->sizeHint().height());
+  }
+  stop_->setFixedHeight(height);
+  line.addStrut(height);
 }
 
 void StatusLine::pressed() {
@@ -147,7 +157,7 @@ void StatusLine::showWork(const Work& work) {
   progress_->setRange(0, waits ? 0 : 1000);
   progress_->setValue(static_cast<int>(1000 * work.progress));
   progress_->setAccessibleName(waits ? tr("making the line") : tr("progress of the curve"));
-  stop_->setText(stands ? QStringLiteral("↻") : QStringLiteral("✕"));
+  stop_->setText(stands ? kAgainSign : kStopSign);
   const QString text = waits    ? tr("Making the line… Back to the scene before")
                        : stands ? tr("The curve is not complete: average it again")
                                 : tr("Stop averaging the curve");

@@ -31,8 +31,8 @@ struct ElementPoint {
 Estimate exponentFrom(std::span<const ElementPoint> points, double velocity);
 
 /// The paper's rule: steps of one spacing, Eqs. (1) to (4). A march begins with the steady shape
-/// that the same elements take where one of them may be loaded partly, and is then within 1e-4 of
-/// what a whole period slid from a flat elastomer ends with, in `steps` steps.
+/// that the same elements take where one of them may be loaded partly, and ends within 1e-4 of what
+/// many periods slid from a flat elastomer end with.
 struct LiteralSteps {
   std::int64_t steps = 200;  // of which the last fifth is averaged
 };

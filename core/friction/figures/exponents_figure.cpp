@@ -26,12 +26,14 @@ Coefficients coefficientsOf(const Study& study) {
       jackknife(study.groups(), [&](int out) { return alphaOf(study, out); }),
       jackknife(study.groups(), [&](int out) { return betaOf(study, out); }),
       jackknife(study.groups(), [&](int out) { return alphaOf(study, out, kBetaUpTo); })};
-  for (int out = 0; out < study.groups(); ++out) one.without.push_back(alphaOf(study, out));
+  for (int out = 0; study.groups() > 1 && out < study.groups(); ++out)
+    one.without.push_back(alphaOf(study, out));
   return one;
 }
 
 /// Of two exponents, by leaving out the same realizations; NaN with fewer than three groups.
 double correlation(const Coefficients& a, const Coefficients& b) {
+  if (a.without.size() < 3) return kNotApplicable;
   const auto n = static_cast<double>(a.without.size());
   double sumA = 0, sumB = 0, aa = 0, bb = 0, ab = 0;
   for (std::size_t k = 0; k < a.without.size(); ++k) {
@@ -44,7 +46,7 @@ double correlation(const Coefficients& a, const Coefficients& b) {
     bb += y * y;
     ab += x * y;
   }
-  return n > 2 && aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : kNotApplicable;
+  return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : kNotApplicable;
 }
 
 /// All exponents have the same random phases: what neighbours have in common.
@@ -79,9 +81,11 @@ Diagram alphaDiagram(const std::vector<Coefficients>& all) {
   for (int k = 0; k <= 50; ++k) theory.points.push_back({k / 50.0, forceExponent(k / 50.0)});
   DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 0.1", SeriesMark::Circle,
                          SeriesStroke::None};
+  measured.colour = 0;
   for (const Coefficients& one : all) measured.points.push_back(pointOf(one.hurst, one.alpha));
   DiagramSeries wide{"measured, 0.001 \u2264 F\u2099/GhL \u2264 1", SeriesMark::Diamond,
                      SeriesStroke::None};
+  wide.colour = 1;
   for (const Coefficients& one : all) wide.points.push_back(pointOf(one.hurst, one.wideAlpha));
   diagram.series = {theory, wide, measured};
   return diagram;
@@ -174,7 +178,7 @@ void addExponentsFigure(Figure& figure, const FigureOptions& options) {
   figure.sheet.diagrams = {alphaDiagram(all), betaDiagram(all)};
   figure.sheet.note =
       "In the limit of low velocity. \u03B1 depends on the range of forces that it is fitted to; "
-      "\u03B2 belongs to \u03B1 = H/(1 + H). Bars: one standard error, smaller than most marks. " +
+      "\u03B2 belongs to \u03B1 = H/(1 + H). Bars: one standard error. " +
       correlationNote(all);
   figure.claims = {exponentClaim(all), prefactorClaim(all)};
 }

@@ -48,6 +48,18 @@ TEST(TargetCurve, ReachesTheTarget) {
   }
 }
 
+/// In complete contact all lines have the same friction: what is left is the resolution.
+TEST(TargetCurve, TheIntervalHoldsTheResolution) {
+  Scene scene = targetScene(0.01);
+  scene.load.normalForce = 1e4;
+  const TargetCurve result = targetCurve(scene);
+  EXPECT_TRUE(result.isReached);
+  for (const AchievedAccuracy& achieved : result.achieved) {
+    EXPECT_LT(achieved.standardError, 0.1 * achieved.resolutionError);
+    EXPECT_GE(achieved.high - achieved.low, 1.99 * achieved.resolutionError);
+  }
+}
+
 /// Four times the lines for half the error, apart from the pilot.
 TEST(TargetCurve, WorkGrowsAsTheInverseSquare) {
   const double coarse = targetCurve(targetScene(0.02)).operations;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/accuracy/work_precision_file.h"
+#include "tests/core/small_scene.h"
 
 namespace asperity {
 namespace {
@@ -21,6 +22,8 @@ WorkPrecision comparison() {
     WorkPrecisionPoint point;
     point.choice = choice;
     point.seconds = seconds *= 2;
+    point.lineSeconds = 41e-3;
+    point.secondsWithLine = point.seconds + 1e-3;
     point.error = 1e-9 / seconds;
     region.points.push_back(point);
   }
@@ -39,9 +42,27 @@ TEST(WorkPrecisionSheet, TheScenesMethodIsRingedAndNamedInEveryRegion) {
     const auto& points = made.regions[0].points;
     const auto own = std::ranges::find(points, made.present, &WorkPrecisionPoint::choice);
     ASSERT_EQ(ring->points.size(), 1U);
-    EXPECT_EQ(ring->points[0].x, own->seconds);
+    EXPECT_EQ(ring->points[0].x, own->secondsWithLine);
     EXPECT_EQ(ring->points[0].y, own->error);
   }
+}
+
+/// A finer line takes longer to make, too.
+TEST(WorkPrecisionSheet, TheMakingOfTheLineIsCounted) {
+  Scene scene = sceneOfSize(200, 9, 2);
+  WorkPrecisionOptions options;
+  options.lines = 1;
+  options.repeats = 1;
+  const WorkPrecision made = workPrecision(scene, options);
+  for (const RegionPrecision& region : made.regions)
+    for (const WorkPrecisionPoint& point : region.points) {
+      EXPECT_GT(point.lineSeconds, 0);
+      EXPECT_DOUBLE_EQ(point.secondsWithLine, point.seconds + point.lineSeconds / 9);
+      for (const WorkPrecisionPoint& other : region.points)
+        EXPECT_FALSE(point.isOnFront && !other.isDifference && other.error < point.error &&
+                     other.secondsWithLine < point.secondsWithLine);
+    }
+  EXPECT_NE(workPrecisionCsv(made).find(",line_seconds,seconds_with_line,"), std::string::npos);
 }
 
 TEST(WorkPrecisionSheet, VelocitiesArePrintedNotDumped) {

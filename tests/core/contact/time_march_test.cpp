@@ -352,10 +352,10 @@ TEST(TimeMarch, AContactAcrossTheSeamIsOne) {
   EXPECT_LT(across, nodes);
 }
 
-/// Many contacts, none, and one all around.
+/// One contact, many, and one all around.
 TEST(TimeMarch, ContactsAreCountedOnceAroundThePeriod) {
   const Line line = roughLine(300, 1);
-  for (const double force : {1e-4, 1e-2, 1e3}) {
+  for (const double force : {1e-4, 0.3, 1e3}) {
     TimeMarch march(std::make_shared<Line>(line), lowestOf(line), kelvin());
     std::size_t most = 0;
     for (int i = 0; i < 300; ++i) {
@@ -363,7 +363,7 @@ TEST(TimeMarch, ContactsAreCountedOnceAroundThePeriod) {
       ASSERT_EQ(step.contacts, stretchesAround(march.pressure())) << force << " N, step " << i;
       most = std::max(most, step.contacts);
     }
-    EXPECT_GE(most, force < 1 ? 2U : 1U);
+    EXPECT_EQ(most > 1, force == 0.3) << force << " N";
   }
 }
 

@@ -153,6 +153,39 @@ TEST(Effects, LocalFrictionStandsInItsOwnColumns) {
   EXPECT_NE(curveJson(with.points, scene).find("\"mu_total\""), std::string::npos);
 }
 
+/// Where F_N(d) jumps past the force, the element on the edge bears a part of its load.
+TEST(Effects, TheShareOfTheMarginalElementStandsInItsOwnColumn) {
+  Scene scene = smallScene();
+  scene.ensemble.realizations = 1;
+  scene.sweep.velocityFrom = 1e-2;
+  scene.sweep.velocityTo = 10;
+  const Curve resolved = frictionCurve(scene);
+  scene.accuracy.scheme = Scheme::Nodal;
+  scene.accuracy.oversampling = 1;
+  const Curve one = frictionCurve(scene);
+  double partly = 0;
+  for (const CurvePoint& point : one.points) {
+    EXPECT_GT(point.marginalShare, 0);
+    EXPECT_LE(point.marginalShare, 1);
+    partly += point.marginalShare < 1 ? 1 : 0;
+  }
+  EXPECT_GT(partly, 0);
+  EXPECT_DOUBLE_EQ(partly, one.marginalFraction * static_cast<double>(one.points.size()));
+  EXPECT_NE(curveCsv(one.points).find("realizations,marginal_share\n"), std::string::npos);
+  EXPECT_NE(curveJson(one.points, scene).find("\"marginal_share\""), std::string::npos);
+  EXPECT_EQ(curveCsv(resolved.points).find("marginal_share"), std::string::npos);
+  // Of several lines it is their mean.
+  scene.ensemble.realizations = 4;
+  const Curve several = frictionCurve(scene);
+  scene.ensemble.realizations = 3;
+  const Curve three = frictionCurve(scene);
+  for (std::size_t i = 0; i < several.points.size(); ++i) {
+    const double last = 4 * several.points[i].marginalShare - 3 * three.points[i].marginalShare;
+    EXPECT_GT(last, 0);
+    EXPECT_LE(last, 1 + 1e-9);
+  }
+}
+
 TEST(Effects, WithoutAnEquilibriumThereIsNoSteadySliding) {
   Scene scene = smallScene();
   scene.elastomer = prony(0, {{1e7, 1e-3}});

@@ -21,8 +21,11 @@ bool offer(CurveOrders& orders, std::uint64_t curve, std::int64_t done, double m
   CurvePoint point;
   point.mu = mu;
   point.realizations = done;
-  const std::vector<CurvePoint> points{point};
-  return orders.offer(curve, {done, 9, points});
+  CurveUpdate update;
+  update.realizationsDone = done;
+  update.realizationsTotal = 9;
+  update.points = {point};
+  return orders.offer(curve, update);
 }
 
 TEST(CurveOrders, AnAverageComesUnderTheNumberOfItsScene) {

@@ -97,6 +97,41 @@ TEST(MotionAccuracy, StepsAndElementsAreCounted) {
   EXPECT_TRUE(std::isnan(prediction.error.standardError));
 }
 
+/// A motion of far more steps than can be counted, of long lines, of many arms: the pilot stays
+/// small.
+TEST(MotionAccuracy, IsBoundedHoweverLongTheMotion) {
+  for (const SlidingKind kind :
+       {SlidingKind::Start, SlidingKind::Step, SlidingKind::Oscillation, SlidingKind::Reversal})
+    for (const std::int64_t elements : {1000, 1 << 20}) {
+      Scene scene = stepScene();
+      scene.sliding.kind = kind;
+      scene.sliding.velocity = 1;
+      scene.sliding.duration = 1e3;
+      scene.surface.elements = elements;
+      const Prediction prediction = predictMotion(scene);
+      EXPECT_LE(prediction.operations,
+                1.2 * std::clamp(0.1 * prediction.runOperations, 2.5e6, 1.5e7));
+      EXPECT_EQ(prediction.elements, static_cast<double>(elements));
+      EXPECT_GT(prediction.error.timeStep, 0);
+      EXPECT_GT(prediction.seconds, 0.1 * prediction.steps * 1e-9 * prediction.elements);
+    }
+}
+
+/// Steps are as long as the spacing over the velocity, however many.
+TEST(MotionAccuracy, StepsOfALongMotionAreCountedFromTheirLength) {
+  Scene scene = stepScene();
+  scene.sliding.velocity = 1;
+  scene.sliding.velocityAfter = 3;
+  scene.sliding.duration = 1e3;
+  const double spacing = scene.surface.length / 1000;
+  EXPECT_NEAR(predictMotion(scene).steps / (500 * (1 + 3) / spacing), 1, 1e-2);
+  scene.sliding.kind = SlidingKind::Oscillation;  // at least 64 steps a period
+  scene.sliding.amplitude = 0.5;
+  scene.sliding.frequency = 4.096;  // 4096 periods: moments that are evenly spaced would all meet
+  // Its steps are as long as its fastest moment wants.
+  EXPECT_NEAR(predictMotion(scene).steps / (1e3 * 1.5 / spacing), 1, 2e-2);
+}
+
 TEST(MotionAccuracy, SettlingIsWhatALongerMarchWouldChange) {
   const Scene scene = stepScene();
   const double predicted = predictMotion(scene).error.settling;

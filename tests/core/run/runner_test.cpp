@@ -32,7 +32,7 @@ std::vector<CurveUpdate> curveOf(Runner& runner, std::uint64_t number) {
   waitFor([&] {
     for (CurveUpdate& update : runner.takeCurveUpdates())
       if (update.sceneNumber == number) all.push_back(std::move(update));
-    return !all.empty() && all.back().realizationsDone == all.back().realizationsTotal;
+    return !all.empty() && all.back().isComplete;
   });
   return all;
 }
@@ -168,6 +168,64 @@ TEST(Runner, ASceneThatCannotRunIsAMessageAndTheNextOneRuns) {
   EXPECT_EQ(runner.newestFrame()->sceneNumber, good);
   const std::uint64_t next = runner.post(smallScene());
   waitFor([&] { return runner.newestFrame()->sceneNumber == next; });
+}
+
+/// Whatever the reports on the way say of their numbers, a random line asks for more of them and a
+/// single one reports nothing before its end.
+TEST(Runner, ACurveToATargetBecomesCompleteOnce) {
+  for (const SurfaceKind kind : {SurfaceKind::SelfAffine, SurfaceKind::Sine}) {
+    Runner runner;
+    Scene scene = smallScene();
+    scene.surface.kind = kind;
+    scene.accuracy.targetRelativeError = 0.02;
+    const auto updates = curveOf(runner, runner.post(scene));
+    ASSERT_FALSE(updates.empty());
+    for (std::size_t i = 0; i + 1 < updates.size(); ++i) EXPECT_FALSE(updates[i].isComplete) << i;
+    const CurveUpdate& whole = updates.back();
+    EXPECT_EQ(whole.realizationsDone, whole.realizationsTotal);
+    ASSERT_EQ(whole.points.size(), 5U);
+    for (const CurvePoint& point : whole.points) {
+      EXPECT_LT(point.muHigh - point.muLow, 0.2 * point.mu);
+      EXPECT_LE(point.realizations, whole.realizationsTotal);
+    }
+    Scene faster = scene;
+    faster.sliding.velocity = 7;  // the same curve, handed over again
+    const auto again = curveOf(runner, runner.post(faster));
+    ASSERT_EQ(again.size(), 1U);
+    EXPECT_EQ(again.front().realizationsDone, whole.realizationsDone);
+  }
+}
+
+/// Orders are obeyed one after the other: an answer to one shows that nothing else has happened
+/// since. So many frames a second that any turn of the runner would make one.
+TEST(Runner, UnseenItStandsStillAndItsCurveGoesOn) {
+  RunnerOptions options;
+  options.framesPerSecond = 1e6;
+  options.secondsPerPeriod = 1e-3;
+  Runner runner(options);
+  const std::uint64_t number = runner.post(smallScene());
+  waitFor([&] { return runner.newestFrame() && runner.newestFrame()->step > 3; });
+  runner.setSeen(false);
+  EXPECT_TRUE(runner.isPlaying());
+  const auto answer = [&](bool slopes) {
+    FrameFields fields;
+    fields.lineSlope = slopes;
+    runner.want(fields);
+    waitFor([&] { return runner.newestFrame()->lineSlope.empty() != slopes; });
+    return runner.newestFrame()->step;
+  };
+  const std::uint64_t step = answer(true);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(answer(i % 2 != 0), step) << i;
+  EXPECT_TRUE(curveOf(runner, number).back().isComplete);
+  Scene heavier = smallScene();
+  heavier.load.normalForce *= 2;
+  const std::uint64_t next = runner.post(heavier);  // is there when somebody looks again
+  waitFor([&] { return runner.newestFrame()->sceneNumber == next; });
+  EXPECT_FALSE(runner.newestFrame()->isSettling);
+  EXPECT_EQ(runner.newestFrame()->step, step);
+  EXPECT_TRUE(curveOf(runner, next).back().isComplete);
+  runner.setSeen(true);
+  waitFor([&] { return runner.newestFrame()->step > step + 3; });
 }
 
 TEST(Runner, EndsAtOnceInTheMiddleOfWork) {

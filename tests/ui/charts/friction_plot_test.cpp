@@ -30,6 +30,7 @@ CurveUpdate update(const Scene& scene, std::vector<CurvePoint> points, std::int6
   made.sceneNumber = 1;
   made.realizationsDone = done;
   made.realizationsTotal = 200;
+  made.isComplete = done == 200;
   made.points = std::move(points);
   return made;
 }

@@ -4,6 +4,7 @@
 
 #include <QImage>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -76,6 +77,47 @@ TEST(LargeLetters, OfStripsAreWhole) {
     strips.show(sliding, samples);
     EXPECT_EQ(cutPixels(strips.grab().toImage()), 0) << scale;
   }
+}
+
+/// A curve that ends in either corner of its strip is painted in every column: nothing lies over
+/// it.
+TEST(LargeLetters, NamesOfStripsHideNothingOfTheCurves) {
+  Sliding sliding;
+  sliding.duration = 0.012;
+  for (const double slope : {1.0, -1.0})
+    for (const double scale : {1.0, 2.4})
+      for (const int width : {500, 800}) {
+        const auto samples = std::make_shared<std::vector<TransientSample>>();
+        for (int i = 0; i <= 100; ++i) {
+          TransientSample sample;
+          sample.time = 1.2e-4 * i;
+          for (double* value : {&sample.mu, &sample.indentation, &sample.contactLength})
+            *value = 1e-3 * (2 + slope * i / 100);
+          samples->push_back(sample);
+        }
+        TransientStrips strips;
+        strips.setFont(letters(scale));
+        strips.setColours(colours());
+        strips.resize(static_cast<int>(width * scale), static_cast<int>(240 * scale));
+        strips.show(sliding, samples);
+        const QImage image = strips.grab().toImage();
+        std::vector<int> curves;  // of each column that has one: how many of the three
+        for (int x = 0; x < image.width(); ++x) {
+          int runs = 0;
+          bool was = false;
+          for (int y = 0; y < image.height(); ++y) {
+            const QColor pixel = image.pixelColor(x, y);
+            const bool is = pixel.blue() - pixel.red() > 150;
+            runs += is && !was ? 1 : 0;
+            was = is;
+          }
+          if (runs > 0) curves.push_back(runs);
+        }
+        ASSERT_GT(curves.size(), 0.5 * width * scale);
+        const auto inner = std::ranges::subrange(curves.begin() + 3, curves.end() - 3);
+        EXPECT_TRUE(std::ranges::all_of(inner, [](int runs) { return runs == 3; }))
+            << slope << ' ' << scale << ' ' << width;
+      }
 }
 
 TEST(LargeLetters, OfTheChartAreWholeAndItsMarksGrowWithThem) {

@@ -22,6 +22,7 @@ CurveUpdate curveOf(const Scene& scene) {
   update.scene = std::make_shared<const Scene>(scene);
   update.points = frictionCurve(scene).points;
   update.realizationsDone = update.realizationsTotal = scene.ensemble.realizations;
+  update.isComplete = true;
   return update;
 }
 
@@ -72,6 +73,7 @@ TEST_F(PinnedCurves, ACurveInTheMakingSaysHowFarItWas) {
   CurveUpdate part = curveOf(smallScene());
   part.realizationsDone = 1;
   part.realizationsTotal = 200;
+  part.isComplete = false;
   diagram_.expect(smallScene());
   diagram_.take(part);
   const int id = diagram_.pin();

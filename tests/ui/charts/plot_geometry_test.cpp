@@ -78,5 +78,26 @@ TEST(PlotGeometry, PanningMovesWithThePointer) {
   EXPECT_NEAR(next.yOf(1e-2), kMap.yOf(1e-2) + 100, 1e-9);
 }
 
+TEST(PlotGeometry, AWindowIsHeldWhereThereIsSomethingToShow) {
+  const PlotWindow whole{{-3, 3}, {-4, -1}};
+  EXPECT_EQ(heldWithin(whole, whole), whole);
+  const PlotWindow inside{{-1, 1}, {-3, -2}};
+  EXPECT_EQ(heldWithin(inside, whole), inside);
+  const PlotWindow far = heldWithin({{100, 102}, {-200, -190}}, whole);
+  EXPECT_NEAR(far.x.from, 2, 1e-12) << "half of it beyond the end";
+  EXPECT_NEAR(far.x.size(), 2, 1e-12);
+  EXPECT_NEAR(far.y.to, -1, 1e-12) << "wider than all: all of it is seen";
+  EXPECT_NEAR(far.y.size(), 10, 1e-12);
+}
+
+TEST(PlotGeometry, ACurveIsSeenBetweenItsPoints) {
+  Plot plot;
+  plot.series = {{QString(), PlotStyle::Points, false, {{1e-3, 1e-3}, {1e3, 1e-3}, {1e3, -1}}}};
+  EXPECT_TRUE(showsCurves({{-0.1, 0.1}, {-3.1, -2.9}}, plot));
+  EXPECT_FALSE(showsCurves({{-0.1, 0.1}, {-2.9, -2.7}}, plot));
+  EXPECT_FALSE(showsCurves({{3.1, 4}, {-3.1, -2.9}}, plot));
+  EXPECT_FALSE(showsCurves({{-3, 3}, {-4, 0}}, Plot{}));
+}
+
 }  // namespace
 }  // namespace asperity

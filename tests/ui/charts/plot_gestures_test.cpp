@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "tests/ui/window/qt_application.h"
+#include "ui/charts/plot_geometry.h"
 #include "ui/charts/plot_legend.h"
 #include "ui/charts/plot_view.h"
 
@@ -239,6 +240,32 @@ TEST_F(PlotGestures, DraggingBesideTheMarkerPans) {
   drag(from, from + by);
   EXPECT_EQ(moved.count(), 0);
   EXPECT_LT((view_->positionOf(0.1, 0.02) - before - by).manhattanLength(), 2);
+}
+
+/// However far and often it is dragged, at any zoom.
+TEST_F(PlotGestures, PanningNeverEndsInEmptiness) {
+  for (const double factor : {1.5, 1.0, 0.5, 0.1})
+    for (const QPoint way :
+         {QPoint(700, 0), {-700, 0}, {0, 350}, {0, -350}, {500, 300}, {-500, 300}}) {
+      view_->fit();
+      if (factor != 1)
+        view_->setZoom(
+            PlotWindow{{-3 * factor, 3 * factor}, {-2.7 - 2 * factor, -2.7 + 2 * factor}});
+      for (int i = 0; i < 6; ++i) {
+        const QPoint from = view_->rect().center() + QPoint(60, 20);
+        drag(from, from + way);
+      }
+      EXPECT_TRUE(showsCurves(view_->window(), view_->plot()))
+          << factor << ' ' << way.x() << ' ' << way.y();
+    }
+}
+
+TEST_F(PlotGestures, AZoomedViewGoesWithTheRangesOfAnotherCurve) {
+  view_->setZoom(PlotWindow{{-3, -2}, {-4, -3}});
+  Plot plot = samplePlot();
+  plot.x.range = {5, 9};
+  view_->setPlot(plot);
+  EXPECT_NEAR(view_->window().x.from, 4.5, 1e-9);
 }
 
 TEST_F(PlotGestures, AZoomedViewStaysWhileTheCurveIsRefined) {

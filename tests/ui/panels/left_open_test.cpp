@@ -115,6 +115,28 @@ TEST_F(ParameterPanelTest, AButtonFindsTheFile) {
   EXPECT_EQ(spy_.count(), 2);
 }
 
+TEST_F(ParameterPanelTest, AnOversamplingThatIsChosenStandsInPaleLetters) {
+  EXPECT_EQ(panel_.scene().accuracy.oversampling, 0);
+  EXPECT_EQ(entry("accuracy.oversampling").text(), "");
+  EXPECT_EQ(entry("accuracy.oversampling").placeholderText(), "chosen: 4 / 2");  // line / curve
+  auto* reset = control<QToolButton>("reset:accuracy.oversampling");
+  EXPECT_FALSE(reset->isEnabled());
+  choose("surface.kind", "sine");
+  EXPECT_EQ(entry("accuracy.oversampling").placeholderText(), "chosen: 4");
+  type("accuracy.oversampling", "2");
+  EXPECT_EQ(panel_.scene().accuracy.oversampling, 2);
+  EXPECT_EQ(entry("accuracy.oversampling").text(), "2");
+  EXPECT_EQ(reset->toolTip(), "Back to the default, chosen by the scene");
+  QTest::mouseClick(reset, Qt::LeftButton);
+  EXPECT_EQ(panel_.scene().accuracy.oversampling, 0);
+  for (const char* open : {"0", ""}) {
+    type("accuracy.oversampling", "8");
+    type("accuracy.oversampling", open);
+    EXPECT_EQ(panel_.scene().accuracy.oversampling, 0);
+    EXPECT_FALSE(entry("accuracy.oversampling").hasError());
+  }
+}
+
 TEST_F(ParameterPanelTest, OnlyRandomLinesHaveRealizations) {
   choose("surface.kind", "sine");
   EXPECT_FALSE(slider("ensemble.realizations").isEnabled());

@@ -139,6 +139,38 @@ TEST(Overlay, AgesEndWithTheRelaxation) {
               4 * frame.scene->elastomer.relaxationTime, 1e-12);
 }
 
+/// Whatever was shown before, and however the march ripples.
+TEST(Overlay, ThePressureScaleIsThatOfTheSteadyState) {
+  Frame frame = *sampleFrame({});
+  frame.steadyPressure = 170;
+  for (const double last : {0.0, 300.0, 1e35})
+    for (const double drawn : {1e-3, 1.0, 100.0}) {
+      Frame moving = frame;
+      for (double& pressure : moving.pressure) pressure *= drawn;
+      EXPECT_EQ(scaleEnd(moving, ContactOverlay::Pressure, last), 200);
+    }
+}
+
+/// All numbers of a bar count in the unit of its last one, and none of them is long.
+TEST(Overlay, NumbersOfTheBarAreShortAtAnySize) {
+  for (const ContactOverlay overlay :
+       {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power})
+    for (int power = -40; power <= 40; ++power)
+      for (const double digit : {1.0, 1.5, 2.5, 5.0}) {
+        const double end = digit * std::pow(10.0, power);
+        const std::vector<LegendTick> ticks = (ColourScale{overlay, end}).ticks(6);
+        ASSERT_GE(ticks.size(), 2U) << end;
+        for (const LegendTick& tick : ticks)
+          EXPECT_LT(textWidth(tick.label, 12), 110) << tick.label;
+        for (std::size_t i = 0; i + 1 < ticks.size(); ++i)
+          EXPECT_LE(ticks[i].label.size(), 8U) << ticks[i].label << " of " << end;
+      }
+  std::string labels;
+  for (const LegendTick& tick : (ColourScale{ContactOverlay::Pressure, 5e-29}).ticks(6))
+    labels += tick.label + "|";
+  EXPECT_EQ(labels, "0|1|2|3|4|5\u00D710\u207B\u00B2\u2079 N/m|");
+}
+
 TEST(Overlay, AsksOnlyForWhatItShows) {
   EXPECT_EQ(fieldsFor(ContactOverlay::Pressure), FrameFields{});
   EXPECT_EQ(fieldsFor(ContactOverlay::None), FrameFields{});
@@ -208,8 +240,34 @@ TEST(ForceArrows, StayInThePlotWhateverTheForces) {
     frame.muSteady = mu;
     const ForceArrows arrows = arrowsOf(frame);
     EXPECT_LE(arrows.sideways, 0.31 * 1280);
-    EXPECT_NEAR(arrows.sideways, arrows.down * mu * arrows.enlarged, 1e-3 * arrows.sideways + 1e-9);
+    const double wanted = arrows.down * mu * arrows.enlarged;
+    if (wanted >= 5)  // pixels; what is shorter is no arrow
+      EXPECT_NEAR(arrows.sideways, wanted, 1e-3 * wanted);
+    else
+      EXPECT_EQ(arrows.sideways, 0);
     EXPECT_GE(arrows.enlarged, 1);
+  }
+}
+
+/// "arrow 500x" stands only where there is one; otherwise a small one in the text says which way.
+TEST(ForceArrows, AreOnlySpokenOfWhereTheyAreDrawn) {
+  Frame frame = *sampleFrame({});
+  for (const double part : {1.0, 0.3, 0.1, 0.03, 0.01, 1e-6}) {
+    Frame slower = frame;
+    slower.muSteady *= part;
+    slower.tangentialForce *= part;
+    const DrawList list = composeContact(slower, {});
+    std::string texts;
+    for (const DrawText& text : list.texts) texts += text.utf8 + "|";
+    const ForceArrows arrows = arrowsOf(slower);
+    EXPECT_NE(texts.find("friction F"), std::string::npos) << part;
+    EXPECT_EQ(texts.find(", arrow ") != std::string::npos, arrows.sideways > 0) << part;
+    if (part >= 0.3) {
+      EXPECT_GT(arrows.sideways, 0) << part;
+    }
+    if (part <= 0.01) {
+      EXPECT_EQ(arrows.sideways, 0) << part;
+    }
   }
 }
 

@@ -140,6 +140,58 @@ TEST(Probe, ReadoutNeverCoversThePoint) {
   EXPECT_GT(shown, 200);
 }
 
+/// The plate under the scale's bars is the second but last rectangle of the top layer's triangles.
+TEST(Magnifier, ItsScaleHidesNoContact) {
+  int shown = 0;
+  for (const double depth : {2e-7, 1e-6, 3e-6}) {
+    SampleOptions sample;
+    sample.depth = depth;
+    const Frame frame = *sampleFrame(sample);
+    for (const Size& size : {Size{1016, 900, 3.125F}, {500, 350, 1}, {640, 360, 1}, {1280, 720, 1}})
+      for (int i = 0; i < 40; ++i) {
+        ContactPictureOptions options;
+        options.width = size.width;
+        options.height = size.height;
+        options.scale = size.scale;
+        options.magnifier = Magnifier{i / 40.0 * frame.length, 8};
+        const DrawList list = composeContact(frame, options);
+        const DrawLayer& top = list.layers.back();
+        if (top.triangles.size() != 6) continue;  // no room for a scale
+        ++shown;
+        float left = 1e9F, right = 0, above = 1e9F, bottom = 0;
+        for (const DrawVertex& v : top.triangles) {
+          left = std::min(left, v.x);
+          right = std::max(right, v.x);
+          above = std::min(above, v.y);
+          bottom = std::max(bottom, v.y);
+        }
+        // The curves and contacts of the inset are in the layer below.
+        const DrawLayer& curves = list.layers[list.layers.size() - 2];
+        for (const DrawLine& line : curves.lines) {
+          if (line.vertices.size() == 2 && line.vertices[0].y == line.vertices[1].y) continue;
+          for (const DrawVertex& v : line.vertices)
+            EXPECT_FALSE(v.x > left && v.x < right && v.y > above && v.y < bottom)
+                << size.width << " " << i << " " << depth;
+        }
+      }
+  }
+  EXPECT_GT(shown, 300);
+}
+
+/// At journal width, too, where it takes more of the plot.
+TEST(Magnifier, IsThereInSmallPictures) {
+  const Frame frame = *sampleFrame({});
+  for (const Size& size : {Size{1016, 900, 3.125F}, {400, 350, 1}}) {
+    ContactPictureOptions options;
+    options.width = size.width;
+    options.height = size.height;
+    options.scale = size.scale;
+    const std::size_t without = composeContact(frame, options).layers.size();
+    options.magnifier = Magnifier{0.2 * frame.length, 8};
+    EXPECT_GT(composeContact(frame, options).layers.size(), without) << size.width;
+  }
+}
+
 TEST(Magnifier, LiesOnTheOtherSideOfThePlot) {
   const Frame frame = *sampleFrame({});
   const ContactPictureOptions options;

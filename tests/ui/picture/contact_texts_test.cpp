@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "sample_frame.h"
 #include "tidy_texts.h"
 #include "ui/picture/contact_forces.h"
+#include "ui/picture/contact_overlay.h"
 #include "ui/picture/contact_picture.h"
 #include "ui/picture/ticks.h"
 
@@ -100,8 +102,57 @@ TEST(ContactTexts, SayWhatIsShown) {
   frame.muMarch = 0.5;
   frame.timeScale = 0;
   words = allTexts(frame);
-  EXPECT_NE(words.find("\u03BC of the moving picture|0.500|"), std::string::npos);
+  EXPECT_EQ(words.find("0.500"), std::string::npos) << "one friction, that of the steady state";
+  EXPECT_EQ(words.find("settled"), std::string::npos);
   EXPECT_EQ(words.find("on screen"), std::string::npos);
+}
+
+/// The facts are of the picture, and what they come to has a name of its own.
+TEST(ContactTexts, WhileItSettlesWhatIsDrawnIsTold) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  frame.isSettling = true;
+  frame.drawn = {3.21e-6, 0.0456, 0.0456 * 0.0789, 0.123, 0.0789, 0};
+  frame.muSteady = 0.0123;
+  const std::string words = allTexts(frame);
+  for (const char* part : {"friction coefficient \u03BC|0.0789|", "\u03BC when settled|0.0123|",
+                           "3.21 \u00B5m|", "12.3 %|", "45.6 mN|", "= 3.6 mN"})
+    EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
+  expectTidyTexts(frame, {}, "settling");
+  frame.drawn.mu = frame.drawn.tangentialForce = kNotApplicable;  // steps too coarse to read it
+  EXPECT_NE(allTexts(frame).find("friction coefficient \u03BC|\u2013|"), std::string::npos);
+  EXPECT_EQ(allTexts(frame).find("friction F|"), std::string::npos);
+}
+
+/// Zoomed to one of the two, the other one has no name there; and the arrow of sliding stays.
+TEST(ContactTexts, BodiesAreNamedOnlyWhereTheyAre) {
+  SampleOptions options;
+  options.points = 300;
+  const auto frame = sampleFrame(options);
+  const auto words = [&](double bottom, double top) {
+    ContactPictureOptions picture;
+    picture.view.bottom = bottom;
+    picture.view.top = top;
+    std::string all;
+    for (const DrawText& text : composeContact(*frame, picture).texts) all += text.utf8 + "|";
+    return all;
+  };
+  const double low = *std::ranges::min_element(frame->surfaceHeight);
+  const double high = *std::ranges::max_element(frame->lineHeight);
+  const double size = high - low;
+  const std::string both = words(low - 0.5 * size, high + 0.5 * size);
+  const std::string rubber = words(low - 2 * size, low - 0.1 * size);
+  const std::string rigid = words(high + 0.1 * size, high + 2 * size);
+  const auto names = [](const std::string& text, const char* name) {
+    return text.find(name) != std::string::npos;
+  };
+  EXPECT_TRUE(names(both, "rigid body|") && names(both, "elastomer"));
+  EXPECT_FALSE(names(rubber, "rigid body|"));
+  EXPECT_TRUE(names(rubber, "elastomer|"));
+  EXPECT_TRUE(names(rubber, "rigid line slides"));
+  EXPECT_TRUE(names(rigid, "rigid body|"));
+  EXPECT_FALSE(names(rigid, "elastomer|"));
 }
 
 /// Local friction is a part of its own: each part and their sum are named, and F_x is the sum's.
@@ -277,7 +328,8 @@ TEST(ContactTexts, EveryReadingHasItsSentence) {
   SampleOptions sample;
   sample.points = 300;
   Frame frame = *sampleFrame(sample);
-  frame.muMarch = 0.5;
+  frame.isSettling = true;
+  frame.drawn = {1e-6, 1, 0.5, 0.1, 0.5, 0};
   const std::vector<ContactReading> readings = contactReadings(frame, {});
   ASSERT_EQ(readings.size(), 7U);
   const DrawList list = composeContact(frame, {});
@@ -291,8 +343,8 @@ TEST(ContactTexts, EveryReadingHasItsSentence) {
         ++texts;
     EXPECT_GE(texts, 2) << reading.name;
   }
-  EXPECT_EQ(readings.back().name, "\u03BC of the moving picture");
-  EXPECT_NE(readings.back().tip.find("small steps of time"), std::string::npos);
+  EXPECT_EQ(readings[1].name, "\u03BC when settled");
+  EXPECT_NE(readings[1].tip.find("steady state"), std::string::npos);
   ContactPictureOptions plain;
   plain.title = false;
   EXPECT_TRUE(contactReadings(frame, plain).empty());
@@ -354,13 +406,115 @@ TEST(ContactTexts, ElastomerIsNamedWhereNoContactIs) {
   };
   const auto footer = named(1280, 720);
   ASSERT_TRUE(footer);
-  EXPECT_GT(footer->y, 650);      // below the axes
-  EXPECT_FALSE(named(400, 260));  // no footer there: no clear place
-  for (std::size_t i = 0; i < 200; ++i)
-    if (i > 80) frame.pressure[i] = 0;  // contact at the left alone
+  EXPECT_GT(footer->y, 650);                // below the axes
+  EXPECT_FALSE(named(400, 260));            // no footer there: no clear place
+  for (std::size_t i = 81; i < 200; ++i) {  // contact at the left alone
+    frame.pressure[i] = frame.surfaceHeight[i] = 0;
+    frame.lineHeight[i] = 1e-7;
+  }
   const auto right = named(400, 260);
   ASSERT_TRUE(right);
   EXPECT_GT(right->x, 200);
+}
+
+/// Contact between two points of the frame is contact, whatever was asked to be coloured.
+TEST(ContactTexts, NoColoursDoNotMeanNoContact) {
+  SampleOptions sample;
+  sample.points = 300;
+  Frame frame = *sampleFrame(sample);
+  frame.pressure.assign(300, 0);
+  frame.sinceContact.assign(300, std::numeric_limits<double>::infinity());
+  frame.power.assign(300, 0);
+  for (const ContactOverlay overlay :
+       {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power}) {
+    frame.normalForce = 1e-9;
+    frame.contactFraction = 1e-6;
+    EXPECT_EQ(reasonUncoloured(frame, overlay), "no colours: contact lies between two points");
+    frame.normalForce = frame.contactFraction = 0;
+    EXPECT_NE(reasonUncoloured(frame, overlay), "no colours: contact lies between two points");
+  }
+  EXPECT_EQ(reasonUncoloured(frame, ContactOverlay::Pressure), "no colours: nothing touches");
+}
+
+// From 300 pixels on, at the densities of a screen and of a journal (86 mm at 300 per inch).
+constexpr Size kNarrow[] = {
+    {300, 220, 1},       {320, 240, 1},       {400, 260, 1},        {500, 350, 1},  {500, 170, 1},
+    {1016, 500, 3.125F}, {1016, 760, 3.125F}, {1016, 1200, 3.125F}, {1280, 200, 1}, {1280, 720, 1}};
+
+/// One number says nothing of the scale, and none without a unit says how much.
+TEST(ContactTexts, BothAxesHaveTwoNumbersAndAUnit) {
+  for (const double depth : {1e-7, 1e-6, 4e-6}) {
+    SampleOptions sample;
+    sample.points = 300;
+    sample.depth = depth;
+    const Frame frame = *sampleFrame(sample);
+    for (const Size& size : kNarrow) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      const Clip plot = contactPlotArea(frame, options);
+      const DrawList list = composeContact(frame, options);
+      int up = 0, along = 0, units = 0;
+      for (const DrawText& text : list.texts) {
+        const bool isBeside = text.x < plot.x && text.anchor == TextAnchor::Right;
+        up += isBeside ? 1 : 0;
+        const float below = text.y - plot.y - plot.height;
+        along += text.anchor == TextAnchor::Centre && below > 0 && below < 2 * text.size &&
+                         text.angle == 0 && text.utf8.find('(') == std::string::npos
+                     ? 1
+                     : 0;
+        for (const char* unit : {"(mm)", "(\u00B5m)", "(nm)", " mm", " \u00B5m", " nm"})
+          units += text.utf8.ends_with(unit) && (text.x < plot.x + 1 || below > 0) ? 1 : 0;
+      }
+      const std::string where = std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                " depth " + std::to_string(1e6 * depth);
+      // A frame that is lower than two numbers cannot have them.
+      if (plot.height > 3 * list.texts.back().size) {
+        EXPECT_GE(up, 2) << where;
+      }
+      EXPECT_GE(along, 2) << where;
+      EXPECT_GE(units, 2) << where;
+      expectTidy(list, where);
+    }
+  }
+}
+
+/// Rows that the line crosses have no label, wherever it has slid to.
+TEST(ContactTexts, NoLabelIsCrossedByTheLine) {
+  int labels = 0;
+  for (int slid = 0; slid < 8; ++slid) {
+    SampleOptions sample;
+    sample.points = 500;
+    sample.distance = slid * 0.0025;
+    const Frame frame = *sampleFrame(sample);
+    for (const Size& size : kNarrow) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      const Clip plot = contactPlotArea(frame, options);
+      const ContactView view = resolvedView(frame, options.view);
+      const DrawList list = composeContact(frame, options);
+      for (const DrawText& text : list.texts) {
+        if (text.x <= plot.x || text.y <= plot.y || text.y > plot.y + 0.45F * plot.height ||
+            text.x >= plot.x + plot.width)
+          continue;
+        ++labels;
+        const QRectF ink = inkOf(text);
+        for (std::size_t i = 0; i < frame.lineHeight.size(); ++i) {
+          const double x = plot.x + (static_cast<double>(i) * frame.spacing - view.left) /
+                                        view.width * plot.width;
+          const double y =
+              plot.y + (view.top - frame.lineHeight[i]) / (view.top - view.bottom) * plot.height;
+          if (x < ink.left() || x > ink.right()) continue;
+          ASSERT_GT(y, ink.bottom())
+              << text.utf8 << " " << size.width << "x" << size.height << " slid " << slid;
+        }
+      }
+    }
+  }
+  EXPECT_GT(labels, 150);
 }
 
 }  // namespace

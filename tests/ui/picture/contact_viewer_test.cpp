@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sample_frame.h"
@@ -57,6 +58,39 @@ TEST(ContactViewer, AnotherLengthIsShownAsAWhole) {
   longer.length = 0.1;
   viewer.setFrame(sampleFrame(longer));
   EXPECT_NEAR(viewer.options().view.width, 0.1, 1e-12);
+}
+
+/// Another scene, the end of settling and the beginning of a motion have a scale of their own;
+/// within each of them it keeps still.
+TEST(ContactViewer, ColoursRememberNothingOfWhatWasShownBefore) {
+  const auto frame = [](double greatest, std::uint64_t scene, bool settles, double time) {
+    Frame made = *frameAt(0);
+    for (std::vector<double>* values : {&made.power, &made.sinceContact})
+      values->assign(made.pressure.size(), greatest * 1e-3);
+    made.pressure.assign(made.pressure.size(), greatest);
+    made.sceneNumber = scene;
+    made.isSettling = settles;
+    made.time = time;
+    return std::make_shared<const Frame>(made);
+  };
+  const auto ends = [](const ContactViewer& viewer) {
+    const ContactView view = viewer.options().view;
+    return std::array{view.pressure, view.age, view.power};
+  };
+  const auto fresh = ends(viewerOf(frame(1, 1, false, 0)));
+  ContactViewer viewer = viewerOf(frame(2, 1, false, 0));
+  viewer.setFrame(frame(1, 1, false, 1));
+  EXPECT_NE(ends(viewer), fresh) << "it keeps still";
+  viewer.setFrame(frame(1, 2, false, 1));
+  EXPECT_EQ(ends(viewer), fresh) << "another scene";
+  viewer.setFrame(frame(2, 3, true, 1));
+  viewer.setFrame(frame(1, 3, true, 2));
+  EXPECT_NE(ends(viewer), fresh);
+  viewer.setFrame(frame(1, 3, false, 3));
+  EXPECT_EQ(ends(viewer), fresh) << "settled";
+  viewer.setFrame(frame(2, 3, false, 4));
+  viewer.setFrame(frame(1, 3, false, 0));
+  EXPECT_EQ(ends(viewer), fresh) << "begun anew";
 }
 
 TEST(ContactViewer, ZoomingOutEndsWithEverything) {

@@ -26,6 +26,14 @@ TEST(Ticks, RoundPlacesInThePrefixedUnit) {
             "\u221250.5 \u221250.0 \u221249.5 \u00B5m");
 }
 
+/// Beyond the smallest and the largest prefix.
+TEST(Ticks, WithoutAPrefixAUnitCountsInPowersOfTen) {
+  EXPECT_EQ(labels(linearTicks(0, 5e-29, 6, "N/m")), "0 1 2 3 4 5 10\u207B\u00B2\u2079 N/m");
+  EXPECT_EQ(labels(linearTicks(0, 4e20, 5, "N/m")), "0 1 2 3 4 10\u00B2\u2070 N/m");
+  EXPECT_EQ(labels(linearTicks(0, 4e-15, 5, "m")), "0 1 2 3 4 fm");
+  EXPECT_EQ(labels(linearTicks(0, 400e15, 5, "Pa")), "0 100 200 300 400 PPa");
+}
+
 TEST(Ticks, StepsAreOneTwoOrFiveAndNeverTooMany) {
   for (double from : {-3.3e-7, 0.0, 0.012, -5e3}) {
     for (double size = 1e-9; size < 1e6; size *= 3.7) {

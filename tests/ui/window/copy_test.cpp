@@ -149,13 +149,8 @@ class CallTest : public MainWindowTest {
  protected:
   void pause() {
     if (session().isPlaying()) session().setPlaying(false);
-    // What was under way is over when two polls find the same frame.
-    ASSERT_TRUE(waitFor([&] {
-      const Frame* before = frame();
-      QTest::qWait(60);
-      session().poll();
-      return frame() && frame() == before && before->sceneNumber == session().sceneNumber();
-    }));
+    ASSERT_TRUE(waitForFrame());
+    ASSERT_TRUE(waitForRest());
   }
   QStringList copied() {
     action("copyCommand").trigger();
@@ -293,14 +288,10 @@ TEST_F(CallTest, DrawsTheMomentOfAMotion) {
 }
 
 TEST_F(CallTest, AStillSaysNothingOfItsMovingOnTheScreen) {
-  ASSERT_TRUE(waitFor([&] { return frame() && std::isfinite(frame()->muMarch); }));
+  ASSERT_TRUE(waitFor([&] { return frame() && frame()->timeScale > 0; }));
   const auto still = stillOf(*frame());
   EXPECT_EQ(still->timeScale, 0);
-  EXPECT_FALSE(std::isfinite(still->muMarch));
   EXPECT_EQ(still->time, frame()->time);
-  Frame moving = *frame();
-  moving.transient = std::make_shared<const std::vector<TransientSample>>();
-  EXPECT_EQ(stillOf(moving)->muMarch, moving.muMarch);  // a motion has no other
 }
 
 TEST_F(CallTest, DrawsWhatTheCurveIsComparedWith) {

@@ -314,10 +314,10 @@ TEST_F(DocumentTest, RecentFilesAreOfferedWhileTheyAreThere) {
   EXPECT_EQ(menu.actions().first()->text(), "9.json");
   ASSERT_TRUE(QFile::remove(folder.filePath("9.json")));
   EXPECT_EQ(recentFiles().size(), kMostRecentFiles - 1);
-  ASSERT_TRUE(window_.openScene(folder.filePath("5.json")));
+  ASSERT_TRUE(open(folder.filePath("5.json")));
   EXPECT_EQ(menu.actions().first()->text(), "5.json");
   menu.actions().at(1)->trigger();
-  EXPECT_TRUE(window_.document().file().endsWith("8.json"));
+  EXPECT_TRUE(waitFor([&] { return window_.document().file().endsWith("8.json"); }));
   menu.actions().last()->trigger();
   EXPECT_TRUE(recentFiles().isEmpty());
   EXPECT_FALSE(menu.isEnabled());
@@ -330,7 +330,7 @@ TEST_F(DocumentTest, AnOpenedFileIsSavedWhereItCameFrom) {
   ASSERT_TRUE(window_.saveScene(file));
   window_.showScene(Scene{});
   EXPECT_TRUE(window_.document().file().isEmpty());
-  ASSERT_TRUE(window_.openScene(file));
+  ASSERT_TRUE(open(file));
   type("sliding.velocity", "0.125 m/s");
   QTest::keyClick(&window_, Qt::Key_S, Qt::ControlModifier);
   EXPECT_EQ(readSceneFile(file.toStdString()).sliding.velocity, 0.125);

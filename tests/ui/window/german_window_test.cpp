@@ -159,7 +159,7 @@ TEST(GermanWindow, AComplaintAboutTheSceneIsGerman) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return window->messages().isVisible(); }, kWindowPatience));
   EXPECT_EQ(window->messages().text(),
             "elastomer.equilibrium_modulus: ist 0 und alles andere auch: Das Elastomer ist leer");
-  EXPECT_FALSE(window->openScene("/no/such/scene.json"));
+  EXPECT_FALSE(openIn(*window, "/no/such/scene.json"));
   EXPECT_EQ(window->messages().text(),
             "/no/such/scene.json: lässt sich nicht öffnen: die Datei gibt es nicht");
 }

@@ -228,7 +228,7 @@ TEST(LanguageSwitch, KeepsAMessageThatIsNotAboutTheScene) {
   window->setLanguage("de");
   EXPECT_TRUE(window->messages().isVisible());
   EXPECT_EQ(window->messages().text(), "cannot be read");
-  window->messages().endComplaint();
+  window->messages().end(MessageBar::Failure::Scene);
   EXPECT_TRUE(window->messages().isVisible());
   window->messages().hide();
   window->setLanguage("en");

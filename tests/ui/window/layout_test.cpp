@@ -9,7 +9,10 @@
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QToolBar>
+#include <QToolButton>
 #include <QTreeWidget>
+#include <algorithm>
+#include <cstdlib>
 #include <memory>
 #include <tuple>
 
@@ -209,7 +212,9 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   first->findChild<QDockWidget*>("parameterDock")->hide();
   first->findChild<QAction*>("tab:planList")->setChecked(false);
   first->setColours(Colours::Dark);
-  first->resize(1100, 700);
+  const QRect place(QGuiApplication::screens().back()->geometry().topLeft() + QPoint(100, 100),
+                    QSize(1100, 700));
+  first->setGeometry(place);
   first->setPresenting(true);  // is not kept
   ASSERT_TRUE(first->close());
   first.reset();
@@ -221,10 +226,94 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   EXPECT_TRUE(second->isDark());
   EXPECT_FALSE(second->isFullScreen());
   EXPECT_TRUE(second->menuBar()->isVisible());
-  EXPECT_EQ(second->size(), QSize(1100, 700));
+  EXPECT_EQ(second->geometry(), place);
   second->restoreDefaultLayout();
   EXPECT_TRUE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
   second->setColours(Colours::Light);
+}
+
+/// The window with what a window manager draws around it.
+void expectOnScreen(const QWidget& window, const QScreen& screen) {
+  const QRect with = window.geometry().marginsAdded(QMargins(4, 30, 4, 4));
+  EXPECT_TRUE(screen.availableGeometry().contains(with))
+      << screen.name().toStdString() << ": " << with.x() << ' ' << with.y() << ' ' << with.width()
+      << ' ' << with.height();
+}
+
+TEST_F(LayoutTest, TheFirstWindowFitsItsScreen) {
+  const QList<QScreen*> screens = QGuiApplication::screens();
+  ASSERT_EQ(screens.size(), 4) << "as qt_application.h says";
+  for (QScreen* screen : screens) {
+    QSettings().clear();
+    MainWindow window(smallScene());
+    window.setScreen(screen);
+    window.rememberLayout();
+    const QSize room = screen->availableGeometry().size();
+    EXPECT_LE(window.width(), room.width() - 8);
+    EXPECT_LE(window.height(), room.height() - 34);
+    EXPECT_GE(window.width(), std::min(1280, room.width()) - 40);
+    EXPECT_GE(window.height(), std::min(800, room.height()) - 80);
+    if (screen->size().width() > 2000) {
+      EXPECT_EQ(window.size(), QSize(1280, 800)) << "no larger than it needs";
+    }
+  }
+}
+
+/// Closed on a large screen and opened where that one is away; also as it comes out
+/// of a maximized one.
+TEST_F(LayoutTest, AWindowOfALargerScreenFitsASmallerOne) {
+  for (const bool maximized : {false, true}) {
+    QSettings().clear();
+    {
+      MainWindow first(smallScene());
+      first.rememberLayout();
+      first.setGeometry(9000, 2000, 2500, 1400);  // of a screen that is away then
+      first.show();
+      if (maximized) first.showMaximized();
+      ASSERT_TRUE(first.close());
+    }
+    MainWindow second(smallScene());
+    second.rememberLayout();
+    second.setWindowState(Qt::WindowNoState);
+    const QScreen* there = QGuiApplication::screenAt(second.geometry().center());
+    ASSERT_TRUE(there);
+    expectOnScreen(second, *there);
+  }
+  for (QScreen* screen : QGuiApplication::screens()) {
+    MainWindow window(smallScene());
+    QRect much(0, 0, 2700, 1600);
+    much.moveCenter(screen->geometry().center());
+    window.setGeometry(much);
+    window.fitToScreen();
+    expectOnScreen(window, *screen);
+  }
+}
+
+/// Whatever a window manager makes of it: narrower than it likes to be.
+TEST_F(LayoutTest, CommandsThatHaveNoRoomAreBehindAnArrow) {
+  auto& bar = control<QToolBar>("commands");
+  auto& more = *bar.findChild<QToolButton*>("qt_toolbar_ext_button");
+  window_.resize(1280, 720);
+  ASSERT_TRUE(waitFor([&] { return !more.isVisible(); }));
+  window_.setMinimumSize(300, 300);
+  for (const bool dark : {false, true}) {
+    window_.setDark(dark);
+    for (const int width : {880, 700, 500}) {
+      window_.resize(width, 600);
+      ASSERT_TRUE(waitFor([&] { return bar.width() <= width && more.isVisible(); })) << width;
+      EXPECT_FALSE(more.accessibleName().isEmpty());
+      EXPECT_TRUE(bar.rect().contains(more.geometry()));
+      const QImage image = more.grab().toImage();
+      const QColor ground = image.pixelColor(0, 0);
+      int drawn = 0;
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+          drawn += std::abs(image.pixelColor(x, y).lightness() - ground.lightness()) > 80 ? 1 : 0;
+      EXPECT_GT(drawn, 8) << width << (dark ? " dark" : " light");
+    }
+    window_.resize(1280, 720);
+    ASSERT_TRUE(waitFor([&] { return !more.isVisible(); }));
+  }
 }
 
 TEST_F(LayoutTest, ColoursOfTheDesktopUnlessChosen) {

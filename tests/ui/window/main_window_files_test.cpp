@@ -1,5 +1,6 @@
 // Scenes saved, opened and dropped on the main window, and what is said where that fails.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <QComboBox>
 #include <QDir>
@@ -10,15 +11,18 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <fstream>
 #include <utility>
 
-#include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
+#include "ui/picture/picture_origin.h"
+#include "ui/picture/svg_file.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/scene_document.h"
 #include "ui/window/session.h"
 
 namespace asperity {
@@ -41,12 +45,47 @@ TEST_F(MainWindowTest, AProfileWithoutAFileIsNeitherRunNorSaved) {
   auto& kind = control<QComboBox>("choice:surface.kind");
   kind.setCurrentIndex(kind.findData("profile"));
   emit kind.activated(kind.currentIndex());
-  QTest::qWait(100);
+  QSignalSpy frames(&session(), &Session::frameArrived);
+  ASSERT_TRUE(waitFor([&] { return frames.count() > 5; }));
   EXPECT_EQ(session().sceneNumber(), before);
   EXPECT_FALSE(window_.messages().isVisible());
   const QTemporaryDir folder;
   EXPECT_FALSE(window_.saveScene(folder.filePath("scene.json")));
   EXPECT_TRUE(window_.messages().text().contains("choose a profile file"));
+}
+
+/// What went wrong is said until it goes well, and what it covered comes back.
+TEST_F(MainWindowTest, AFailureIsOverOnceItGoesWell) {
+  const QTemporaryDir folder;
+  ASSERT_TRUE(waitForFrame());
+  const auto save = [&](const QString& file, bool isSaved) {
+    QSignalSpy saved(&window_, &MainWindow::exported);
+    window_.savePicture(file);
+    ASSERT_TRUE(
+        waitFor([&] { return saved.count() == 1 || window_.messages().text().contains(file); }));
+    EXPECT_EQ(saved.count() == 1, isSaved);
+  };
+  const QString nowhere = folder.filePath("no_such_folder/picture.png");
+  save(nowhere, false);
+  EXPECT_TRUE(window_.messages().isVisible());
+  EXPECT_FALSE(window_.saveScene(folder.filePath("no_such_folder/scene.json")));
+  save(folder.filePath("picture.png"), true);
+  EXPECT_TRUE(window_.messages().isVisible()) << "of the scene that was not saved";
+  EXPECT_TRUE(window_.saveScene(folder.filePath("scene.json")));
+  EXPECT_FALSE(window_.messages().isVisible());
+
+  Scene broken = smallScene();
+  broken.surface.kind = SurfaceKind::Sine;
+  broken.surface.waves = 8;
+  broken.surface.elements = 10;
+  window_.showScene(broken);
+  ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
+  const QString complaint = window_.messages().text();
+  save(nowhere, false);
+  EXPECT_NE(window_.messages().text(), complaint);
+  save(folder.filePath("picture.png"), true);
+  EXPECT_EQ(window_.messages().text(), complaint) << "the scene still cannot run";
+  EXPECT_TRUE(window_.messages().isVisible());
 }
 
 TEST_F(MainWindowTest, ScenesAreSavedAndOpened) {
@@ -56,7 +95,7 @@ TEST_F(MainWindowTest, ScenesAreSavedAndOpened) {
   const Scene changed = window_.panel().scene();
   ASSERT_TRUE(window_.saveScene(file));
   window_.showScene(Scene{});
-  ASSERT_TRUE(window_.openScene(file));
+  ASSERT_TRUE(open(file));
   EXPECT_EQ(writeScene(window_.panel().scene()), writeScene(changed));
   EXPECT_EQ(writeScene(session().scene()), writeScene(changed));
 }
@@ -64,21 +103,97 @@ TEST_F(MainWindowTest, ScenesAreSavedAndOpened) {
 /// A picture dropped on the window brings its scene back, and is not saved over.
 TEST_F(MainWindowTest, APictureDroppedOnItOpensItsScene) {
   QTemporaryDir folder;
-  const QString file = folder.filePath("picture.png");
+  const QString file = folder.filePath("picture.svg");
   Scene scene = smallScene();
   scene.title = "from a picture";
-  QFile picture(file);
-  ASSERT_TRUE(picture.open(QIODevice::WriteOnly));
-  picture.write(("\x89PNG" + provenanceLine(provenance("render", scene))).c_str());
-  picture.close();
+  writeSvg(file.toStdString(), DrawList{}, {"a title", pictureOrigin("render", scene)});
 
+  QSignalSpy reads(&window_, &MainWindow::sceneRead);
   drop(file);
+  ASSERT_TRUE(waitFor([&] { return reads.count() == 1; }));
   EXPECT_EQ(session().scene().title, "from a picture");
   EXPECT_EQ(window_.windowTitle(), "from a picture[*] – Asperity");
+  EXPECT_EQ(window_.document().file(), "");
 
   drop(folder.filePath("gone.png"));
+  ASSERT_TRUE(waitFor([&] { return reads.count() == 2; }));
   EXPECT_TRUE(window_.messages().text().contains("gone.png"));
   EXPECT_EQ(session().scene().title, "from a picture");
+}
+
+/// A pipe that nobody writes to is refused, as a file and as a profile; nothing waits for it.
+TEST_F(MainWindowTest, APipeKeepsNothingWaiting) {
+  const QTemporaryDir folder;
+  const QString pipe = folder.filePath("pipe.png");
+  ASSERT_EQ(::mkfifo(pipe.toUtf8().constData(), 0600), 0);
+  EXPECT_FALSE(open(pipe));
+  EXPECT_TRUE(window_.messages().text().contains("only regular files"));
+  Scene scene = smallScene();
+  scene.folder = folder.path().toStdString();
+  scene.surface.kind = SurfaceKind::Profile;
+  scene.surface.file = "pipe.png";
+  QSignalSpy complaints(&session(), &Session::complained);
+  window_.showScene(scene);
+  EXPECT_TRUE(waitFor([&] { return !complaints.isEmpty(); }));
+  EXPECT_TRUE(window_.messages().text().contains("only regular files"));
+}
+
+/// Of two files the one that was opened last is shown, and none that was opened before the scene on
+/// the screen.
+TEST_F(MainWindowTest, TheNewestOpeningWins) {
+  const QTemporaryDir folder;
+  for (const char* name : {"a", "b"}) {
+    Scene scene = smallScene();
+    scene.title = name;
+    std::ofstream(folder.filePath(name).toStdString()) << writeScene(scene);
+  }
+  window_.openScene(folder.filePath("a"));
+  EXPECT_TRUE(open(folder.filePath("b")));
+  EXPECT_EQ(session().scene().title, "b");
+  window_.openScene(folder.filePath("a"));
+  Scene chosen = smallScene();
+  chosen.title = "chosen meanwhile";
+  window_.showScene(chosen);
+  EXPECT_FALSE(open(folder.filePath("gone")));  // read after the first one
+  EXPECT_EQ(session().scene().title, "chosen meanwhile");
+}
+
+/// Somebody's picture does not make the window read files elsewhere, or take the whole memory,
+/// before its reader agreed.
+TEST_F(MainWindowTest, AForeignSceneThatWantsMuchIsAskedAbout) {
+  const QTemporaryDir folder;
+  const auto picture = [&](const char* name, const Scene& scene) {
+    const QString file = folder.filePath(name);
+    writeSvg(file.toStdString(), DrawList{}, {"", pictureOrigin("render", scene)});
+    return file;
+  };
+  Scene reads = smallScene();
+  reads.surface.kind = SurfaceKind::Profile;
+  reads.surface.file = "/etc/shadow";
+  Scene large = smallScene();
+  large.surface.elements = 16777216;
+  Scene long_ = smallScene();
+  long_.ensemble.realizations = 1000000;
+  long_.surface.elements = 100000;
+  for (const QString& file :
+       {picture("reads.svg", reads), picture("large.svg", large), picture("long.svg", long_)}) {
+    answer(QMessageBox::Cancel);
+    EXPECT_FALSE(open(file)) << file.toStdString();
+    EXPECT_EQ(asked_, 1) << file.toStdString();
+    EXPECT_EQ(session().scene().title, "small");
+  }
+  answer(QMessageBox::Open);
+  EXPECT_TRUE(open(picture("reads.svg", reads)));
+  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(session().scene().surface.file, "/etc/shadow");
+  // What lies beside the picture is read unasked, and so is what a scene file of one's own names.
+  reads.surface.file = "line.csv";
+  answer(QMessageBox::Cancel);
+  EXPECT_TRUE(open(picture("beside.svg", reads)));
+  reads.surface.file = "/no/such/line.csv";
+  std::ofstream(folder.filePath("own.json").toStdString()) << writeScene(reads);
+  EXPECT_TRUE(open(folder.filePath("own.json")));
+  EXPECT_EQ(asked_, 0);
 }
 
 TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
@@ -101,7 +216,7 @@ TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
   EXPECT_EQ(control<ValueEntry>("entry:surface.length").placeholderText(), "0.0064");
   EXPECT_EQ(control<ValueEntry>("entry:surface.elements").placeholderText(), "64");
   ASSERT_TRUE(window_.saveScene(folder.filePath("a/b/scene.json")));
-  ASSERT_TRUE(window_.openScene(folder.filePath("a/b/scene.json")));
+  ASSERT_TRUE(open(folder.filePath("a/b/scene.json")));
   EXPECT_EQ(window_.panel().scene().surface.file, "../../line.csv");
   ASSERT_TRUE(waitForFrame());
 }
@@ -139,7 +254,7 @@ TEST_F(MainWindowTest, WhatCarriesASceneIsOffered) {
 TEST_F(MainWindowTest, FilesThatDoNotReadOrWriteAreExplained) {
   const QTemporaryDir folder;
   const Scene before = window_.panel().scene();
-  EXPECT_FALSE(window_.openScene(folder.filePath("missing.json")));
+  EXPECT_FALSE(open(folder.filePath("missing.json")));
   EXPECT_TRUE(window_.messages().isVisible());
   EXPECT_TRUE(window_.messages().text().contains("missing.json"));
   EXPECT_FALSE(window_.saveScene(folder.filePath("no/such/folder.json")));

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
 
@@ -16,6 +17,7 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
+#include "ui/window/contact_canvas.h"
 #include "ui/window/main_window.h"
 #include "ui/window/session.h"
 
@@ -27,6 +29,14 @@ inline Scene smallScene() {
   Scene scene = sceneOfSize(256, 9, 3);
   scene.title = "small";
   return scene;
+}
+
+/// Opens a file in a window; whether its scene is shown, once it was read.
+inline bool openIn(MainWindow& window, const QString& file) {
+  QSignalSpy reads(&window, &MainWindow::sceneRead);
+  window.openScene(file);
+  return QTest::qWaitFor([&] { return !reads.isEmpty(); }, kWindowPatience) &&
+         reads.takeFirst().at(1).toBool();
 }
 
 class MainWindowTest : public testing::Test {
@@ -52,8 +62,23 @@ class MainWindowTest : public testing::Test {
     QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&window_, &drop);
   }
+  /// Whether the file's scene is shown, once it was read.
+  bool open(const QString& file) { return openIn(window_, file); }
   bool waitForFrame() {
     return waitFor([&] { return frame() && frame()->sceneNumber == session().sceneNumber(); });
+  }
+
+  /// Until the runner stands still, as it does when it is paused or nobody sees it. It obeys one
+  /// order after the other: the answer to one shows that nothing before it goes on.
+  bool waitForRest() {
+    const auto answered = [this](bool slopes) {
+      FrameFields fields = window_.canvas().fields();
+      fields.lineSlope = slopes;
+      session().wantFields(fields);
+      return waitFor([&] { return frame() && frame()->lineSlope.empty() != slopes; });
+    };
+    const bool had = window_.canvas().fields().lineSlope;
+    return answered(!had) && answered(had);
   }
 
   template <class Control>

@@ -123,16 +123,73 @@ TEST_F(MainWindowTest, PlaysPausesAndSteps) {
   EXPECT_TRUE(session().isPlaying());
   QTest::keyClick(&window_, Qt::Key_Space);
   EXPECT_FALSE(session().isPlaying());
-  session().poll();
-  QTest::qWait(100);  // what was under way is over
+  ASSERT_TRUE(waitForRest());  // what was under way is over
   const std::uint64_t step = frame()->step;
   QTest::keyClick(&window_, Qt::Key_Period);
-  ASSERT_TRUE(waitFor([&] { return frame()->step == step + 1; }));
-  QTest::qWait(100);
-  EXPECT_EQ(frame()->step, step + 1);
+  ASSERT_TRUE(waitFor([&] { return frame()->step > step; }));
+  const std::uint64_t later = frame()->step;
+  ASSERT_TRUE(waitForRest());
+  EXPECT_EQ(frame()->step, later);
   QTest::keyClick(&window_, Qt::Key_Space);
   EXPECT_TRUE(session().isPlaying());
+  ASSERT_TRUE(waitFor([&] { return frame()->step > later + 3; }));
+}
+
+/// Of the line in the picture, at any zoom and however many elements there are.
+TEST_F(MainWindowTest, AStepByHandIsSeen) {
+  for (const std::int64_t elements : {256, 5000}) {
+    Scene scene = smallScene();
+    scene.surface.elements = elements;
+    window_.showScene(scene);
+    ASSERT_TRUE(waitForFrame());
+    session().setPlaying(false);
+    for (const int zoom : {0, 6, 6}) {
+      window_.canvas().zoom(zoom);
+      ASSERT_TRUE(waitForRest());
+      const double before = frame()->distance;
+      action("step").trigger();
+      ASSERT_TRUE(waitFor([&] { return frame()->distance != before; }));
+      const double seen = window_.canvas().viewer().options().view.width;
+      const double pixels =
+          (frame()->distance - before) / seen * window_.canvas().plotArea().width();
+      EXPECT_GT(pixels, 2) << elements;
+      EXPECT_LT(pixels,
+                std::max(20.0, 2.1 * frame()->spacing / seen * window_.canvas().plotArea().width()))
+          << elements;
+    }
+    window_.canvas().fit();
+    session().setPlaying(true);
+  }
+}
+
+/// The curve, which is kept, goes on; and the picture where it was, once it is seen again.
+TEST_F(MainWindowTest, NothingIsSteppedWhereNobodySeesIt) {
+  ASSERT_TRUE(waitFor([&] { return frame() && frame()->step > 3; }));
+  const auto expectRest = [&](const char* where) {
+    ASSERT_TRUE(waitForRest());
+    const std::uint64_t step = frame()->step;
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(waitForRest());
+    EXPECT_EQ(frame()->step, step) << where;
+    EXPECT_TRUE(session().isPlaying()) << where;
+  };
+  window_.showMinimized();
+  ASSERT_TRUE(waitFor([&] { return !session().isSeen(); }));
+  expectRest("minimized");
+  type("elastomer.shear_modulus", "20 MPa");
+  ASSERT_TRUE(waitFor([&] { return session().plot().progress >= 1; }));
+  EXPECT_EQ(session().curve()->scene->elastomer.shearModulus, 2e7);
+  window_.showNormal();
+  ASSERT_TRUE(waitFor([&] { return session().isSeen(); }));
+  const std::uint64_t step = frame()->step;
   ASSERT_TRUE(waitFor([&] { return frame()->step > step + 3; }));
+
+  action("figures").trigger();
+  ASSERT_FALSE(session().isSeen());
+  expectRest("behind the figures");
+  action("figures").trigger();
+  ASSERT_TRUE(session().isSeen());
+  const std::uint64_t behind = frame()->step;
+  ASSERT_TRUE(waitFor([&] { return frame()->step > behind + 3; }));
 }
 
 TEST_F(MainWindowTest, ASingleStepWhilePlayingPauses) {
@@ -214,7 +271,8 @@ TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
   window_.showScene(still);
   ASSERT_TRUE(waitForFrame());
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
-  QTest::qWait(100);
+  QSignalSpy frames(&session(), &Session::frameArrived);
+  ASSERT_TRUE(waitFor([&] { return frames.count() > 5; }));
   EXPECT_TRUE(window_.messages().isVisible());
   EXPECT_LT(window_.messages().text().size(), 160) << window_.messages().text().toStdString();
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QFile>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <memory>
@@ -16,7 +17,7 @@ namespace asperity {
 class QtApplication : public testing::Environment {
  public:
   void SetUp() override {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qputenv("QT_QPA_PLATFORM", "offscreen:configfile=" + screens().toUtf8());
     for (const QSettings::Format format : {QSettings::NativeFormat, QSettings::IniFormat})
       QSettings::setPath(format, QSettings::UserScope, settings_.path());
     application_ = std::make_unique<QApplication>(count_, arguments_);
@@ -25,6 +26,27 @@ class QtApplication : public testing::Environment {
   void TearDown() override { application_.reset(); }
 
  private:
+  /// The first is the platform's own; beside it a lecturer's projector, a small laptop and a large
+  /// screen.
+  QString screens() {
+    QByteArray list;
+    int left = 0;
+    for (const QSize size : {QSize(800, 800), {1280, 720}, {1366, 768}, {2560, 1440}}) {
+      list += (list.isEmpty() ? "" : ", ") +
+              QStringLiteral(R"({"name": "%1x%2", "x": %3, "y": 0, "width": %1, "height": %2,
+                                "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1})")
+                  .arg(size.width())
+                  .arg(size.height())
+                  .arg(left)
+                  .toUtf8();
+      left += size.width();
+    }
+    QFile file(settings_.filePath("screens.json"));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("{\"screens\": [" + list + "]}");
+    return file.fileName();
+  }
+
   QTemporaryDir settings_;  // never the user's own
   int count_ = 1;
   char name_[5] = "test";

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QHelpEvent>
+#include <QLayout>
 #include <QProgressBar>
 #include <QToolButton>
 #include <QToolTip>
@@ -11,6 +12,7 @@
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
+#include "ui/picture/ticks.h"
 #include "ui/window/contact_canvas.h"
 #include "ui/window/curve_reading.h"
 #include "ui/window/said_label.h"
@@ -35,6 +37,7 @@ CurveUpdate bentCurve() {
   CurveUpdate curve;
   curve.scene = std::make_shared<const Scene>();
   curve.realizationsDone = curve.realizationsTotal = 10;
+  curve.isComplete = true;
   for (int i = -20; i <= 20; ++i) {
     CurvePoint point;
     point.velocity = std::pow(10, 0.2 * i);
@@ -81,7 +84,7 @@ TEST(CurveReading, NamesTheRegime) {
   EXPECT_EQ(readCurve(frameAt(0), &curve).regime, "at rest");
   EXPECT_EQ(readCurve(frameAt(1e-3, 1), &curve).regime, "full contact");
   CurveUpdate half = curve;
-  half.realizationsDone = 5;
+  half.isComplete = false;  // however many lines there are: a target may ask for more
   EXPECT_EQ(readCurve(frameAt(1e-3), &half).regime, "");
 }
 
@@ -94,6 +97,70 @@ TEST_F(StatusTest, SaysRegimeMeanAndRateOfTheCurve) {
   EXPECT_GT(session().simulationsPerSecond(), 0);
   ASSERT_TRUE(waitFor([&] { return !control<QProgressBar>("workProgress").isVisible(); }));
   EXPECT_FALSE(control<QToolButton>("workStop").isVisible());
+}
+
+/// At any target: it is finished and says so, and its own error is told.
+TEST_F(StatusTest, ACurveToATargetIsFinished) {
+  action("go:accuracyPanel").trigger();
+  QStringList told;
+  for (const double target : {0.2, 0.05, 0.01}) {
+    Scene scene = smallScene();
+    scene.accuracy.targetRelativeError = target;
+    window_.showScene(scene);
+    ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+    ASSERT_TRUE(waitForFrame());
+    ASSERT_TRUE(waitFor([&] { return !control<QProgressBar>("workProgress").isVisible(); }));
+    EXPECT_FALSE(control<QToolButton>("workStop").isVisible());
+    ASSERT_TRUE(waitFor([&] { return fact("factRegime").startsWith("region"); }));
+    const CurveUpdate& curve = *session().curve();
+    EXPECT_EQ(session().plot().note,
+              QStringLiteral("%1 of %1 realizations").arg(curve.realizationsTotal));
+    double squares = 0;
+    for (const CurvePoint& point : curve.points)
+      squares += std::pow(point.muStandardError / point.mu, 2);
+    const double error = std::sqrt(squares / static_cast<double>(curve.points.size()));
+    EXPECT_LT(error, 1.05 * target);
+    told += fact("accuracyMeasured");
+    EXPECT_TRUE(told.back().contains(QString::fromStdString(shortNumber(100 * error, 2)) +
+                                     QStringLiteral("\u00A0%")))
+        << told.back().toStdString();
+  }
+  EXPECT_EQ(told.removeDuplicates(), 0);
+}
+
+/// Of a line that is no random one, which has no standard error.
+TEST_F(StatusTest, ASingleLineToATargetHasItsCurve) {
+  Scene scene = smallScene();
+  scene.surface.kind = SurfaceKind::Sine;
+  scene.accuracy.targetRelativeError = 0.01;
+  window_.showScene(scene);
+  ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+  ASSERT_TRUE(waitFor([&] { return fact("accuracyMeasured").contains(", error "); }));
+  EXPECT_FALSE(fact("accuracyMeasured").contains(QStringLiteral("–")));
+}
+
+/// A scene with the same curve was not computed again.
+TEST_F(StatusTest, TheTimeOfACurveStaysWithIt) {
+  ASSERT_TRUE(waitFor([&] { return fact("accuracyMeasured").startsWith("measured"); }));
+  const QString told = fact("accuracyMeasured");
+  type("sliding.velocity", "0.125 m/s");
+  ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+  EXPECT_EQ(fact("accuracyMeasured"), told);
+}
+
+/// So that the pictures above do not move when a curve begins or ends.
+TEST(StatusLine, IsAlwaysAsHigh) {
+  StatusLine line;
+  const int height = line.sizeHint().height();
+  for (const Work::State state :
+       {Work::State::Running, Work::State::Stopped, Work::State::Waiting, Work::State::Idle}) {
+    line.showWork({state, 0.5, 16000});
+    line.layout()->activate();
+    EXPECT_EQ(line.sizeHint().height(), height) << static_cast<int>(state);
+    if (state != Work::State::Idle) {
+      EXPECT_GE(height, line.findChild<QToolButton*>("workStop")->sizeHint().height());
+    }
+  }
 }
 
 TEST_F(StatusTest, ALongCurveIsStoppedAndBegunAnew) {

