@@ -22,6 +22,7 @@ const PlotColours kColours{.background = Qt::white,
                            .line = QColor(0, 0x90, 0),
                            .marker = QColor(0xff, 0, 0),
                            .span = QColor(0xee, 0xee, 0xee),
+                           .shade = QColor(0xff, 0xee, 0xcc, 0x80),
                            .difference = QColor(0x80, 0, 0x80),
                            .pinned = {QColor(0, 0xcc, 0xcc), QColor(0xcc, 0, 0xcc), Qt::cyan,
                                       Qt::cyan, Qt::cyan, Qt::cyan}};
