@@ -219,10 +219,10 @@ TEST_F(ExportTest, StripsWithoutRoomAreRefused) {
   const std::string start =
       " --layout transient --set sliding.kind=start --set sliding.duration=0.02"
       " --set surface.elements=64 ";
-  expectRefused("render s.json -o t.png --size 320x120" + start, 2,
-                "--size: 320x120 leaves no room for the strips over time; 320x");
+  expectRefused("render s.json -o t.png --size 320x160" + start, 2,
+                "--size: 320x160 leaves no room for the strips over time; 320x");
   // The size that it names is enough.
-  const std::string said = program.run("render s.json -o t.png --size 320x120" + start).err;
+  const std::string said = program.run("render s.json -o t.png --size 320x160" + start).err;
   const std::size_t from = said.find("; ") + 2, to = said.find(" does");
   run("render s.json -o t.png --size " + said.substr(from, to - from) + start);
 }
