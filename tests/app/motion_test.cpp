@@ -59,8 +59,7 @@ TEST_F(MotionCommandTest, WritesTheTableThePictureAndHowTheyWereMade) {
       program.run("motion m.json -o a.csv -o a.json -o a.png -o a.svg -o a.pdf --json");
   ASSERT_EQ(said.status, 0) << said.err;
   EXPECT_EQ(said.out, read("a.json"));
-  EXPECT_THAT(said.err, AllOf(HasSubstr("500 rows"), HasSubstr("estimated error of mu"),
-                              HasSubstr("wrote a.csv")));
+  EXPECT_THAT(said.err, AllOf(HasSubstr(" rows, estimated error of mu"), HasSubstr("wrote a.csv")));
   const std::string csv = read("a.csv");
   EXPECT_THAT(csv, StartsWith("# asperity: {\"schema\":\"asperity-motion/1\""));
   EXPECT_THAT(csv, HasSubstr(std::string("\n") + kHeader));
