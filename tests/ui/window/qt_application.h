@@ -32,13 +32,14 @@ class QtApplication : public testing::Environment {
     QByteArray list;
     int left = 0;
     for (const QSize size : {QSize(800, 800), {1280, 720}, {1366, 768}, {2560, 1440}}) {
-      list += (list.isEmpty() ? "" : ", ") +
-              QStringLiteral(R"({"name": "%1x%2", "x": %3, "y": 0, "width": %1, "height": %2,
-                                "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1})")
-                  .arg(size.width())
-                  .arg(size.height())
-                  .arg(left)
-                  .toUtf8();
+      const QString screen =
+          QStringLiteral(R"({"name": "%4", "x": %3, "y": 0, "width": %1, "height": %2,
+                            "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1})")
+              .arg(size.width())
+              .arg(size.height())
+              .arg(left)
+              .arg(left, 5, 10, QLatin1Char('0'));  // in the order of their names
+      list += (list.isEmpty() ? "" : ", ") + screen.toUtf8();
       left += size.width();
     }
     QFile file(settings_.filePath("screens.json"));
