@@ -26,6 +26,7 @@ constexpr double kContactsKept = 0.99;  // of a step's weight, in the next: bord
 
 // Of indentation and normal force: a picture nearer than that to the steady state shows it.
 constexpr double kSettled = 0.02;
+constexpr int kFramesOfRipple = 60;
 
 // For a step by hand: so many times the element-steps of a frame, and of a motion no more than this
 // part of its duration.
@@ -113,6 +114,7 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   settlesUntil_ = time_ + longestMemory();
   isChanged_ = true;
   settlesFrom_ = 0;
+  framesNoNearer_ = 0;
   recordFields();
   // Another line may stand in the present shape, or above it: the load presses it in before it
   // shows.
@@ -251,7 +253,7 @@ void Simulation::advanceSteadily(double part) {
   } else {
     stepOnce(restingStep(), 0);
   }
-  if (settlesFrom_ == 0) settlesFrom_ = awayFromSteady();
+  watchSettling();
   if (hasArrived()) settlesUntil_ = 0;
 }
 
@@ -408,10 +410,20 @@ bool Simulation::isSettling() const {
   return time_ < settlesUntil_ && !hasArrived();
 }
 
-/// Near the steady state, or past it: few elements in contact ripple by more than they are near.
+/// Near the steady state, past it, or no nearer for a while: few elements in contact ripple, about
+/// a steady state of their own.
 bool Simulation::hasArrived() const {
   const double away = awayFromSteady();
-  return std::abs(away) <= kSettled || away * settlesFrom_ < 0;
+  return std::abs(away) <= kSettled || away * settlesFrom_ < 0 || framesNoNearer_ > kFramesOfRipple;
+}
+
+void Simulation::watchSettling() {
+  const double away = awayFromSteady();
+  if (settlesFrom_ == 0) settlesFrom_ = nearest_ = away;
+  // What only creeps nearer, with a slow arm, does so by more than rounding.
+  const bool isNearer = std::abs(away) < (1 - 1e-9) * std::abs(nearest_);
+  if (isNearer) nearest_ = away;
+  framesNoNearer_ = isNearer ? 0 : framesNoNearer_ + 1;
 }
 
 /// Of indentation and normal force one is held constant and meets its value at once: the other one,

@@ -73,6 +73,7 @@ class Simulation {
   Frame steadyFrame() const;
   Frame marchedFrame() const;
   bool hasArrived() const;
+  void watchSettling();
   double awayFromSteady() const;
   ContactState drawnState(const Frame& frame) const;
   void stepMotion(double distance);
@@ -94,6 +95,8 @@ class Simulation {
   double time_ = 0, timeScale_ = 0;
   double settlesUntil_ = 0;               // s, at the latest, after a change; 0 once settled
   double settlesFrom_ = 0;                // awayFromSteady() after the first frame of it; 0 before
+  double nearest_ = 0;                    // awayFromSteady() nearest to 0 since then
+  int framesNoNearer_ = 0;                // since then
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
   double touching_ = 0, stretches_ = 0;   // elements and stretches in contact, of the newest steps
   bool isChanged_ = false;                // the scene, since the newest step

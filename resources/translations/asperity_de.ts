@@ -132,10 +132,6 @@
         <translation>nichts wird dissipiert</translation>
     </message>
     <message>
-        <source>time steps</source>
-        <translation>Zeitschritte</translation>
-    </message>
-    <message>
         <source>%1 rows</source>
         <translation>%1 Zeilen</translation>
     </message>
@@ -390,6 +386,18 @@
     <message>
         <source>no colours: nothing has left contact yet</source>
         <translation>keine Farben: noch nichts hat den Kontakt verlassen</translation>
+    </message>
+    <message>
+        <source>Tangential over normal force at this moment of the motion, a mean over the time since the last picture. After ± stands the estimated error of elements and time steps.</source>
+        <translation>Tangential- durch Normalkraft in diesem Augenblick der Bewegung, im Mittel über die Zeit seit dem letzten Bild. Nach ± steht der geschätzte Fehler durch Elemente und Zeitschritte.</translation>
+    </message>
+    <message>
+        <source>Tangential over normal force in steady sliding: of this line at this velocity, computed without time steps.</source>
+        <translation>Tangential- durch Normalkraft bei stationärem Gleiten: dieser Linie bei dieser Geschwindigkeit, ohne Zeitschritte berechnet.</translation>
+    </message>
+    <message>
+        <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
+        <translation>Tangential- durch Normalkraft, während das Elastomer nach einer Änderung noch relaxiert, abgelesen aus den Zeitschritten seit dem letzten Bild.</translation>
     </message>
 </context>
 <context>
@@ -2391,14 +2399,6 @@
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>Tangential over normal force in steady sliding: of this line at this velocity, computed without time steps.</source>
-        <translation>Tangential- durch Normalkraft bei stationärem Gleiten: dieser Linie bei dieser Geschwindigkeit, ohne Zeitschritte berechnet.</translation>
-    </message>
-    <message>
-        <source>Tangential over normal force at this moment of the motion, a mean over the time since the last picture. After ± stands the estimated error of elements and time steps.</source>
-        <translation>Tangential- durch Normalkraft in diesem Augenblick der Bewegung, im Mittel über die Zeit seit dem letzten Bild. Nach ± steht der geschätzte Fehler durch Elemente und Zeitschritte.</translation>
-    </message>
-    <message>
         <source>Force that presses one period of the line into the elastomer.</source>
         <translation>Kraft, die eine Periode der Linie in das Elastomer drückt.</translation>
     </message>
@@ -2429,10 +2429,6 @@
     <message>
         <source>What friction comes to in the steady state, as in the chart. The picture is still on its way there.</source>
         <translation>Worauf die Reibung im stationären Zustand kommt, wie im Diagramm. Das Bild ist noch auf dem Weg dorthin.</translation>
-    </message>
-    <message>
-        <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
-        <translation>Tangential- durch Normalkraft, während das Elastomer nach einer Änderung noch relaxiert, abgelesen aus den Zeitschritten seit dem letzten Bild.</translation>
     </message>
     <message>
         <source>since contact</source>
@@ -2477,6 +2473,10 @@
     <message>
         <source>friction in total F</source>
         <translation>Reibung gesamt F</translation>
+    </message>
+    <message>
+        <source>time steps</source>
+        <translation>Zeitschritte</translation>
     </message>
 </context>
 </TS>

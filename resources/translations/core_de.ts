@@ -2442,8 +2442,8 @@
         <translation>Nach der halben Zeit gleitet die Linie doppelt so schnell: Die Reibung springt sofort mit den viskosen Kräften und relaxiert dann, während der Kontakt schrumpft. Die vorhergesagte Rate ist 1/τ + v/ℓ mit der Länge ℓ eines Kontakts; auf einer rauen Linie ist sie ein Anhalt.</translation>
     </message>
     <message>
-        <source>At half time the line stops, and friction does not vanish with the velocity: contact is still one-sided and pushes back. It falls at once to about half, and within a relaxation time to nothing, while the line sinks in as the rubber creeps around its summits. Contact grows meanwhile, which is why the next start is harder.</source>
-        <translation>Nach der halben Zeit bleibt die Linie stehen, und die Reibung verschwindet nicht mit der Geschwindigkeit: Der Kontakt ist noch einseitig und drückt zurück. Sie fällt sofort auf etwa die Hälfte und innerhalb einer Relaxationszeit auf nichts, während die Linie weiter einsinkt und der Gummi um ihre Gipfel kriecht. Der Kontakt wächst dabei; deshalb ist das nächste Anfahren schwerer.</translation>
+        <source>At half time the line stops, and friction does not vanish with the velocity: contact is still one-sided and pushes back, at once with about half of the force and within a relaxation time with none. Meanwhile the line sinks in as the rubber creeps around its summits, which is why the next start is harder.</source>
+        <translation>Nach der halben Zeit bleibt die Linie stehen, und die Reibung verschwindet nicht mit der Geschwindigkeit: Der Kontakt ist noch einseitig und drückt zurück, sofort mit etwa der halben Kraft und nach einer Relaxationszeit nicht mehr. Inzwischen sinkt die Linie ein, während der Gummi um ihre Gipfel kriecht; deshalb ist das nächste Anfahren schwerer.</translation>
     </message>
     <message>
         <source>At half time the line turns back into the dents it has just left. Friction first falls short and then settles at the value of the mirrored line, which for one line is not quite the same.</source>

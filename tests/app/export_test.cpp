@@ -72,7 +72,7 @@ TEST_F(ExportTest, VectorPicturesAreVectorsWithTheirFonts) {
   EXPECT_EQ(other("pdfimages -list c.pdf | tail -n +3"), "");
   // Of a contact only the soft light of the elastomer is an image, with its mask; Qt's PDF has no
   // gradients of opacity. The hatching of the rigid body is lines.
-  EXPECT_EQ(other("pdfimages -list a.pdf | tail -n +3 | grep -c image"), "1\n");
+  EXPECT_EQ(other("pdfimages -list a.pdf | tail -n +3 | cut -c12-17 | grep -c image"), "1\n");
   // 1200 x 800 pixels at twice 96 an inch.
   EXPECT_THAT(other("pdfinfo c.pdf"), HasSubstr("450 x 300 pts"));
   EXPECT_THAT(other("identify -units PixelsPerInch -format '%wx%h %x' c.png"),

@@ -130,8 +130,8 @@ TEST_F(MotionCommandTest, EveryColumnOfEveryTableIsInTheDictionary) {
         "curve s.json -o set.csv --compare nodal" + small,
         std::string("motion m.json -o motion.csv"), std::string("surface s.json -o surface.csv"),
         "accuracy s.json -o cost" + small,
-        std::string("figure all master spacing -o figures --realizations 2 --set "
-                    "surface.elements=100"),
+        std::string("figure paper -o figures --realizations 2 --set surface.elements=100"),
+        std::string("figure master spacing -o figures --realizations 2"),
         std::string("batch b.json -o batch")}) {
     const Said said = program.run(call);
     ASSERT_EQ(said.status, 0) << call << said.err;

@@ -197,8 +197,6 @@ TEST_F(UsageTest, MessagesQuotePrintableCharactersOnly) {
                        R"({"title":"a\u001b[2Jb\u202ec\nd","surface":{"elements":64}})");
   program.folder.write("key.json", "{\"surf\\u001b[31mace\":1}");
   program.folder.write("bytes.json", "{\"title\":\"\xff\xfe\"}");
-  program.folder.write("x.csv", "1\n2\n\x1b[31m\n");
-  program.folder.write("p.json", R"({"surface":{"kind":"profile","file":"x.csv"}})");
   program.folder.write("b.json",
                        R"({"schema":"asperity-batch/1","entries":[{"scene":"\u001b[31m"}]})");
   const std::string escape = "$(printf '\\033[31m')", bytes = "$(printf '\\377\\233')";
@@ -207,7 +205,6 @@ TEST_F(UsageTest, MessagesQuotePrintableCharactersOnly) {
                                 "explain title.json",
                                 "check key.json",
                                 "check bytes.json",
-                                "check p.json",
                                 "batch b.json -o out",
                                 "check \"" + escape + "\"",
                                 "check \"" + bytes + ".json\"",

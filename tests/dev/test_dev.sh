@@ -289,7 +289,7 @@ END
   chmod +x "$project/tests/fuzz/run_fuzz"
   call fuzz 30
   same status "$status" 0
-  same runs "$out" $'scene -max_total_time=30\nset -max_total_time=30\nprofile -max_total_time=30'
+  same runs "$out" $'scene -max_total_time=30\nset -max_total_time=30\nprofile -max_total_time=30\nopen -max_total_time=30\nbatch -max_total_time=30'
   like calls "$(<"$calls")" '*cmake --preset fuzz*ninja all*'
   : >"$state/found"
   call fuzz 30

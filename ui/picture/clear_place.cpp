@@ -90,6 +90,12 @@ bool lineStaysBelow(const Frame& frame, const ContactLayout& layout, float botto
                              [&](double height) { return !(layout.py(height) < bottom); });
 }
 
+bool lineMisses(const Frame& frame, const ContactLayout& layout, float top, float bottom) {
+  return lineStaysBelow(frame, layout, bottom) ||
+         std::ranges::all_of(frame.lineHeight,
+                             [&](double height) { return layout.py(height) < top; });
+}
+
 bool CurveRows::crosses(const Box& box) const {
   for (std::size_t i = 0; i < highest.size(); ++i) {
     const float x = left + static_cast<float>(i);

@@ -22,6 +22,9 @@ std::optional<float> clearPlace(const Frame& frame, const ContactLayout& layout,
 /// crosses a label above the row while it slides by.
 bool lineStaysBelow(const Frame& frame, const ContactLayout& layout, float bottom);
 
+/// The same, or all of the line stays above the row `top`: it crosses nothing between the two.
+bool lineMisses(const Frame& frame, const ContactLayout& layout, float top, float bottom);
+
 /// The highest and the lowest pixel row that a curve of the frame reaches now, for each column of
 /// the plot.
 struct CurveRows {

@@ -112,8 +112,15 @@ void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const Co
       placeMotion();
     }
   }
-  for (const Tag& force : forceTags(frame, {}))
-    if (place(force, right - painter.width(force))) break;  // F_N first; both have seldom room
+  const std::vector<Tag> forces = forceTags(frame, {});
+  float needed = -gap;
+  for (const Tag& force : forces) needed += painter.width(force) + gap;
+  // From left to right; F_N, which is the first of them, stands at the right.
+  for (auto force = forces.rbegin(); force != forces.rend(); ++force) {
+    const bool isLast = force + 1 == forces.rend();
+    if (isLast || right - left >= needed) place(*force, right - needed);
+    needed -= painter.width(*force) + gap;
+  }
 }
 
 /// "rigid body" on the left, the motion in the middle, the forces on the right, as far as they fit.
@@ -235,7 +242,7 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout)
   const float rows = 2 * painter.height() + 3 * margin;
   if (!isDrawable(frame) || rows > 0.75F * layout.plot.height) return notes;
   const float row = layout.plot.y + margin;
-  const bool hasRow = lineStaysBelow(frame, layout, row + painter.height());
+  const bool hasRow = lineMisses(frame, layout, row, row + painter.height());
   if (hasRow)
     addRigidRow(painter, frame, layout, row);
   else

@@ -61,7 +61,7 @@ TEST(CurveFile, FrictionBelowWhatElementsResolveHasANote) {
       }
       EXPECT_EQ(notesOf(points[13]), "") << "at " << points[13].velocity << " m/s";
       const std::string table = curveCsv(points);
-      EXPECT_THAT(table, HasSubstr("realizations,notes\n"));
+      EXPECT_THAT(table, HasSubstr("realizations,marginal_share,notes\n"));
       EXPECT_THAT(table, HasSubstr(",unresolved_friction\n"));
       const auto root = nlohmann::json::parse(curveJson(points, scene));
       EXPECT_EQ(root["points"][0]["notes"], "unresolved_friction");

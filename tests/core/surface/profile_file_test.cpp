@@ -93,7 +93,7 @@ TEST(ProfileFile, AMalformedFirstRowIsAnErrorWithItsLine) {
   EXPECT_THAT(errorOf("nan,1\n1,2\n2,3\n3,4\n"),
               HasSubstr("row 1: column 1 is not a finite number"));
   EXPECT_THAT(errorOf("# made by hand\n\n0;1..2\n1;2\n2;3\n3;4\n"),
-              HasSubstr("row 3: column 1 is not a number"));
+              HasSubstr("row 3: column 2 is not a number"));
   for (const char* header : {"x,z", "position,height", "x (m),z (m)", "\"Weg\";\"Höhe\"", "Höhe",
                              "x [m]\tz [m]", "distance / m, height / m", ",height", "x in metres"})
     EXPECT_EQ(errorOf(std::string(header) + "\n0;1\n1;2\n2;3\n"), "no error") << header;
