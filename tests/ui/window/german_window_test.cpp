@@ -90,7 +90,8 @@ TEST_P(EachLanguage, NothingIsCutOffInAPresentation) {
   auto& dock = *window->findChild<QDockWidget*>("parameterDock");
   dock.show();
   EXPECT_EQ(cutOffIn(dock), "");
-  EXPECT_LE(dock.geometry().right(), 1280);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return dock.geometry().right() <= 1280; }, kWindowPatience))
+      << dock.geometry().right();
   EXPECT_LE(dock.width(), 1280 / 2);
   auto& rows = *dock.findChild<QWidget*>("parameterRows");
   EXPECT_LE(rows.width(), rows.parentWidget()->width());
