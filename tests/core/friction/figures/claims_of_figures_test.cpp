@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
+#include "core/friction/ensemble.h"
 #include "core/friction/figures/figure.h"
 #include "core/friction/figures/figure_parts.h"
+#include "core/friction/figures/readings.h"
+#include "tests/core/small_scene.h"
 
 namespace asperity {
 namespace {
@@ -63,19 +67,31 @@ INSTANTIATE_TEST_SUITE_P(Figures, EachFigureOfThePaper,
                                          FigureName::Hurst, FigureName::Forces,
                                          FigureName::Exponents, FigureName::Plateau));
 
-/// Region II grows by about 2.5, the very border: seeds said no, no, yes, no.
-TEST(Claims, AreNotReversedByAnotherSeed) {
-  std::set<std::string> ids;
-  std::set<std::pair<std::string, Verdict>> verdicts;
-  for (const char* seed : {"surface.seed=1", "surface.seed=2", "surface.seed=3", "surface.seed=4"})
-    for (const Claim& claim :
-         makeFigure(FigureName::Velocity, optionsOf(60, {seed, "surface.elements=1000"})).claims) {
-      ids.insert(claim.id);
-      verdicts.emplace(claim.id, claim.holds);
-    }
-  for (const std::string& id : ids)
-    EXPECT_FALSE(verdicts.contains({id, Verdict::Yes}) && verdicts.contains({id, Verdict::No}))
-        << id;
+/// Region II grows by about 2.5, the border itself at the paper's parameters: seeds said no, no,
+/// yes, no. The standard error is the scatter of other seeds, so that two of it leave few
+/// reversals.
+TEST(Claims, AreRarelyReversedByAnotherSeed) {
+  constexpr int kSeeds = 60;
+  Scene scene = sceneOfSize(600, 41, 40);
+  double sum = 0, squares = 0, errors = 0;
+  std::map<Verdict, int> verdicts;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    scene.surface.seed = seed;
+    const Study study(scene, {scene.load.normalForce}, sweepVelocities(scene.sweep), {});
+    const Estimate factor = jackknife(study.groups(), [&](int out) {
+      const RegionBorders borders = regionBorders(study, 0, out);
+      return normalizedMuAt(study, 0, borders.toPlateau, out) /
+             normalizedMuAt(study, 0, borders.endOfLinear, out);
+    });
+    sum += factor.value;
+    squares += factor.value * factor.value;
+    errors += factor.standardError;
+    ++verdicts[verdict(factor, within(2, 0.5))];
+  }
+  const double mean = sum / kSeeds, scatter = std::sqrt(squares / kSeeds - mean * mean);
+  EXPECT_NEAR(errors / kSeeds / scatter, 1, 0.25);
+  EXPECT_GT(verdicts[Verdict::Undecided], 0);
+  EXPECT_LE(std::min(verdicts[Verdict::Yes], verdicts[Verdict::No]), kSeeds / 20);
 }
 
 TEST(Claims, OfFigure2SayWhatRegionsThreeAndFourAre) {
