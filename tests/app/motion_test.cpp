@@ -137,8 +137,8 @@ TEST_F(MotionCommandTest, EveryColumnOfEveryTableIsInTheDictionary) {
     ASSERT_EQ(said.status, 0) << call << said.err;
   }
   std::set<std::string> known;
-  for (const auto& column : nlohmann::json::parse(program.run("columns --json").out)["columns"])
-    known.insert(column["name"]);
+  const auto dictionary = nlohmann::json::parse(program.run("columns --json").out);
+  for (const auto& column : dictionary["columns"]) known.insert(column["name"]);
   int tables = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(program.folder.path())) {
     if (entry.path().extension() != ".csv") continue;
