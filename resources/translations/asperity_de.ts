@@ -109,11 +109,11 @@
     </message>
     <message>
         <source>coefficient of friction at the end, of the line shown</source>
-        <translation>Reibungskoeffizient am Ende, der gezeigten Linie</translation>
+        <translation>Reibungszahl der gezeigten Linie am Ende</translation>
     </message>
     <message>
         <source>coefficient of friction, mean of %1 lines</source>
-        <translation>Reibungskoeffizient, Mittel über %1 Linien</translation>
+        <translation>Reibungszahl, Mittel über %1 Linien</translation>
     </message>
     <message>
         <source>%1 (line shown: %2)</source>
