@@ -10,15 +10,15 @@
 
 #include "app/contact_sheets.h"
 #include "app/picture_composer.h"
-#include "core/friction/curve_words.h"
+#include "core/chart/curve_words.h"
 #include "core/friction/ensemble.h"
-#include "core/scene/atomic_file.h"
-#include "core/scene/file_name.h"
-#include "core/scene/input_error.h"
-#include "core/scene/json_text.h"
-#include "core/scene/known_words.h"
+#include "core/base/atomic_file.h"
+#include "core/base/file_name.h"
+#include "core/base/input_error.h"
+#include "core/base/json_text.h"
+#include "core/base/suggestions.h"
 #include "core/scene/scene_file.h"
-#include "ui/window/scene_library.h"
+#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 namespace {

@@ -6,15 +6,15 @@
 #include <cmath>
 
 #include "core/friction/curve_file.h"
-#include "core/friction/curve_words.h"
+#include "core/chart/curve_words.h"
 #include "core/scene/columns.h"
 #include "core/scene/parameters.h"
-#include "core/scene/read_number.h"
+#include "core/base/read_number.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/picture/ticks.h"
-#include "ui/picture/xml_text.h"
+#include "ui/draw/ticks.h"
+#include "ui/draw/xml_text.h"
 
 namespace asperity {
 namespace {

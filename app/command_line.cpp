@@ -16,14 +16,14 @@
 #include "app/interruption.h"
 #include "app/option_words.h"
 #include "app/vector_target.h"
-#include "core/friction/figures/figure.h"
-#include "core/scene/input_error.h"
-#include "core/scene/known_words.h"
+#include "core/paper/figure.h"
+#include "core/base/input_error.h"
+#include "core/base/suggestions.h"
 #include "core/scene/parameter_table.h"
-#include "core/scene/printable_text.h"
+#include "core/base/printable_text.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
-#include "ui/window/scene_library.h"
+#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/frame_source.h"
 #include "app/picture_choice.h"
 #include "app/view_choice.h"
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/friction/curve_set.h"
+#include "core/chart/curve_set.h"
 
 namespace CLI {
 class App;

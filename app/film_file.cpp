@@ -19,10 +19,10 @@
 
 #include "app/film_arguments.h"
 #include "app/output.h"
-#include "core/scene/atomic_file.h"
-#include "core/scene/input_error.h"
-#include "core/scene/printable_text.h"
-#include "ui/picture/xml_text.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/base/printable_text.h"
+#include "ui/draw/xml_text.h"
 
 namespace asperity {
 namespace {

@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-#include "ui/render/draw_list.h"
+#include "ui/draw/draw_list.h"
 
 namespace asperity {
 

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/run/runner.h"
-#include "core/scene/input_error.h"
-#include "core/scene/printed_number.h"
+#include "core/base/input_error.h"
+#include "core/base/printed_number.h"
 
 namespace asperity {
 namespace {

@@ -4,12 +4,12 @@
 #include <cstdio>
 
 #include "app/output.h"
-#include "core/scene/input_error.h"
-#include "ui/picture/pdf_file.h"
-#include "ui/picture/png_file.h"
-#include "ui/picture/svg_file.h"
-#include "ui/picture/text_painter.h"
-#include "ui/render/pixel_context.h"
+#include "core/base/input_error.h"
+#include "ui/draw/pdf_file.h"
+#include "ui/draw/png_file.h"
+#include "ui/draw/svg_file.h"
+#include "ui/draw/text_painter.h"
+#include "ui/draw/pixel_context.h"
 
 namespace asperity {
 namespace {

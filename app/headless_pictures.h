@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-#include "ui/render/pixel_context.h"
+#include "ui/draw/pixel_context.h"
 
 class QGuiApplication;
 

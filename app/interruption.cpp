@@ -7,7 +7,7 @@
 #include <csignal>
 #include <string_view>
 
-#include "core/scene/atomic_file.h"
+#include "core/base/atomic_file.h"
 
 namespace asperity {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/scene/input_error.h"
-#include "core/scene/known_words.h"
+#include "core/base/input_error.h"
+#include "core/base/suggestions.h"
 
 namespace asperity {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/scene/input_error.h"
-#include "core/scene/known_words.h"
-#include "core/scene/read_number.h"
+#include "core/base/input_error.h"
+#include "core/base/suggestions.h"
+#include "core/base/read_number.h"
 
 namespace asperity {
 namespace {

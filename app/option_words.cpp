@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/known_words.h"
-#include "core/scene/range_text.h"
-#include "core/scene/read_number.h"
+#include "core/base/suggestions.h"
+#include "core/base/range_text.h"
+#include "core/base/read_number.h"
 
 namespace asperity {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 
 namespace asperity {
 

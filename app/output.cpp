@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <set>
 
-#include "core/scene/atomic_file.h"
-#include "core/scene/input_error.h"
-#include "core/scene/known_words.h"
-#include "core/scene/printable_text.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/base/suggestions.h"
+#include "core/base/printable_text.h"
 #include "ui/language/words.h"
 
 namespace asperity {

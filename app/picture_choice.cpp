@@ -8,10 +8,10 @@
 
 #include "app/named_choice.h"
 #include "app/output.h"
-#include "core/scene/input_error.h"
-#include "core/scene/read_number.h"
+#include "core/base/input_error.h"
+#include "core/base/read_number.h"
 #include "ui/language/language.h"
-#include "ui/picture/picture_origin.h"
+#include "ui/draw/picture_origin.h"
 
 namespace asperity {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/picture/contact_picture.h"
-#include "ui/render/pixel_context.h"
+#include "ui/contact/contact_picture.h"
+#include "ui/draw/pixel_context.h"
 
 namespace CLI {
 class App;

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "app/named_choice.h"
-#include "core/friction/curve_diagram.h"
+#include "core/chart/curve_diagram.h"
 #include "core/run/transient_diagram.h"
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "ui/language/words.h"
-#include "ui/picture/contact_overlay.h"
-#include "ui/picture/diagram_picture.h"
-#include "ui/picture/stacked.h"
+#include "ui/contact/contact_overlay.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/draw/stacked.h"
 
 namespace asperity {
 namespace {

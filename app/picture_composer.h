@@ -8,10 +8,10 @@
 
 #include "app/picture_choice.h"
 #include "app/view_choice.h"
-#include "core/friction/curve_set.h"
-#include "core/friction/diagram.h"
+#include "core/chart/curve_set.h"
+#include "core/chart/diagram.h"
 #include "core/run/frame.h"
-#include "ui/picture/diagram_picture.h"
+#include "ui/chart/diagram_picture.h"
 
 namespace asperity {
 

@@ -7,11 +7,11 @@
 #include <fstream>
 
 #include "app/output.h"
-#include "core/scene/atomic_file.h"
-#include "core/scene/input_error.h"
-#include "core/scene/json_text.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/scene/provenance.h"
-#include "ui/picture/png_file.h"
+#include "ui/draw/png_file.h"
 
 namespace asperity {
 namespace {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/contact/lane_pass.h"
-#include "core/scene/input_error.h"
-#include "core/scene/known_words.h"
+#include "core/contact/kernels/lane_pass.h"
+#include "core/base/input_error.h"
+#include "core/base/suggestions.h"
 
 namespace asperity {
 namespace {

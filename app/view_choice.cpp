@@ -7,11 +7,11 @@
 
 #include "app/number_range.h"
 #include "app/option_words.h"
-#include "core/scene/input_error.h"
-#include "core/scene/known_words.h"
-#include "core/scene/printed_number.h"
-#include "core/scene/range_text.h"
-#include "ui/picture/contact_overlay.h"
+#include "core/base/input_error.h"
+#include "core/base/suggestions.h"
+#include "core/base/printed_number.h"
+#include "core/base/range_text.h"
+#include "ui/contact/contact_overlay.h"
 
 namespace asperity {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/run/frame.h"
-#include "ui/picture/contact_picture.h"
+#include "ui/contact/contact_picture.h"
 
 namespace CLI {
 class App;

@@ -10,16 +10,16 @@
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
-#include "core/accuracy/work_precision_file.h"
+#include "core/accuracy/work_precision_sheet.h"
 #include "core/run/motion_accuracy.h"
-#include "core/scene/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/picture/diagram_picture.h"
-#include "ui/picture/picture_origin.h"
-#include "ui/picture/ticks.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/draw/picture_origin.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {

@@ -18,17 +18,17 @@
 #include "core/accuracy/target_curve.h"
 #include "core/friction/curve_file.h"
 #include "core/run/motion_table.h"
-#include "core/scene/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/scene/effects.h"
-#include "core/scene/input_error.h"
-#include "core/scene/printed_number.h"
+#include "core/base/input_error.h"
+#include "core/base/printed_number.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/picture/picture_origin.h"
-#include "ui/picture/shapes.h"
-#include "ui/picture/stacked.h"
+#include "ui/draw/picture_origin.h"
+#include "ui/draw/shapes.h"
+#include "ui/draw/stacked.h"
 
 namespace asperity {
 namespace {

@@ -5,14 +5,14 @@
 #include "app/output.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/law.h"
-#include "core/scene/element_law.h"
-#include "core/scene/input_error.h"
-#include "core/scene/printable_text.h"
+#include "core/material/element_law.h"
+#include "core/base/input_error.h"
+#include "core/base/printable_text.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/picture/ticks.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {

@@ -10,17 +10,17 @@
 #include "app/picture_composer.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
-#include "core/friction/curve_diagram.h"
+#include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
-#include "core/scene/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/scene/effects.h"
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/scene/provenance.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/picture/diagram_picture.h"
-#include "ui/picture/ticks.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {

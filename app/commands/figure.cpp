@@ -1,6 +1,6 @@
 // asperity figure: the paper's figures from a fresh computation, each with its data, its picture
 // and the paper's sentences about it held against what was computed.
-#include "core/friction/figures/figure.h"
+#include "core/paper/figure.h"
 
 #include <fmt/format.h>
 
@@ -11,15 +11,15 @@
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
-#include "core/scene/atomic_file.h"
-#include "core/scene/input_error.h"
-#include "core/scene/known_words.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/base/suggestions.h"
 #include "core/scene/provenance.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/picture/figure_drawing.h"
-#include "ui/picture/picture_origin.h"
-#include "ui/window/claim_text.h"
+#include "ui/chart/figure_drawing.h"
+#include "ui/draw/picture_origin.h"
+#include "ui/window/figures/claim_text.h"
 
 namespace asperity {
 namespace {

@@ -12,12 +12,12 @@
 #include "app/output.h"
 #include "app/picture_choice.h"
 #include "app/progress_bar.h"
-#include "core/scene/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/scene/provenance.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/picture/diagram_picture.h"
-#include "ui/picture/ticks.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {

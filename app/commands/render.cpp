@@ -16,16 +16,16 @@
 #include "app/progress_bar.h"
 #include "app/sequence_files.h"
 #include "core/accuracy/target_curve.h"
-#include "core/scene/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/scene/effects.h"
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/scene/provenance.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/picture/contact_overlay.h"
-#include "ui/picture/png_file.h"
-#include "ui/picture/ticks.h"
+#include "ui/contact/contact_overlay.h"
+#include "ui/draw/png_file.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {

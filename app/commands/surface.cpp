@@ -4,16 +4,16 @@
 #include "app/command_line.h"
 #include "app/headless_pictures.h"
 #include "app/output.h"
-#include "core/scene/atomic_file.h"
-#include "core/scene/input_error.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "core/surface/surface_file.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/picture/picture_origin.h"
-#include "ui/picture/surface_picture.h"
-#include "ui/picture/ticks.h"
+#include "ui/draw/picture_origin.h"
+#include "ui/contact/surface_picture.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {

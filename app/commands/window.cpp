@@ -7,7 +7,7 @@
 
 #include "app/command_line.h"
 #include "core/run/runner.h"
-#include "ui/window/run_window.h"
+#include "ui/window/main/run_window.h"
 
 namespace asperity {
 namespace {

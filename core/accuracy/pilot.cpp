@@ -6,7 +6,7 @@
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_averages.h"
 #include "core/friction/ensemble.h"
-#include "core/scene/element_law.h"
+#include "core/material/element_law.h"
 #include "core/scene/plan.h"
 #include "core/surface/profile_file.h"
 

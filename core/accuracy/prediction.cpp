@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "core/accuracy/pilot.h"
-#include "core/accuracy/processor_time.h"
+#include "core/base/processor_time.h"
 #include "core/accuracy/target_curve.h"
-#include "core/contact/scene_sliding.h"
+#include "core/contact/steady_solver.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/running_mean.h"
 #include "core/friction/study.h"

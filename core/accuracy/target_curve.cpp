@@ -9,10 +9,10 @@
 #include <stdexcept>
 
 #include "core/accuracy/level_sampler.h"
-#include "core/accuracy/processor_time.h"
+#include "core/base/processor_time.h"
 #include "core/friction/study.h"
-#include "core/scene/element_law.h"
-#include "core/scene/printed_number.h"
+#include "core/material/element_law.h"
+#include "core/base/printed_number.h"
 
 namespace asperity {
 namespace {

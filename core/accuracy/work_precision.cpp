@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/accuracy/literal_march.h"
-#include "core/accuracy/processor_time.h"
-#include "core/contact/scene_sliding.h"
-#include "core/contact/unmet_balance.h"
+#include "core/paper/literal_march.h"
+#include "core/base/processor_time.h"
+#include "core/contact/steady_solver.h"
+#include "core/contact/balance_error.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/regions.h"
 #include "core/friction/running_mean.h"
-#include "core/scene/element_law.h"
+#include "core/material/element_law.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {

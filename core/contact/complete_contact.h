@@ -6,8 +6,8 @@
 // allocation.
 #pragma once
 
-#include "core/contact/pass_sums.h"
-#include "core/contact/travel_line.h"
+#include "core/contact/kernels/pass_sums.h"
+#include "core/contact/line/prepared_profile.h"
 
 namespace asperity {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/pass_sums.h"
+#include "core/contact/kernels/pass_sums.h"
 
 namespace asperity {
 namespace {

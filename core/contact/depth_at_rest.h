@@ -3,7 +3,7 @@
 
 #include <stop_token>
 
-#include "core/contact/travel_line.h"
+#include "core/contact/line/prepared_profile.h"
 
 namespace asperity {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/contact/resolved_pass.h"
+#include "core/contact/kernels/resolved_pass.h"
 
 namespace asperity {
 namespace {

@@ -3,9 +3,9 @@
 // lines it jumps; where the target falls into a jump the element that enters is partly loaded.
 #pragma once
 
-#include "core/contact/nodal_pass.h"
-#include "core/contact/pass_sums.h"
-#include "core/contact/travel_line.h"
+#include "core/contact/kernels/nodal_pass.h"
+#include "core/contact/kernels/pass_sums.h"
+#include "core/contact/line/prepared_profile.h"
 
 namespace asperity {
 

@@ -6,9 +6,9 @@
 
 #include "core/contact/complete_contact.h"
 #include "core/contact/force_balance.h"
-#include "core/contact/nodal_pass.h"
-#include "core/contact/resolved_pass.h"
-#include "core/scene/element_law.h"
+#include "core/contact/kernels/nodal_pass.h"
+#include "core/contact/kernels/resolved_pass.h"
+#include "core/material/element_law.h"
 #include "core/scene/plan.h"
 
 namespace asperity {

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "core/contact/force_balance.h"
-#include "core/contact/pass_sums.h"
-#include "core/contact/travel_line.h"
+#include "core/contact/kernels/pass_sums.h"
+#include "core/contact/line/prepared_profile.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -67,7 +67,7 @@ SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& condi
                           double depth);
 
 /// What the scene says of the elastomer, at this velocity; without its arms, which only
-/// core/contact/scene_sliding.h knows.
+/// core/contact/steady_solver.h knows.
 SlidingConditions conditionsOf(const Scene& scene, double velocity);
 
 /// At the scene's load, whichever it is.

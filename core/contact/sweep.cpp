@@ -7,13 +7,13 @@
 
 #include "core/contact/complete_contact.h"
 #include "core/contact/depth_at_rest.h"
-#include "core/contact/depth_table.h"
-#include "core/contact/flush_denormals.h"
-#include "core/contact/lane_pass.h"
-#include "core/contact/lane_stream.h"
-#include "core/contact/nodal_group.h"
-#include "core/contact/straight_pass.h"
-#include "core/contact/stream_balance.h"
+#include "core/contact/initial_guess.h"
+#include "core/base/flush_denormals.h"
+#include "core/contact/kernels/lane_pass.h"
+#include "core/contact/kernels/cubic_kernel.h"
+#include "core/contact/kernels/nodal_group.h"
+#include "core/contact/kernels/linear_kernel.h"
+#include "core/contact/kernels/stream_balance.h"
 #include "core/scene/plan.h"
 
 namespace asperity {

@@ -8,7 +8,7 @@
 #include <stop_token>
 
 #include "core/contact/steady_sliding.h"
-#include "core/contact/travel_line.h"
+#include "core/contact/line/prepared_profile.h"
 #include "core/scene/scene.h"
 
 namespace asperity {

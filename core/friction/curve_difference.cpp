@@ -9,7 +9,7 @@
 #include "core/friction/ensemble.h"
 #include "core/friction/realizations.h"
 #include "core/scene/effects.h"
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "core/surface/line_source.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/contact/complete_contact.h"
-#include "core/contact/scene_sliding.h"
+#include "core/contact/steady_solver.h"
 #include "core/friction/ensemble.h"
 #include "core/surface/line_source.h"
 #include "core/surface/profile_file.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/contact/scene_sliding.h"
-#include "core/contact/unmet_balance.h"
-#include "core/friction/jobs.h"
+#include "core/contact/steady_solver.h"
+#include "core/contact/balance_error.h"
+#include "core/base/jobs.h"
 
 namespace asperity {
 namespace {

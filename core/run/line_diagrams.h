@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/friction/diagram.h"
+#include "core/chart/diagram.h"
 #include "core/friction/fit.h"
 #include "core/run/frame.h"
 #include "core/scene/scene.h"

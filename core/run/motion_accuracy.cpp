@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "core/accuracy/pilot.h"
-#include "core/accuracy/processor_time.h"
+#include "core/base/processor_time.h"
 #include "core/friction/study.h"
 #include "core/run/rigid_line.h"
 #include "core/run/transient.h"
-#include "core/scene/element_law.h"
+#include "core/material/element_law.h"
 
 namespace asperity {
 namespace {

@@ -9,16 +9,16 @@
 #include <mutex>
 
 #include "core/friction/curve_file.h"
-#include "core/friction/curve_words.h"
-#include "core/friction/jobs.h"
+#include "core/chart/curve_words.h"
+#include "core/base/jobs.h"
 #include "core/friction/study.h"
 #include "core/run/rigid_line.h"
 #include "core/run/transient.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/columns.h"
 #include "core/scene/effects.h"
-#include "core/scene/input_error.h"
-#include "core/scene/printed_number.h"
+#include "core/base/input_error.h"
+#include "core/base/printed_number.h"
 #include "core/scene/provenance.h"
 
 namespace asperity {

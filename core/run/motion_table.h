@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/friction/diagram.h"
+#include "core/chart/diagram.h"
 #include "core/run/transient_sample.h"
 #include "core/scene/scene.h"
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/contact/scene_sliding.h"
-#include "core/contact/time_march.h"
-#include "core/contact/travel_line.h"
+#include "core/contact/steady_solver.h"
+#include "core/contact/march/time_march.h"
+#include "core/contact/line/prepared_profile.h"
 #include "core/scene/scene.h"
 
 namespace asperity {

@@ -11,7 +11,7 @@
 #include "core/accuracy/target_curve.h"
 #include "core/friction/ensemble.h"
 #include "core/run/simulation.h"
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 
 namespace asperity {
 namespace {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/contact/time_march.h"
+#include "core/contact/march/time_march.h"
 #include "core/run/frame.h"
 #include "core/run/transient.h"
 

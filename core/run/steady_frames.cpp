@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/dissipation.h"
-#include "core/contact/scene_sliding.h"
-#include "core/contact/unmet_balance.h"
+#include "core/contact/march/dissipation.h"
+#include "core/contact/steady_solver.h"
+#include "core/contact/balance_error.h"
 #include "core/run/contact_age.h"
 #include "core/scene/effects.h"
 #include "core/surface/line_source.h"

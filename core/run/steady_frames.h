@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/contact/scene_sliding.h"
+#include "core/contact/steady_solver.h"
 #include "core/run/frame.h"
 #include "core/run/rigid_line.h"
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/contact/interface.h"
-#include "core/contact/unmet_balance.h"
+#include "core/contact/balance_error.h"
 #include "core/run/contact_age.h"
 #include "core/scene/effects.h"
 #include "core/scene/plan.h"

@@ -10,7 +10,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/contact/time_march.h"
+#include "core/contact/march/time_march.h"
 #include "core/run/rigid_line.h"
 #include "core/run/transient_sample.h"
 #include "core/scene/motion.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/run/strip_range.h"
+#include "core/run/minimum_span.h"
 
 namespace asperity {
 namespace {

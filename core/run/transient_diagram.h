@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/friction/diagram.h"
+#include "core/chart/diagram.h"
 #include "core/run/transient_sample.h"
 #include "core/scene/scene.h"
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/scene/element_law.h"
-#include "core/scene/input_error.h"
+#include "core/material/element_law.h"
+#include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/scene/parameters.h"
-#include "core/scene/range_text.h"
+#include "core/base/range_text.h"
 
 namespace asperity {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "core/scene/arms_text.h"
-#include "core/scene/input_error.h"
-#include "core/scene/known_words.h"
+#include "core/base/input_error.h"
+#include "core/base/suggestions.h"
 #include "core/scene/parameters.h"
-#include "core/scene/range_text.h"
+#include "core/base/range_text.h"
 
 namespace asperity {
 namespace {

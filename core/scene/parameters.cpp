@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/scene/known_words.h"
+#include "core/base/suggestions.h"
 
 namespace asperity {
 namespace {

@@ -93,7 +93,7 @@ ParameterValue valueOf(const Parameter& parameter, const Scene& scene);
 /// The value that a new scene has.
 ParameterValue defaultOf(const Parameter& parameter);
 
-/// Sets one value. Throws InputError (core/scene/input_error.h) with the key and what is allowed
+/// Sets one value. Throws InputError (core/base/input_error.h) with the key and what is allowed
 /// where the value is of the wrong type, outside its range or not finite.
 void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
 

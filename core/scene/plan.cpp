@@ -5,7 +5,7 @@
 #include <atomic>
 
 #include "core/scene/effects.h"
-#include "core/scene/temperature_shift.h"
+#include "core/material/temperature_shift.h"
 
 namespace asperity {
 namespace {

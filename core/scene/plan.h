@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene/element_law.h"
+#include "core/material/element_law.h"
 #include "core/scene/scene.h"
 
 namespace asperity {

@@ -2,10 +2,10 @@
 
 #include <set>
 
-#include "core/scene/carried_text.h"
-#include "core/scene/input_error.h"
-#include "core/scene/json_text.h"
-#include "core/scene/regular_file.h"
+#include "core/base/carried_text.h"
+#include "core/base/input_error.h"
+#include "core/base/json_text.h"
+#include "core/base/regular_file.h"
 #include "core/scene/scene_file.h"
 
 namespace asperity {

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/scene/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/scene/effects.h"
-#include "core/scene/input_error.h"
-#include "core/scene/json_text.h"
-#include "core/scene/known_words.h"
+#include "core/base/input_error.h"
+#include "core/base/json_text.h"
+#include "core/base/suggestions.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {

@@ -1,5 +1,5 @@
 // One period of a rigid line, as its nodes and the slopes on either side of them. A plain value;
-// between two nodes the line is whatever the scheme makes of it (core/contact/travel_line.h).
+// between two nodes the line is whatever the scheme makes of it (core/contact/line/prepared_profile.h).
 #pragma once
 
 #include <cstddef>

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
-#include "core/scene/range_text.h"
+#include "core/base/range_text.h"
 #include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
 #include "core/surface/shapes.h"

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/file_kind.h"
-#include "core/scene/input_error.h"
-#include "core/scene/read_number.h"
-#include "core/scene/regular_file.h"
+#include "core/base/file_kind.h"
+#include "core/base/input_error.h"
+#include "core/base/read_number.h"
+#include "core/base/regular_file.h"
 #include "core/surface/profile_header.h"
 
 namespace asperity {

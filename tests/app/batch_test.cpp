@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/scene/carried_text.h"
+#include "core/base/carried_text.h"
 #include "tests/app/program_test.h"
 
 namespace asperity {

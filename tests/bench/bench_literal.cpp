@@ -3,7 +3,7 @@
 // time is scaled up to N of them.
 #include <algorithm>
 
-#include "core/accuracy/literal_march.h"
+#include "core/paper/literal_march.h"
 #include "tests/bench/fields.h"
 #include "tests/bench/line_store.h"
 #include "tests/bench/workload.h"

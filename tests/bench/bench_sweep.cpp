@@ -3,7 +3,7 @@
 // line, as in every ensemble, the first line of which is one in 200.
 #include <map>
 
-#include "core/contact/lane_pass.h"
+#include "core/contact/kernels/lane_pass.h"
 #include "tests/bench/fields.h"
 #include "tests/bench/line_store.h"
 #include "tests/bench/workload.h"

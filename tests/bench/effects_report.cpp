@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/contact/interface.h"
-#include "core/contact/scene_sliding.h"
-#include "core/contact/time_march.h"
+#include "core/contact/steady_solver.h"
+#include "core/contact/march/time_march.h"
 #include "core/surface/line_source.h"
 #include "tests/bench/instructions.h"
 #include "tests/bench/machine.h"

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/contact/travel_line.h"
+#include "core/contact/line/prepared_profile.h"
 #include "core/scene/scene.h"
 
 namespace asperity::bench {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/contact/steady_sliding.h"
-#include "core/contact/travel_line.h"
+#include "core/contact/line/prepared_profile.h"
 #include "tests/bench/samples.h"
 
 namespace asperity::bench {

@@ -4,7 +4,7 @@
 #include "core/friction/ensemble.h"
 #include "core/scene/scene_file.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "ui/window/scene_library.h"
+#include "ui/window/main/scene_library.h"
 
 // What the reader asks of the program's other parts, which random input must not reach: no file is
 // read but the batch itself.

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 
 namespace asperity {
 

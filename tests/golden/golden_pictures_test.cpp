@@ -16,11 +16,11 @@
 #include "core/run/simulation.h"
 #include "core/run/steady_frames.h"
 #include "core/scene/scene_file.h"
-#include "ui/picture/contact_overlay.h"
-#include "ui/picture/contact_picture.h"
-#include "ui/picture/text_painter.h"
-#include "ui/picture/view_navigation.h"
-#include "ui/render/osmesa_context.h"
+#include "ui/contact/contact_overlay.h"
+#include "ui/contact/contact_picture.h"
+#include "ui/draw/text_painter.h"
+#include "ui/contact/view_navigation.h"
+#include "ui/draw/osmesa_context.h"
 
 namespace asperity {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/contact/arm_sliding.h"
-#include "core/contact/scene_sliding.h"
+#include "core/contact/arms/arm_sliding.h"
+#include "core/contact/steady_solver.h"
 #include "core/surface/line_source.h"
 #include "tests/stability/invariants.h"
 #include "tests/stability/reference_arms.h"

@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "core/contact/time_march.h"
-#include "core/contact/travel_line.h"
+#include "core/contact/march/time_march.h"
+#include "core/contact/line/prepared_profile.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {

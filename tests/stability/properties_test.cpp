@@ -13,8 +13,8 @@
 #include <fstream>
 #include <limits>
 
-#include "core/contact/scene_sliding.h"
-#include "core/scene/input_error.h"
+#include "core/contact/steady_solver.h"
+#include "core/base/input_error.h"
 #include "core/scene/scene_file.h"
 #include "core/surface/line_source.h"
 #include "tests/stability/invariants.h"

@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "core/scene/element_law.h"
+#include "core/material/element_law.h"
 #include "tests/stability/reference_pass.h"
 
 namespace asperity {

@@ -1,10 +1,10 @@
 // How an element with arms creeps back where nothing touches it, in the widest numbers of the
-// machine: the independent exponentials of core/contact/retardation.h, found once more. Pure.
+// machine: the independent exponentials of core/contact/arms/retardation.h, found once more. Pure.
 #pragma once
 
 #include <vector>
 
-#include "core/scene/element_law.h"
+#include "core/material/element_law.h"
 #include "tests/stability/reference_line.h"
 
 namespace asperity {

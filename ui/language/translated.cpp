@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <cmath>
 
-#include "core/scene/printed_number.h"
+#include "core/base/printed_number.h"
 #include "ui/language/language.h"
 
 namespace asperity {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/friction/diagram.h"
+#include "core/chart/diagram.h"
 
 namespace asperity {
 
@@ -19,7 +19,7 @@ std::optional<std::string> translationOf(std::string_view english);
 
 /// The same; in English, or where there is no translation, the text itself. What follows a name
 /// that nobody knows and a semicolon or a colon is translated alone. Numbers like 1e-10 are printed
-/// as all others are (core/scene/printed_number.h), from 1e5 on and below 1e-3 as powers of ten.
+/// as all others are (core/base/printed_number.h), from 1e5 on and below 1e-3 as powers of ten.
 std::string translated(std::string_view english);
 QString translatedText(std::string_view english);
 

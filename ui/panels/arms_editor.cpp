@@ -9,7 +9,7 @@
 
 #include "core/scene/arms_text.h"
 #include "core/scene/parameters.h"
-#include "core/scene/printed_number.h"
+#include "core/base/printed_number.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/typed_number.h"

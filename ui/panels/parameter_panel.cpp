@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "ui/language/translated.h"
 #include "ui/panels/arms_editor.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/scene/printed_number.h"
+#include "core/base/printed_number.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"

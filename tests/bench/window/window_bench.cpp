@@ -17,7 +17,7 @@
 #include "tests/bench/machine.h"
 #include "tests/bench/table.h"
 #include "tests/bench/window/window_measures.h"
-#include "ui/window/run_window.h"
+#include "ui/window/main/run_window.h"
 
 namespace asperity::bench {
 namespace {

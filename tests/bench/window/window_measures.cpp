@@ -13,8 +13,8 @@
 
 #include "tests/ui/window/fresh_paints.h"
 #include "ui/panels/value_slider.h"
-#include "ui/window/contact_canvas.h"
-#include "ui/window/main_window.h"
+#include "ui/window/main/contact_canvas.h"
+#include "ui/window/main/main_window.h"
 
 namespace asperity::bench {
 namespace {

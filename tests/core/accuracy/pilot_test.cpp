@@ -7,7 +7,7 @@
 
 #include "core/accuracy/explanation.h"
 #include "core/contact/steady_sliding.h"
-#include "core/contact/travel_line.h"
+#include "core/contact/line/prepared_profile.h"
 #include "core/scene/plan.h"
 #include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/accuracy/work_precision_file.h"
+#include "core/accuracy/work_precision_sheet.h"
 #include "tests/core/small_scene.h"
 
 namespace asperity {

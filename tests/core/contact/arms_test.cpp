@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/contact/scene_sliding.h"
-#include "core/scene/temperature_shift.h"
+#include "core/contact/steady_solver.h"
+#include "core/material/temperature_shift.h"
 #include "core/surface/shapes.h"
 #include "tests/core/contact/lines.h"
 #include "tests/core/elastomers.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/contact/resolved_pass.h"
-#include "core/contact/scene_sliding.h"
+#include "core/contact/kernels/resolved_pass.h"
+#include "core/contact/steady_solver.h"
 #include "core/contact/sweep.h"
 #include "core/scene/plan.h"
 #include "core/surface/shapes.h"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/contact/pass_queue.h"
+#include "core/contact/kernels/pass_queue.h"
 
 namespace asperity {
 

@@ -1,5 +1,5 @@
 // The paper's N separate elements: Eq. (2), its jumps, and its known shortcomings.
-#include "core/contact/nodal_pass.h"
+#include "core/contact/kernels/nodal_pass.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/contact/lane_stream.h"
+#include "core/contact/kernels/cubic_kernel.h"
 #include "core/surface/shapes.h"
 #include "tests/core/contact/allocation_counter.h"
 #include "tests/core/contact/csv_table.h"

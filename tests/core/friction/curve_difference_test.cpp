@@ -11,7 +11,7 @@
 #include "core/friction/ensemble.h"
 #include "core/friction/realizations.h"
 #include "core/friction/running_mean.h"
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"
 

@@ -10,7 +10,7 @@
 
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"
 

@@ -8,7 +8,7 @@
 #include "core/contact/complete_contact.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
-#include "core/friction/curve_set.h"
+#include "core/chart/curve_set.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/study.h"
 #include "core/surface/line_source.h"

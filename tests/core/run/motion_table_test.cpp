@@ -9,7 +9,7 @@
 
 #include "core/friction/study.h"
 #include "core/scene/columns.h"
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 
 namespace asperity {
 namespace {

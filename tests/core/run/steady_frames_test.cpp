@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 
 namespace asperity {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "tests/core/elastomers.h"
 
 namespace asperity {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/scene/parameter_table.h"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <utility>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/scene/scene_file.h"
 #include "tests/core/temporary_folder.h"
 

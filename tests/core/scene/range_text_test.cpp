@@ -1,4 +1,4 @@
-#include "core/scene/range_text.h"
+#include "core/base/range_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {

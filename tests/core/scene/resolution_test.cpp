@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"

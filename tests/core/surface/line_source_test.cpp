@@ -6,7 +6,7 @@
 #include <set>
 #include <thread>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "core/scene/scene_file.h"
 #include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"

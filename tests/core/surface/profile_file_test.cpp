@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/scene/input_error.h"
+#include "core/base/input_error.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {

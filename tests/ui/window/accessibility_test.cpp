@@ -12,8 +12,8 @@
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/window/gallery_page.h"
-#include "ui/window/shortcut_sheet.h"
+#include "ui/window/figures/gallery_page.h"
+#include "ui/window/main/shortcut_sheet.h"
 
 namespace asperity {
 namespace {

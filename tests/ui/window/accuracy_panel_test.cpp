@@ -1,5 +1,5 @@
 // The accuracy panel as a person uses it; predictions are real.
-#include "ui/window/accuracy_panel.h"
+#include "ui/window/accuracy/accuracy_panel.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 
 #include "tests/core/small_scene.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/window/figure_picture.h"
+#include "ui/window/figures/figure_picture.h"
 
 namespace asperity {
 namespace {

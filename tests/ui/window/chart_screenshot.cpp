@@ -14,12 +14,12 @@
 #include <QTest>
 #include <cstdio>
 
-#include "ui/charts/plot_view.h"
-#include "ui/window/curve_commands.h"
-#include "ui/window/main_window.h"
-#include "ui/window/run_window.h"
-#include "ui/window/scene_library.h"
-#include "ui/window/session.h"
+#include "ui/chart/plot_view.h"
+#include "ui/window/curve/curve_commands.h"
+#include "ui/window/main/main_window.h"
+#include "ui/window/main/run_window.h"
+#include "ui/window/main/scene_library.h"
+#include "ui/window/main/session.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "ui/window/claim_text.h"
+#include "ui/window/figures/claim_text.h"
 
 #include <gtest/gtest.h>
 

@@ -21,12 +21,12 @@
 #include "core/scene/scene_file.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/charts/plot_view.h"
-#include "ui/window/command_text.h"
-#include "ui/window/contact_canvas.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/picture_files.h"
-#include "ui/window/scene_library.h"
+#include "ui/chart/plot_view.h"
+#include "ui/window/main/command_text.h"
+#include "ui/window/main/contact_canvas.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/picture_files.h"
+#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 namespace {

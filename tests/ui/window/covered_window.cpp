@@ -9,9 +9,9 @@
 #include <cstdio>
 
 #include "tests/core/small_scene.h"
-#include "ui/window/main_window.h"
-#include "ui/window/run_window.h"
-#include "ui/window/session.h"
+#include "ui/window/main/main_window.h"
+#include "ui/window/main/run_window.h"
+#include "ui/window/main/session.h"
 
 namespace {
 

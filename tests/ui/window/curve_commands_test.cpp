@@ -19,12 +19,12 @@
 #include "tests/ui/window/fresh_paints.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/charts/plot_view.h"
+#include "ui/chart/plot_view.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/value_slider.h"
-#include "ui/window/curve_commands.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/session.h"
+#include "ui/window/curve/curve_commands.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/session.h"
 
 namespace asperity {
 namespace {

@@ -1,5 +1,5 @@
 // Diagrams made in the background for the window's tabs.
-#include "ui/window/diagram_view.h"
+#include "ui/window/figures/diagram_view.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 
 #include "core/run/line_diagrams.h"
 #include "qt_application.h"
-#include "ui/window/main_window.h"
-#include "ui/window/session.h"
+#include "ui/window/main/main_window.h"
+#include "ui/window/main/session.h"
 
 namespace asperity {
 namespace {

@@ -1,5 +1,5 @@
 // Undo and redo, the mark of unsaved changes and the question about them, recent files.
-#include "ui/window/scene_document.h"
+#include "ui/window/main/scene_document.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include "core/scene/scene_file.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/recent_files.h"
-#include "ui/window/scene_library.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/recent_files.h"
+#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 namespace {

@@ -9,8 +9,8 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "ui/charts/plot_view.h"
-#include "ui/window/session.h"
+#include "ui/chart/plot_view.h"
+#include "ui/window/main/session.h"
 
 namespace asperity {
 

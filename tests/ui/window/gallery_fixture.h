@@ -14,8 +14,8 @@
 
 #include "core/friction/study.h"
 #include "tests/ui/window/main_window_fixture.h"
-#include "ui/window/claims_table.h"
-#include "ui/window/gallery_page.h"
+#include "ui/window/figures/claims_table.h"
+#include "ui/window/figures/gallery_page.h"
 
 namespace asperity {
 

@@ -1,6 +1,6 @@
 // The page of the paper's figures as a person uses it: with the real figures of few lines, and with
 // figures that never end or that fail.
-#include "ui/window/gallery_page.h"
+#include "ui/window/figures/gallery_page.h"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@
 
 #include "tests/ui/window/gallery_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/window/figure_list.h"
-#include "ui/window/figure_picture.h"
-#include "ui/window/message_bar.h"
+#include "ui/window/figures/figure_list.h"
+#include "ui/window/figures/figure_picture.h"
+#include "ui/window/main/message_bar.h"
 
 namespace asperity {
 namespace {

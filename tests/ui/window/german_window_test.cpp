@@ -13,13 +13,13 @@
 #include "tests/ui/window/window_in.h"
 #include "ui/panels/text_box.h"
 #include "ui/panels/value_slider.h"
-#include "ui/window/accuracy_panel.h"
-#include "ui/window/figure_list.h"
-#include "ui/window/figure_picture.h"
-#include "ui/window/gallery_page.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/scene_library.h"
-#include "ui/window/shortcut_sheet.h"
+#include "ui/window/accuracy/accuracy_panel.h"
+#include "ui/window/figures/figure_list.h"
+#include "ui/window/figures/figure_picture.h"
+#include "ui/window/figures/gallery_page.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/scene_library.h"
+#include "ui/window/main/shortcut_sheet.h"
 
 namespace asperity {
 namespace {

@@ -17,15 +17,15 @@
 #include "tests/core/elastomers.h"
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/window_in.h"
-#include "ui/charts/plot_view.h"
+#include "ui/chart/plot_view.h"
 #include "ui/panels/arms_editor.h"
-#include "ui/window/accuracy_panel.h"
-#include "ui/window/claims_table.h"
-#include "ui/window/contact_canvas.h"
-#include "ui/window/gallery_page.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/scene_document.h"
-#include "ui/window/window_language.h"
+#include "ui/window/accuracy/accuracy_panel.h"
+#include "ui/window/figures/claims_table.h"
+#include "ui/window/main/contact_canvas.h"
+#include "ui/window/figures/gallery_page.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/scene_document.h"
+#include "ui/window/main/window_language.h"
 
 namespace asperity {
 namespace {

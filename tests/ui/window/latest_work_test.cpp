@@ -1,5 +1,5 @@
 // The newest work wins, what is running is asked to stop, and what never began never begins.
-#include "ui/window/latest_work.h"
+#include "ui/window/tasks/latest_work.h"
 
 #include <gtest/gtest.h>
 

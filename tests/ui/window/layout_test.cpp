@@ -18,8 +18,8 @@
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/window/appearance.h"
-#include "ui/window/gallery_page.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/figures/gallery_page.h"
 
 namespace asperity {
 namespace {

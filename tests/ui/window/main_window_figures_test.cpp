@@ -17,11 +17,11 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
-#include "ui/window/figure_list.h"
-#include "ui/window/figure_picture.h"
-#include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/session.h"
+#include "ui/window/figures/figure_list.h"
+#include "ui/window/figures/figure_picture.h"
+#include "ui/window/main/main_window.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/session.h"
 
 namespace asperity {
 namespace {

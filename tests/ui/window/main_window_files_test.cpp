@@ -19,11 +19,11 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
-#include "ui/picture/picture_origin.h"
-#include "ui/picture/svg_file.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/scene_document.h"
-#include "ui/window/session.h"
+#include "ui/draw/picture_origin.h"
+#include "ui/draw/svg_file.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/scene_document.h"
+#include "ui/window/main/session.h"
 
 namespace asperity {
 namespace {

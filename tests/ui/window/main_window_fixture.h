@@ -17,9 +17,9 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
-#include "ui/window/contact_canvas.h"
-#include "ui/window/main_window.h"
-#include "ui/window/session.h"
+#include "ui/window/main/contact_canvas.h"
+#include "ui/window/main/main_window.h"
+#include "ui/window/main/session.h"
 
 namespace asperity {
 

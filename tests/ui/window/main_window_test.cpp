@@ -1,6 +1,6 @@
 // The window as a person uses it, with the real runner behind it. Under the offscreen platform
 // there is no OpenGL: what is painted comes from OSMesa.
-#include "ui/window/main_window.h"
+#include "ui/window/main/main_window.h"
 
 #include <gtest/gtest.h>
 
@@ -23,16 +23,16 @@
 #include "core/scene/scene_file.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/charts/plot_view.h"
-#include "ui/charts/transient_strips.h"
+#include "ui/chart/plot_view.h"
+#include "ui/chart/transient_strips.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
-#include "ui/window/appearance.h"
-#include "ui/window/contact_canvas.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/scene_library.h"
-#include "ui/window/session.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/contact_canvas.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/scene_library.h"
+#include "ui/window/main/session.h"
 
 namespace asperity {
 namespace {

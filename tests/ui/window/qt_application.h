@@ -10,7 +10,7 @@
 #include <QTemporaryDir>
 #include <memory>
 
-#include "ui/window/run_window.h"
+#include "ui/window/main/run_window.h"
 
 namespace asperity {
 

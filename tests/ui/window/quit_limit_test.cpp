@@ -1,5 +1,5 @@
 // The program ends soon after its window is closed, whatever works in the background.
-#include "ui/window/quit_limit.h"
+#include "ui/window/main/quit_limit.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "tests/core/small_scene.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/window/main_window.h"
+#include "ui/window/main/main_window.h"
 
 namespace asperity {
 namespace {

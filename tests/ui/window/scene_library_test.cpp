@@ -1,5 +1,5 @@
 // The shipped scenes in the menu, and what the window says of them.
-#include "ui/window/scene_library.h"
+#include "ui/window/main/scene_library.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/session.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/session.h"
 
 namespace asperity {
 namespace {

@@ -12,11 +12,11 @@
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/picture/ticks.h"
-#include "ui/window/contact_canvas.h"
-#include "ui/window/curve_reading.h"
-#include "ui/window/said_label.h"
-#include "ui/window/status_line.h"
+#include "ui/draw/ticks.h"
+#include "ui/window/main/contact_canvas.h"
+#include "ui/window/curve/curve_reading.h"
+#include "ui/window/main/elided_label.h"
+#include "ui/window/main/status_line.h"
 
 namespace asperity {
 namespace {

@@ -1,5 +1,5 @@
 // The guided tour: every step runs, what is tried in it is play, and it is offered once.
-#include "ui/window/tour.h"
+#include "ui/window/main/tour.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/scene_document.h"
-#include "ui/window/scene_library.h"
-#include "ui/window/tour_bar.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/scene_document.h"
+#include "ui/window/main/scene_library.h"
+#include "ui/window/main/tour_bar.h"
 
 namespace asperity {
 namespace {

@@ -21,16 +21,16 @@
 #include <vector>
 
 #include "core/scene/scene_file.h"
-#include "ui/charts/plot_view.h"
+#include "ui/chart/plot_view.h"
 #include "ui/language/language.h"
-#include "ui/window/contact_canvas.h"
-#include "ui/window/figure_picture.h"
-#include "ui/window/gallery_page.h"
-#include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/run_window.h"
-#include "ui/window/scene_library.h"
-#include "ui/window/session.h"
+#include "ui/window/main/contact_canvas.h"
+#include "ui/window/figures/figure_picture.h"
+#include "ui/window/figures/gallery_page.h"
+#include "ui/window/main/main_window.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/run_window.h"
+#include "ui/window/main/scene_library.h"
+#include "ui/window/main/session.h"
 
 namespace {
 

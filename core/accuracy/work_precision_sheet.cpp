@@ -1,0 +1,232 @@
+#include "core/accuracy/work_precision_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/friction/curve_file.h"
+#include "core/scene/columns.h"
+#include "core/base/printed_number.h"
+#include "core/scene/provenance.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numberOrNull(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+const WorkPrecisionPoint* findPoint(const RegionPrecision& region, const MethodChoice& choice) {
+  const auto found =
+      std::find_if(region.points.begin(), region.points.end(),
+                   [&](const WorkPrecisionPoint& point) { return point.choice == choice; });
+  return found == region.points.end() ? nullptr : &*found;
+}
+
+DiagramSeries methodSeries(const RegionPrecision& region, Method method, const char* name,
+                           SeriesMark mark, int colour) {
+  DiagramSeries series;
+  series.name = name;
+  series.mark = mark;
+  series.colour = colour;
+  for (const WorkPrecisionPoint& point : region.points)
+    if (point.choice.method == method)
+      series.points.push_back({point.secondsWithLine, point.error});
+  return series;
+}
+
+DiagramSeries frontSeries(const RegionPrecision& region) {
+  std::vector<WorkPrecisionPoint> front;
+  for (const WorkPrecisionPoint& point : region.points)
+    if (point.isOnFront) front.push_back(point);
+  std::sort(front.begin(), front.end(),
+            [](const auto& a, const auto& b) { return a.secondsWithLine < b.secondsWithLine; });
+  DiagramSeries series;
+  series.name = "best for the time";
+  series.isTheory = true;
+  series.stroke = SeriesStroke::Dashed;
+  for (const WorkPrecisionPoint& point : front)
+    series.points.push_back({point.secondsWithLine, point.error});
+  return series;
+}
+
+/// "cubic \u00D72".
+std::string printedName(const MethodChoice& choice) {
+  std::string name = nameOf(choice);
+  if (const std::size_t times = name.rfind(" x"); times != name.npos)
+    name.replace(times, 2, " \u00D7");
+  return name;
+}
+
+/// A ring around the method that the scene has.
+DiagramSeries presentSeries(const WorkPrecisionPoint& present) {
+  DiagramSeries series;
+  series.name = "this scene: " + printedName(present.choice);
+  series.mark = SeriesMark::Ring;
+  series.stroke = SeriesStroke::None;
+  series.isTheory = true;  // in the colour of texts, set apart from every method's
+  series.points = {{present.secondsWithLine, present.error}};
+  return series;
+}
+
+Diagram regionDiagram(const WorkPrecision& comparison, const RegionPrecision& region) {
+  Diagram diagram;
+  diagram.title = fmt::format("region {}: {} to {} m/s", region.region,
+                              printedNumber(region.velocities.front(), 2),
+                              printedNumber(region.velocities.back(), 2));
+  diagram.x = {"time of one velocity", "s"};
+  diagram.y = {"relative error of \u03BC", ""};
+  diagram.series = {
+      frontSeries(region),
+      methodSeries(region, Method::Literal, "literal march (difference)", SeriesMark::Square, 0),
+      methodSeries(region, Method::Nodal, "nodal (difference)", SeriesMark::Diamond, 1),
+      methodSeries(region, Method::Linear, "linear \u00D71 to \u00D716", SeriesMark::Triangle, 4),
+      methodSeries(region, Method::Cubic, "cubic \u00D71 to \u00D716", SeriesMark::Circle, 2)};
+  if (const WorkPrecisionPoint* present = findPoint(region, comparison.present))
+    diagram.series.push_back(presentSeries(*present));
+  const double target = comparison.scene.accuracy.targetRelativeError;
+  if (target > 0) {
+    DiagramSeries line;
+    line.name = "target " + printedNumber(target);
+    line.isTheory = true;
+    line.stroke = SeriesStroke::Dotted;
+    double fastest = region.points.front().secondsWithLine, slowest = fastest;
+    for (const WorkPrecisionPoint& point : region.points) {
+      fastest = std::min(fastest, point.secondsWithLine);
+      slowest = std::max(slowest, point.secondsWithLine);
+    }
+    line.points = {{fastest, target}, {slowest, target}};
+    diagram.series.push_back(std::move(line));
+  }
+  return diagram;
+}
+
+/// Seconds of one more line on one velocity, at the scene's present choice.
+double secondsOfLine(const WorkPrecision& comparison, const RegionPrecision& region) {
+  const WorkPrecisionPoint* present = findPoint(region, comparison.present);
+  if (!present) return kNotApplicable;
+  return present->secondsWithLine;
+}
+
+Diagram spreadDiagram(const WorkPrecision& comparison, bool overSeconds) {
+  Diagram diagram;
+  diagram.title = overSeconds ? "against time" : "against realizations";
+  diagram.x =
+      overSeconds ? DiagramAxis{"time of one velocity", "s"} : DiagramAxis{"realizations", ""};
+  diagram.y = {"relative standard error of \u03BC", ""};
+  int colour = 0;
+  for (const RegionPrecision& region : comparison.regions) {
+    const double each = overSeconds ? secondsOfLine(comparison, region) : 1;
+    DiagramSeries measured, law;
+    measured.name = "region " + region.region;
+    measured.mark = SeriesMark::Circle;
+    measured.stroke = SeriesStroke::None;
+    measured.colour = law.colour = colour++;
+    law.stroke = SeriesStroke::Dashed;
+    for (std::size_t k = 0; k < region.lineCounts.size(); ++k) {
+      const auto lines = static_cast<double>(region.lineCounts[k]);
+      measured.points.push_back({each * lines, region.standardErrors[k]});
+      law.points.push_back({each * lines, region.standardErrors[0] / std::sqrt(lines)});
+    }
+    diagram.series.push_back(std::move(law));
+    diagram.series.push_back(std::move(measured));
+  }
+  return diagram;
+}
+
+std::string sentenceOf(const WorkPrecision& comparison) {
+  const Scene& scene = comparison.scene;
+  std::string text = scene.title.empty() ? std::string() : scene.title + "; ";
+  return text + fmt::format("{} line{} of {} elements, 8 velocities in each region",
+                            comparison.lines, comparison.lines == 1 ? "" : "s",
+                            scene.surface.elements);
+}
+
+}  // namespace
+
+std::string workPrecisionCsv(const WorkPrecision& comparison) {
+  std::string text =
+      joinedColumns({"region", "velocity_from", "velocity_to", "method", "oversampling",
+                     "relative_error", "largest_error", "is_model_difference", "seconds",
+                     "seconds_lower_quartile", "seconds_upper_quartile", "line_seconds",
+                     "seconds_with_line", "is_extrapolated", "is_on_front", "is_present_choice",
+                     "reference_error"}) +
+      "\n";
+  for (const RegionPrecision& region : comparison.regions)
+    for (const WorkPrecisionPoint& point : region.points) {
+      std::string name = nameOf(point.choice);
+      name = name.substr(0, name.rfind(" x"));
+      text +=
+          fmt::format("{},{},{},{},{},{},{},{:d},{},{},{},{},{},{:d},{:d},{:d},{}\n", region.region,
+                      region.velocities.front(), region.velocities.back(), name,
+                      point.choice.oversampling, csvNumber(point.error), csvNumber(point.largest),
+                      point.isDifference, point.seconds, point.fastest, point.slowest,
+                      point.lineSeconds, point.secondsWithLine, point.isExtrapolated,
+                      point.isOnFront, point.choice == comparison.present, region.referenceError);
+    }
+  return text;
+}
+
+std::string workPrecisionJson(const WorkPrecision& comparison) {
+  Json root = provenance("accuracy", comparison.scene);
+  root["present_choice"] = nameOf(comparison.present);
+  root["lines"] = comparison.lines;
+  Json regions = Json::array();
+  for (const RegionPrecision& region : comparison.regions) {
+    Json entry = {{"region", region.region},
+                  {"velocities", region.velocities},
+                  {"reference_error", region.referenceError}};
+    Json points = Json::array();
+    for (const WorkPrecisionPoint& point : region.points)
+      points.push_back({{"method", nameOf(point.choice)},
+                        {"relative_error", numberOrNull(point.error)},
+                        {"largest_error", numberOrNull(point.largest)},
+                        {"is_model_difference", point.isDifference},
+                        {"seconds", point.seconds},
+                        {"seconds_quartiles", {point.fastest, point.slowest}},
+                        {"line_seconds", point.lineSeconds},
+                        {"seconds_with_line", point.secondsWithLine},
+                        {"is_extrapolated", point.isExtrapolated},
+                        {"is_on_front", point.isOnFront}});
+    entry["methods"] = std::move(points);
+    entry["realizations"] = region.lineCounts;
+    entry["relative_standard_errors"] = region.standardErrors;
+    entry["march"] = {{"time_step", numberOrNull(region.timeStepError)},
+                      {"settling", numberOrNull(region.settlingError)}};
+    regions.push_back(std::move(entry));
+  }
+  root["regions"] = std::move(regions);
+  return root.dump(2) + "\n";
+}
+
+DiagramSheet workPrecisionSheet(const WorkPrecision& comparison) {
+  DiagramSheet sheet;
+  sheet.title = "What accuracy costs in time";
+  sheet.subtitle = sentenceOf(comparison);
+  for (const RegionPrecision& region : comparison.regions)
+    sheet.diagrams.push_back(regionDiagram(comparison, region));
+  sheet.columns = sheet.diagrams.size() > 3 ? 2 : 0;
+  sheet.note =
+      "Errors against cubic at two high resolutions, extrapolated. The literal march and nodal are "
+      "other models at the smallest scale: theirs is a difference, not an error. Processor time of "
+      "one thread, medians of repeated runs, with the share of one velocity of the sweep in making "
+      "the "
+      "line.";
+  return sheet;
+}
+
+DiagramSheet standardErrorSheet(const WorkPrecision& comparison) {
+  DiagramSheet sheet;
+  sheet.title = "What realizations cost in time";
+  sheet.subtitle = sentenceOf(comparison) + ", " + printedName(comparison.present);
+  sheet.diagrams = {spreadDiagram(comparison, false), spreadDiagram(comparison, true)};
+  sheet.note =
+      "Circles: spread of the means over groups of so many lines. Lines: one over the square root.";
+  return sheet;
+}
+
+}  // namespace asperity

@@ -1,0 +1,325 @@
+#include "core/base/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <pthread.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include "core/base/input_error.h"
+#include "core/base/printable_text.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Through a link the file it points to is written, and the link stays. Throws InputError where the
+/// link leads nowhere.
+fs::path targetOf(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_symlink(file, error)) return file;
+  fs::path target = fs::canonical(file, error);
+  if (!error) return target;
+  const fs::path next = fs::read_symlink(file, error);
+  throw InputError(file.string(), "",
+                   fmt::format("is a link to '{}', which is not there", next.string()));
+}
+
+fs::path folderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// While it lives, this thread is not interrupted: a handler that waits for it runs on another one.
+class NoInterruption {
+ public:
+  NoInterruption() {
+    sigset_t interruptions;
+    sigemptyset(&interruptions);
+    sigaddset(&interruptions, SIGINT);
+    sigaddset(&interruptions, SIGTERM);
+    ::pthread_sigmask(SIG_BLOCK, &interruptions, &before_);
+  }
+  ~NoInterruption() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  NoInterruption(const NoInterruption&) = delete;
+  NoInterruption& operator=(const NoInterruption&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+/// The hidden names of files that are being written, where a signal handler can read them: in
+/// memory that is never given back. Files beyond the places are not listed, and the next write of
+/// the same file removes what they leave.
+class UnfinishedNames {
+ public:
+  /// A place for a name that a file is about to get, or -1. Until settle() removeAll() waits.
+  int claim(const std::string& name) {
+    waitIfEnding();
+    if (name.size() >= sizeof Place::name) return -1;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      State free = State::Free;
+      if (!places_[i].state.compare_exchange_strong(free, State::Claimed)) continue;
+      if (isEnding_) places_[i].state = State::Free;
+      waitIfEnding();
+      std::memcpy(places_[i].name, name.c_str(), name.size() + 1);
+      return static_cast<int>(i);
+    }
+    return -1;
+  }
+  void settle(int place, bool hasName) {
+    if (place >= 0)
+      places_[static_cast<std::size_t>(place)].state = hasName ? State::Listed : State::Free;
+  }
+  void removeAll() {
+    constexpr timespec kMoment{0, 1000000};
+    isEnding_ = true;
+    for (Place& place : places_) {
+      for (int moments = 0; place.state == State::Claimed && moments < 1000; ++moments)
+        ::nanosleep(&kMoment, nullptr);
+      if (place.state == State::Listed) ::unlink(place.name);
+    }
+  }
+  void waitIfEnding() const {
+    while (isEnding_) ::pause();
+  }
+
+ private:
+  enum class State { Free, Claimed, Listed };
+  struct Place {
+    std::atomic<State> state{State::Free};
+    char name[PATH_MAX];
+  };
+  std::array<Place, 32> places_;
+  std::atomic<bool> isEnding_{false};
+};
+UnfinishedNames unfinishedNames;
+
+/// The hidden name that every write of this file takes if it needs one, so that the next write
+/// finds what a kill left behind. A number, because a name of 255 bytes bears no addition.
+std::string partOf(const fs::path& target) {
+  const std::string name = target.filename().string();
+  std::uint64_t number = 14695981039346656037U;  // Fowler, Noll and Vo, 1a
+  for (const unsigned char byte : name) number = (number ^ byte) * 1099511628211U;
+  return (target.parent_path() / fmt::format(".asperity.{:016x}.part", number)).string();
+}
+
+/// Only for a moment of two writes of the same file at once.
+std::string partOfItsOwn(const fs::path& target) {
+  static std::atomic<unsigned> count{0};
+  return (target.parent_path() / fmt::format(".asperity.{}_{}.part", ::getpid(), count++)).string();
+}
+
+/// Whoever writes holds the lock, and the end of a process gives it back, however it ends.
+bool lock(int descriptor) {
+  return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+}
+
+bool isNamed(int descriptor, const std::string& name) {
+  struct stat open, named;
+  return ::fstat(descriptor, &open) == 0 && ::lstat(name.c_str(), &named) == 0 &&
+         open.st_ino == named.st_ino && open.st_dev == named.st_dev;
+}
+
+/// Removes a part that nobody writes any more.
+void removeStale(const std::string& part) {
+  const int found = ::open(part.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (found < 0) return;
+  if (lock(found) && isNamed(found, part)) ::unlink(part.c_str());
+  ::close(found);
+}
+
+}  // namespace
+
+void checkWritable(const fs::path& file) {
+  std::error_code ignored;
+  if (file.empty()) throw InputError("", "", "an output needs a name");
+  if (!file.has_filename() || fs::is_directory(file, ignored))
+    throw InputError(file.string(), "", "is a folder; a file name is needed");
+  if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
+    throw InputError(file.string(), "", "is not a plain file and would be replaced");
+  const fs::path folder = folderOf(targetOf(file));
+  if (!fs::is_directory(folder, ignored))
+    throw InputError(file.string(), "", fmt::format("folder {} does not exist", folder.string()));
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    throw InputError(file.string(), "",
+                     fmt::format("folder {} cannot be written to", folder.string()));
+}
+
+AtomicFile::AtomicFile(const fs::path& file) {
+  checkWritable(file);
+  target_ = targetOf(file);
+  name_ = partOf(target_);
+  removeStale(name_);
+  const fs::path folder = folderOf(target_);
+  // A file without a name gets one through /proc, which a bare chroot has not.
+  if (::access("/proc/self/fd", X_OK) == 0)
+    descriptor_ = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
+  if (descriptor_ >= 0)
+    lock(descriptor_);
+  else if (!openNamed() && (name_ = partOfItsOwn(target_), !openNamed()))
+    fail();
+  takePermissions();
+}
+
+/// Before anything is written: what nobody else may read is never open to them. Where the owner or
+/// the group cannot be handed on, those of this process get no more than all others have.
+void AtomicFile::takePermissions() const {
+  struct stat old, own;
+  if (::stat(target_.c_str(), &old) != 0 || ::fstat(descriptor_, &own) != 0) return;
+  mode_t mode = old.st_mode & 0777U;
+  if (own.st_gid != old.st_gid && ::fchown(descriptor_, static_cast<uid_t>(-1), old.st_gid) != 0)
+    mode &= ~static_cast<mode_t>(S_IRWXG) | (mode & S_IRWXO) << 3;
+  // Only the superuser can give a file away; for everybody else the new file is one's own.
+  if (own.st_uid != old.st_uid)
+    std::ignore = ::fchown(descriptor_, old.st_uid, static_cast<gid_t>(-1));
+  ::fchmod(descriptor_, mode);
+}
+
+/// Gives the file the name name_; whoever ends the process knows of it from the first moment.
+template <class Give>
+bool AtomicFile::giveHiddenName(const Give& give) {
+  const NoInterruption whole;
+  listed_ = unfinishedNames.claim(name_);
+  hasName_ = give();
+  const int why = errno;
+  unfinishedNames.settle(listed_, hasName_);
+  if (!hasName_) listed_ = -1;
+  errno = why;
+  return hasName_;
+}
+
+bool AtomicFile::openNamed() {
+  return giveHiddenName([this] {
+    descriptor_ = ::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) return false;
+    // Another write may find it before it is locked, and take it for stale.
+    const bool isTaken = !lock(descriptor_) && errno == EWOULDBLOCK;
+    const bool isOurs = !isTaken && isNamed(descriptor_, name_);
+    if (!isOurs) ::close(std::exchange(descriptor_, -1));
+    return isOurs;
+  });
+}
+
+AtomicFile::~AtomicFile() {
+  if (hasName_) ::unlink(name_.c_str());  // while it is locked
+  unfinishedNames.settle(listed_, false);
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail();
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+std::string AtomicFile::content(std::size_t most) const {
+  std::string bytes;
+  char buffer[1 << 16];
+  while (bytes.size() < most) {
+    const ssize_t count = ::pread(descriptor_, buffer, std::min(most - bytes.size(), sizeof buffer),
+                                  static_cast<off_t>(bytes.size()));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail();
+    if (count == 0) break;
+    bytes.append(buffer, static_cast<std::size_t>(count));
+  }
+  return bytes;
+}
+
+void AtomicFile::replace(std::string_view bytes) {
+  if (::ftruncate(descriptor_, 0) != 0 || ::lseek(descriptor_, 0, SEEK_SET) != 0) fail();
+  write(bytes);
+}
+
+void AtomicFile::commit() {
+  if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail();
+  // Some file systems tell only at a closing what went wrong; the lock lasts until the other one.
+  if (::close(::dup(descriptor_)) != 0) fail();
+  if (hasName_ || !linkAsNew()) {
+    if (::rename(name_.c_str(), target_.c_str()) != 0) fail();
+    hasName_ = false;
+    unfinishedNames.settle(std::exchange(listed_, -1), false);
+  }
+  ::close(std::exchange(descriptor_, -1));
+}
+
+/// A link cannot replace a file, a renaming can; a new file needs no name in between, which a kill
+/// would leave behind. Returns whether it is done.
+bool AtomicFile::linkAsNew() {
+  const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
+  const auto linkAs = [&self](const char* name) {
+    return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+  };
+  if (linkAs(target_.c_str())) return true;
+  if (errno != EEXIST) fail();
+  const auto linkAsPart = [&] { return linkAs(name_.c_str()); };
+  if (!giveHiddenName(linkAsPart) && errno == EEXIST) {
+    name_ = partOfItsOwn(target_);
+    giveHiddenName(linkAsPart);
+  }
+  if (!hasName_) fail();
+  return false;
+}
+
+void AtomicFile::fail() const {
+  const int why = errno;
+  unfinishedNames.waitIfEnding();
+  throw std::runtime_error(
+      fmt::format("{}: cannot be written: {}", printable(target_.string()), std::strerror(why)));
+}
+
+void removeUnfinishedFiles() {
+  unfinishedNames.removeAll();
+}
+
+void writeFileAtomically(const fs::path& file, std::string_view bytes) {
+  AtomicFile whole(file);
+  whole.write(bytes);
+  whole.commit();
+}
+
+std::string readWholeFile(const fs::path& file, std::size_t limit) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) throw InputError(file.string(), "", "is a folder, not a file");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> handle(std::fopen(file.c_str(), "rb"),
+                                                               &std::fclose);
+  if (!handle)
+    throw InputError(file.string(), "", fmt::format("cannot be opened: {}", std::strerror(errno)));
+  const auto refuseAbove = [&](std::uintmax_t size) {
+    if (size > limit)
+      throw InputError(file.string(), "",
+                       fmt::format("is larger than the {} bytes allowed", limit));
+  };
+  // What says how large it is need not be read to be refused; a pipe does not.
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (!error) refuseAbove(size);
+  std::string bytes;
+  char buffer[1 << 16];
+  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, handle.get())) {
+    bytes.append(buffer, count);
+    refuseAbove(bytes.size());
+  }
+  if (std::ferror(handle.get())) throw InputError(file.string(), "", "cannot be read");
+  return bytes;
+}
+
+}  // namespace asperity

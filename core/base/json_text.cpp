@@ -1,0 +1,166 @@
+#include "core/base/json_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/file_kind.h"
+#include "core/base/input_error.h"
+#include "core/base/suggestions.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Keys of one object: more than any file of ours has. Each is compared with all before.
+constexpr std::size_t kMostKeys = 256;
+
+/// The parser's message without its own name in front, and without the middle of what it quotes
+/// where that is long.
+std::string parserMessage(const std::exception& error) {
+  constexpr std::size_t kMost = 300, kKept = 120;
+  std::string text = error.what();
+  const std::size_t bracket = text.find("] ");
+  if (bracket != std::string::npos) text.erase(0, bracket + 2);
+  const auto isInside = [&text](std::size_t i) { return (text[i] & 0xC0) == 0x80; };  // of a letter
+  if (text.size() > kMost) {
+    std::size_t from = kKept, to = text.size() - kKept;
+    while (isInside(from)) --from;
+    while (isInside(to)) ++to;
+    text.replace(from, to - from, " ... ");
+  }
+  return "is not valid JSON: " + text;
+}
+
+/// Receives the parser's events and makes values of them, each in its turn. (The library's own way
+/// of looking at a text while it is read takes a time that grows with the square of a list.)
+/// Refuses what it would take in silence: a key that stands twice in one object (it keeps the
+/// last), nesting that no file of ours has, and objects of very many keys.
+class Reader : public nlohmann::json_sax<Json> {
+ public:
+  /// `wanted`: a member of the outermost object to stop behind; null: everything is read.
+  Reader(int deepest, const std::string* wanted) : deepest_(deepest), wanted_(wanted) {}
+
+  bool null() override { return take(nullptr); }
+  bool boolean(bool value) override { return take(value); }
+  bool number_integer(std::int64_t value) override { return take(value); }
+  bool number_unsigned(std::uint64_t value) override { return take(value); }
+  bool number_float(double value, const std::string&) override { return take(value); }
+  bool string(std::string& value) override { return take(std::move(value)); }
+  bool binary(Json::binary_t& value) override { return take(std::move(value)); }
+  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool start_array(std::size_t) override { return open(Json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(std::string& name) override {
+    checkDepth();
+    Place& place = places_.back();
+    place.key = name;
+    if (place.value->contains(name))
+      throw InputError("", path(), "stands twice in the same object");
+    if (place.value->size() == kMostKeys)
+      throw InputError("", path(), fmt::format("an object has more than {} keys", kMostKeys));
+    return true;
+  }
+
+  bool parse_error(std::size_t, const std::string&,
+                   const nlohmann::detail::exception& error) override {
+    throw InputError("", "", parserMessage(error));
+  }
+
+  /// All that was read; a member that was wanted stands last in it.
+  Json& root() { return root_; }
+
+ private:
+  /// An object or a list that is not closed yet.
+  struct Place {
+    Json* value;
+    std::string key;  // of an object: the present one
+  };
+
+  void checkDepth() const {
+    if (static_cast<int>(places_.size()) > deepest_)
+      throw InputError("", path(), "is nested too deeply");
+  }
+
+  Json& put(Json value) {
+    checkDepth();
+    if (places_.empty()) return root_ = std::move(value);
+    const Place& place = places_.back();
+    if (place.value->is_object()) return (*place.value)[place.key] = std::move(value);
+    place.value->push_back(std::move(value));
+    return place.value->back();
+  }
+
+  /// Whether the parser goes on: not behind what is wanted.
+  bool goesOn() const {
+    return !wanted_ || places_.size() != 1 || !root_.is_object() || places_[0].key != *wanted_;
+  }
+
+  bool take(Json value) {
+    put(std::move(value));
+    return goesOn();
+  }
+  bool open(Json value) {
+    places_.push_back({&put(std::move(value)), {}});
+    return true;
+  }
+  bool close() {
+    places_.pop_back();
+    return goesOn();
+  }
+
+  std::string path() const {
+    std::string path;
+    for (const Place& place : places_)
+      if (place.value->is_object()) path += (path.empty() ? "" : ".") + shortened(place.key);
+    return path;
+  }
+
+  int deepest_;
+  const std::string* wanted_;
+  Json root_;
+  std::vector<Place> places_;
+};
+
+std::string_view withoutBlanks(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+}
+
+[[noreturn]] void refuseKind(std::string_view kind, std::string_view wanted) {
+  throw InputError("", "", "is " + std::string(kind) + "; " + std::string(wanted));
+}
+
+}  // namespace
+
+nlohmann::ordered_json parseJson(std::string_view text, int deepest, std::string_view wanted) {
+  if (const std::string_view kind = foreignKindOf(text); !kind.empty()) refuseKind(kind, wanted);
+  const std::string_view beginning = withoutBlanks(text).substr(0, 1);
+  if (beginning.empty()) refuseKind("an empty file", wanted);
+  if (beginning != "{" && beginning != "[" && !Json::accept(text))
+    refuseKind("text that is not JSON", wanted);
+  Reader reader(deepest, nullptr);
+  Json::sax_parse(text, &reader);
+  return std::move(reader.root());
+}
+
+nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, int deepest,
+                                std::set<std::string>* others) {
+  Reader reader(deepest, &name);
+  Json::sax_parse(text, &reader);
+  Json& root = reader.root();
+  if (!root.is_object()) return {};
+  if (others)
+    for (const auto& [key, value] : root.items())
+      if (key != name) others->insert(key);
+  const auto found = root.find(name);
+  return found == root.end() ? Json() : std::move(*found);
+}
+
+}  // namespace asperity

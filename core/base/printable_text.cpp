@@ -1,0 +1,96 @@
+#include "core/base/printable_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace asperity {
+namespace {
+
+struct Character {
+  std::uint32_t code = 0;
+  std::size_t bytes = 0;  // 0: the first byte begins no character of UTF-8
+};
+
+/// The character that the text begins with; the shortest form alone is UTF-8, and half of a pair of
+/// UTF-16 is none.
+Character firstCharacter(std::string_view text) {
+  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
+  const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return {first, 1};
+  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC0 || first >= 0xF8 || text.size() < bytes) return {};
+  std::uint32_t code = first & (0xFFU >> (bytes + 1));
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80) return {};
+    code = code << 6 | (byte(i) & 0x3FU);
+  }
+  const bool isCharacter =
+      code >= kLeast[bytes] && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
+  return isCharacter ? Character{code, bytes} : Character{};
+}
+
+struct Range {
+  std::uint32_t first, last;
+};
+
+/// Control characters, marks of direction and of no width, separators of lines, tags, and what
+/// Unicode keeps free for programs.
+constexpr std::array<Range, 13> kUnprintable{{{0, 0x1F},
+                                              {0x7F, 0x9F},
+                                              {0xAD, 0xAD},
+                                              {0x61C, 0x61C},
+                                              {0x180E, 0x180E},
+                                              {0x200B, 0x200F},
+                                              {0x2028, 0x202E},
+                                              {0x2060, 0x206F},
+                                              {0xFDD0, 0xFDEF},
+                                              {0xFEFF, 0xFEFF},
+                                              {0xFFF9, 0xFFFB},
+                                              {0xFFFE, 0xFFFF},
+                                              {0xE0000, 0xE007F}}};
+
+bool isPrintable(std::uint32_t code) {
+  return std::ranges::none_of(kUnprintable, [code](const Range& range) {
+    return code >= range.first && code <= range.last;
+  });
+}
+
+std::string escaped(std::uint32_t code) {
+  switch (code) {
+    case '\n':
+      return "\\n";
+    case '\r':
+      return "\\r";
+    case '\t':
+      return "\\t";
+    default:
+      return code < 0x80      ? fmt::format("\\x{:02x}", code)
+             : code < 0x10000 ? fmt::format("\\u{:04x}", code)
+                              : fmt::format("\\U{:08x}", code);
+  }
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const Character next = firstCharacter(text);
+    const std::size_t bytes = std::max<std::size_t>(next.bytes, 1);
+    if (next.bytes == 0)
+      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
+    else if (isPrintable(next.code))
+      shown += text.substr(0, bytes);
+    else
+      shown += escaped(next.code);
+    text.remove_prefix(bytes);
+  }
+  return shown;
+}
+
+}  // namespace asperity

@@ -1,0 +1,121 @@
+#include "core/chart/curve_regions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/material/element_law.h"
+
+namespace asperity {
+namespace {
+
+struct RegionText {
+  std::string_view name, word, sentence;
+};
+constexpr std::array<RegionText, 4> kTexts{
+    {{"I", "linear",
+      "Friction grows in proportion to velocity, Eqs. (5) to (8). Ends where the curve is 20 % "
+      "below that line."},
+     {"II", "transition",
+      "From the line to the plateau. Ends where 95 % of the maximum is reached."},
+     {"III", "plateau",
+      "Contacts carry on their leading sides only, Eq. (9). Ends where friction falls below 95 % "
+      "of the maximum."},
+     {"IV", "decrease",
+      "Few summits of the finite period carry the load, and the slope in contact falls, Eq. (15). "
+      "Begins below 95 % of the maximum."}}};
+
+const RegionText* textOf(std::string_view name) {
+  for (const RegionText& text : kTexts)
+    if (text.name == name) return &text;
+  return nullptr;
+}
+
+/// The known part of a curve, where friction has a logarithm.
+struct Known {
+  std::vector<double> velocities, mu;
+
+  /// d ln mu / d ln v between two points.
+  double exponent(std::size_t i) const {
+    return std::log(mu[i + 1] / mu[i]) / std::log(velocities[i + 1] / velocities[i]);
+  }
+  std::size_t size() const { return mu.size(); }
+};
+
+Known knownPart(std::span<const CurvePoint> points) {
+  Known known;
+  for (const CurvePoint& point : points)
+    if (point.realizations > 0 && std::isfinite(point.mu) && point.mu > 0 && point.velocity > 0) {
+      known.velocities.push_back(point.velocity);
+      known.mu.push_back(point.mu);
+    }
+  return known;
+}
+
+// On the line the exponent is 1; where Eq. (12) has reached 95 % of its plateau it is 0.1.
+constexpr double kLinear = 0.9, kFlat = 0.1;
+
+/// Regions from the curve's first velocity on, each where the one before it ends.
+class Regions {
+ public:
+  explicit Regions(const Known& known)
+      : begin_(known.velocities.front()), end_(known.velocities.back()) {}
+
+  /// To the curve's end where the border is not on it.
+  void add(std::size_t name, double border) {
+    const double end = std::isfinite(border) ? std::min(border, end_) : end_;
+    if (!(end > begin_)) return;
+    regions_.push_back({std::string(kTexts[name].name), begin_, end});
+    begin_ = end;
+  }
+  std::vector<CurveRegion> take() { return std::move(regions_); }
+
+ private:
+  double begin_, end_;
+  std::vector<CurveRegion> regions_;
+};
+
+std::vector<CurveRegion> regionsOf(const Known& known) {
+  enum { kI, kII, kIII, kIV };
+  const RegionBorders borders = regionBorders(known.velocities, known.mu);
+  const std::size_t last = known.size() - 1;
+  const CurveMaximum top = maximumOf(known.velocities, known.mu);
+  Regions regions(known);
+  if (top.velocity == known.velocities[0] && known.exponent(0) < -kFlat) {
+    regions.add(kIV, known.velocities[last]);
+    return regions.take();
+  }
+  if (known.mu[0] < BorderRule{}.ofMaximum * top.value) {
+    const bool isRising =
+        top.velocity == known.velocities[last] && known.exponent(last - 1) > kFlat;
+    const double toPlateau = isRising ? known.velocities[last] : borders.toPlateau;
+    if (known.exponent(0) > kLinear)
+      regions.add(kI, std::isfinite(borders.endOfLinear) ? std::min(borders.endOfLinear, toPlateau)
+                                                         : toPlateau);
+    regions.add(kII, toPlateau);
+  }
+  regions.add(kIII, borders.offPlateau);
+  regions.add(kIV, known.velocities[last]);
+  return regions.take();
+}
+
+}  // namespace
+
+std::vector<CurveRegion> regionsOfCurve(const Scene& scene, std::span<const CurvePoint> points) {
+  const Known known = knownPart(points);
+  if (known.size() < 3 || lawOf(scene.elastomer).kind() != ElementKind::Kelvin) return {};
+  return regionsOf(known);
+}
+
+std::string_view wordOfRegion(std::string_view name) {
+  const RegionText* text = textOf(name);
+  return text ? text->word : std::string_view();
+}
+
+std::string_view sentenceOfRegion(std::string_view name) {
+  const RegionText* text = textOf(name);
+  return text ? text->sentence : std::string_view();
+}
+
+}  // namespace asperity

@@ -1,0 +1,108 @@
+#include "core/chart/curve_words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/scene/parameters.h"
+#include "core/base/printed_number.h"
+
+namespace asperity {
+namespace {
+
+/// The table's symbols in the letters of a printed text.
+std::string printed(std::string_view symbol) {
+  constexpr std::pair<std::string_view, std::string_view> letters[] = {
+      {"tau", "\u03C4"},     {"eta", "\u03B7"},  {"kappa", "\u03BA"}, {"lambda_r", "\u03BB\u1D63"},
+      {"G_inf", "G_\u221E"}, {"F_N", "F\u2099"}, {"C_1", "C\u2081"},  {"C_2", "C\u2082"},
+      {"T_r", "T\u1D63"}};
+  for (const auto& [word, letter] : letters)
+    if (symbol == word) return std::string(letter);
+  return std::string(symbol);
+}
+
+/// Empty where the row has no symbol, or the effect is not there.
+std::string inWords(const Parameter& row, const Scene& scene) {
+  if (row.symbol.empty() || !isApplicable(row, scene)) return {};
+  const ParameterValue value = valueOf(row, scene);
+  const auto* real = std::get_if<double>(&value);
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  if (real && *real == 0 && value == defaultOf(row)) return {};
+  if (real && row.unit.empty()) return fmt::format("{} = {:g}", printed(row.symbol), *real);
+  if (real) return fmt::format("{} = {}", printed(row.symbol), printedQuantity(*real, row.unit));
+  if (whole && *whole > 0) return fmt::format("{} = {}", printed(row.symbol), *whole);
+  return {};
+}
+
+/// Of the temperature nothing is said where it shifts nothing.
+bool isShiftIdle(const Parameter& row, const Scene& scene) {
+  const bool shifts = row.key == "elastomer.temperature" || row.key.starts_with("elastomer.shift");
+  return shifts && scene.elastomer.temperature == scene.elastomer.shift.referenceTemperature;
+}
+
+/// The value, or what is chosen where it is left open.
+ParameterValue valueInCurve(const Parameter& row, const Scene& scene) {
+  if (row.key == "accuracy.oversampling") return pointsPerElementOfCurve(scene);
+  return valueOf(row, scene);
+}
+
+/// "seed 3", "linear", "local shear = 2 N/m": of rows that have no symbol.
+std::string inPlainWords(const Parameter& row, const Scene& scene) {
+  const ParameterValue value = valueInCurve(row, scene);
+  if (const auto* real = std::get_if<double>(&value))
+    return fmt::format(
+        "{} = {}", row.label,
+        row.unit.empty() ? fmt::format("{:g}", *real) : printedQuantity(*real, row.unit));
+  if (const auto* whole = std::get_if<std::int64_t>(&value))
+    return fmt::format("{} {}", row.label, *whole);
+  std::string word = std::get<std::string>(value);
+  std::replace(word.begin(), word.end(), '_', '-');
+  return std::holds_alternative<ChoiceField>(row.field) ? word
+                                                        : fmt::format("{} {}", row.label, word);
+}
+
+/// What a friction curve does not depend on.
+bool isOfNoCurve(const Parameter& row) {
+  return row.key == "title" || row.key == "description" || row.key == "chapter" ||
+         row.key.starts_with("sliding.");
+}
+
+/// Whether a row says something in one scene that it does not in the other.
+bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
+  if (isOfNoCurve(row) || !isApplicable(row, scene)) return false;
+  if (isShiftIdle(row, scene) && isShiftIdle(row, from)) return false;
+  return !isApplicable(row, from) || valueInCurve(row, scene) != valueInCurve(row, from);
+}
+
+}  // namespace
+
+std::string parameterInWords(std::string_view key, const Scene& scene) {
+  const Parameter* row = findParameter(key);
+  if (!row || std::holds_alternative<ArmsField>(row->field)) return {};
+  const std::string words = inWords(*row, scene);
+  return words.empty() ? inPlainWords(*row, scene) : words;
+}
+
+std::string parametersInWords(const Scene& scene) {
+  std::vector<std::string> parts;
+  for (const Parameter& row : parameters()) {
+    if (row.key.starts_with("sliding.") || isShiftIdle(row, scene)) continue;
+    if (std::string words = inWords(row, scene); !words.empty()) parts.push_back(std::move(words));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string differencesInWords(const Scene& scene, const Scene& from) {
+  std::vector<std::string> parts;
+  for (const Parameter& row : parameters()) {
+    if (!differs(row, scene, from)) continue;
+    std::string words = parameterInWords(row.key, scene);
+    parts.push_back(words.empty() ? "other arms" : std::move(words));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace asperity

@@ -1,0 +1,89 @@
+// A diagram as a plain value: what a figure or a study has to show, without saying how it is drawn.
+// Made by core (the paper's figures, work against precision), composed by ui/chart into a
+// DrawList. Copied freely; any thread.
+// All values are SI; an axis with a unit shows its numbers with a fitting prefix where it is
+// linear, and as powers of ten where it is logarithmic.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+enum class AxisScale { Linear, Logarithmic };
+
+struct DiagramAxis {
+  std::string title{};  // "sliding velocity"
+  std::string unit{};   // "m/s"; empty: a pure number
+  AxisScale scale = AxisScale::Logarithmic;
+  double from = 0, to = 0;  // equal: as the points need
+};
+
+/// What has no place (not finite, or not positive on a logarithmic axis) is not drawn and breaks
+/// the line.
+struct DiagramPoint {
+  double x = 0, y = 0;
+  double low = std::numeric_limits<double>::quiet_NaN();   // of the error bar or band; NaN: none
+  double high = std::numeric_limits<double>::quiet_NaN();  // the same
+};
+
+/// A ring is open and larger than the others, to stand around one of them.
+enum class SeriesMark { None, Circle, Square, Triangle, Diamond, Ring };
+enum class SeriesStroke { None, Solid, Dashed, Dotted };
+
+struct DiagramSeries {
+  std::string name{};  // for the legend; empty: not in it
+  SeriesMark mark = SeriesMark::None;
+  SeriesStroke stroke = SeriesStroke::Solid;
+  bool isBand = false;    // low to high as a filled band instead of error bars
+  bool isTheory = false;  // drawn in the colour of text, thinner, under the data
+  int colour = -1;        // of the palette's distinct colours, in order; -1: the next one
+  /// Place on the colour ramp, 0 to 1, instead of a distinct colour; NaN: not on the ramp.
+  double ramp = std::numeric_limits<double>::quiet_NaN();
+  std::vector<DiagramPoint> points{};
+};
+
+/// A range along x that has a name ("I", "zone 1").
+struct DiagramSpan {
+  double from = 0, to = 0;
+  std::string label{};
+};
+
+/// A text at a point, with an arrow from (x, y) to (arrowX, arrowY) where these are given.
+struct DiagramLabel {
+  std::string text{};
+  double x = 0, y = 0;
+  double arrowX = std::numeric_limits<double>::quiet_NaN();
+  double arrowY = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// What the colours of a ramp mean; shown instead of a legend entry for each of its series.
+struct DiagramRamp {
+  std::string title{};   // "normal force"
+  std::string from, to;  // "1 mN", "100 N"
+};
+
+struct Diagram {
+  std::string title{};  // over this diagram; may be empty
+  DiagramAxis x, y;
+  std::vector<DiagramSeries> series;  // later ones over earlier ones
+  std::vector<DiagramSpan> spans;  // shaded by turns, named above the frame
+  std::vector<DiagramLabel> labels;
+  std::optional<DiagramRamp> ramp;
+  double height = 1;  // of its row among rows, where a sheet has one column
+  std::vector<DiagramSpan> shades{};  // tinted over the spans, named inside the frame at its foot
+};
+
+/// Diagrams side by side under one heading.
+struct DiagramSheet {
+  std::string title{};     // "Fig. 3: six Hurst exponents"
+  std::string subtitle{};  // the parameters, one line
+  std::string note{};      // below, small: what to know when reading it
+  std::vector<Diagram> diagrams;
+  int columns = 0;          // diagrams in a row; 0: up to three in one row, more in a square
+  bool sharesAxis = false;  // of one column: all have one axis along and stand in one line
+};
+
+}  // namespace asperity

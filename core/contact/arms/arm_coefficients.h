@@ -1,0 +1,53 @@
+// What a pass over a line needs to know of an element with arms at one velocity: how much is kept
+// and taken up over one segment, and how a free surface creeps back over blocks of segments.
+// Lengths only: moduli are per equilibrium modulus, times are the way slid in them (m).
+// Plain values; read by any thread.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/contact/kernels/decay_moments.h"
+#include "core/contact/arms/retardation.h"
+#include "core/material/element_law.h"
+
+namespace asperity {
+
+struct ArmMemory {
+  /// law: with an equilibrium modulus and at least one arm; velocity > 0 (m/s); spacing of whole
+  /// segments and period (m); levels of blocks of 4^k segments.
+  ArmMemory(const ElementLaw& law, const RetardationModes& modes, double velocity, double spacing,
+            double period, std::size_t levels);
+
+  std::size_t arms() const { return modulus.size(); }
+  std::size_t modes() const { return rate.size(); }
+
+  std::vector<double> modulus;  // g_i = G_i / G
+  std::vector<double> inverse;  // 1/m, 1 / (v tau_i)
+  double dashpot = 0;           // m, v eta / G
+  double glassy = 1;            // 1 + sum g_i, of the springs alone
+
+  // Over one whole segment, with w' = (D_0 + D_1 u + D_2 u^2) / spacing:
+  std::vector<double> kept;  // e_i(1) = kept_i e_i(0) + sum D_k driven_ki
+  std::array<std::vector<double>, 3> driven;
+  std::vector<double> lossRate;                // 1/m, g_i / (v tau_i)
+  std::array<std::vector<double>, 3> moment;   // g_i integral of exp(-z u) u^k
+  std::array<std::array<double, 3>, 3> own{};  // sum g_i integral of u^k (what u^l has driven)
+  std::vector<LossForm> loss;                  // 1/c_i integral of e_i^2
+
+  /// The first arms, which change little over a period: what they yield is summed by itself, as
+  /// q_i(1) - q_i(0) = yieldKept_i e_i(0) + sum D_k yieldDriven_ki.
+  std::size_t slow = 0;
+  std::vector<double> yieldKept;
+  std::array<std::vector<double>, 3> yieldDriven;
+
+  // The free surface: y = sum a_j exp(-rate_j s).
+  std::vector<double> rate;                // 1/m
+  std::vector<double> stiffness;           // of the springs that draw it back, per G
+  std::vector<double> settled;             // a_j per depth where all arms have relaxed
+  std::vector<std::vector<double>> decay;  // [level][mode], over a block
+  std::vector<std::vector<double>> lost;   // 1 - decay
+  const RetardationModes& conversion;
+};
+
+}  // namespace asperity

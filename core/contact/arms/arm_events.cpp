@@ -1,0 +1,209 @@
+// Of a pass with arms: where inside a segment contact begins and ends, and its sums over pieces.
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/arms/arm_pass.h"
+#include "core/contact/kernels/decay_moments.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kNone = 2;  // beyond [0, 1]
+
+/// Where the slope of a cubic or its curvature changes sign inside (0, 1), in order of travel.
+Few<4> breakpoints(const Cubic& cubic, bool onwards) {
+  Few<4> found;
+  const double turn = cubic.c3 != 0 ? -cubic.c2 / (3 * cubic.c3) : kNone;
+  bool turned = !(turn > 0 && turn < 1);
+  for (const double t : stationaryPoints(cubic)) {
+    if (!turned && turn < t) found.add(turn);
+    turned |= turn < t;
+    found.add(t);
+  }
+  if (!turned) found.add(turn);
+  if (!onwards && found.count > 1)
+    std::reverse(found.values.begin(), found.values.begin() + found.count);
+  return found;
+}
+
+}  // namespace
+
+ArmPass::Inside ArmPass::insideOf(std::size_t i) const {
+  if (i + 1 < line_.segments())
+    return {line_.segment(i), line_.position(i), line_.segmentLength(i)};
+  return {line_.segmentBackwards(i), line_.length, -line_.segmentLength(i)};
+}
+
+ArmPass::Piece ArmPass::pieceOf(const Inside& inside, double from, double to) const {
+  const Cubic rise = inside.rise.about(from);
+  const double step = to - from;
+  return {
+      {depth_ - rise.c0, -rise.c1 * step, -rise.c2 * step * step, -rise.c3 * step * step * step},
+      std::abs(step * inside.along),
+      inside.at(from)};
+}
+
+/// p / 4G at u of a piece that begins with the present strains, and its derivative there.
+double ArmPass::pressureAt(const Piece& piece, double u, double& slope) const {
+  const Cubic& w = piece.depth;
+  const double d0 = w.c1, d1 = 2 * w.c2, d2 = 3 * w.c3, way = piece.length * u;
+  double strain = 0, loss = 0;
+  for (std::size_t i = 0; i < strain_.size(); ++i) {
+    const DrivenDecay decay = drivenDecay(way * memory_.inverse[i]);
+    const double e =
+        decay.kept * strain_[i] +
+        u * (d0 * decay.driven[0] + u * (d1 * decay.driven[1] + u * d2 * decay.driven[2]));
+    strain += memory_.modulus[i] * e;
+    loss += memory_.lossRate[i] * e;
+  }
+  const double perLength = memory_.dashpot / piece.length, rising = d0 + u * (d1 + u * d2);
+  slope = rising * memory_.glassy - piece.length * loss + perLength * (d1 + 2 * u * d2);
+  return w(u) + strain + perLength * rising;
+}
+
+/// Where pressure ends on the piece, or kNone.
+double ArmPass::liftOff(const Piece& piece) const {
+  double slopeBefore = 0, slopeAfter = 0;
+  const double before = pressureAt(piece, 0, slopeBefore);
+  // Right where contact begins p may be 0 to rounding, but it grows.
+  if (before <= 0 && slopeBefore <= 0) return 0;
+  const double after = pressureAt(piece, 1, slopeAfter);
+  const auto pressure = [&](double u, double& slope) { return pressureAt(piece, u, slope); };
+  if (after <= 0) return zeroBetween(0, 1, 1, pressure);
+  if (!(slopeBefore < 0 && slopeAfter > 0)) return kNone;
+  double low = 0, high = 1, slope = 0;  // the lowest pressure is between
+  for (int i = 0; i < 60 && high - low > 1e-9; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (pressureAt(piece, middle, slope) <= 0) return zeroBetween(0, middle, 1, pressure);
+    (slope < 0 ? low : high) = middle;
+  }
+  return kNone;
+}
+
+/// What slow arms yield over [0, u], before the strains advance.
+void ArmPass::addYield(const Piece& piece, double u) {
+  const Cubic& w = piece.depth;
+  for (std::size_t i = 0; i < memory_.slow; ++i) {
+    const double z = piece.length * u * memory_.inverse[i];
+    const auto drivenBy = drivenMoments(z);
+    yieldChange_[i] += z * (strain_[i] * decayMoments(z)[0] +
+                            u * (w.c1 * drivenBy[0][0] +
+                                 u * (2 * w.c2 * drivenBy[0][1] + u * 3 * w.c3 * drivenBy[0][2])));
+  }
+}
+
+/// Strains at u of the piece.
+void ArmPass::advance(const Piece& piece, double u) {
+  addYield(piece, u);
+  const Cubic& w = piece.depth;
+  for (std::size_t i = 0; i < strain_.size(); ++i) {
+    const DrivenDecay decay = drivenDecay(piece.length * u * memory_.inverse[i]);
+    strain_[i] = decay.kept * strain_[i] +
+                 u * (w.c1 * decay.driven[0] +
+                      u * (2 * w.c2 * decay.driven[1] + u * 3 * w.c3 * decay.driven[2]));
+  }
+  refreshSums();
+}
+
+/// All sums over [0, u] of a piece of any length, before the strains advance.
+void ArmPass::gatherPiece(const Piece& piece, double u) {
+  const Cubic& w = piece.depth;
+  const Piece part{{w.c0, w.c1 * u, w.c2 * u * u, w.c3 * u * u * u}, piece.length * u, piece.start};
+  std::array<double, 3> with{};
+  std::array<std::array<double, 3>, 3> own{};
+  for (std::size_t i = 0; i < strain_.size(); ++i) {
+    const double g = memory_.modulus[i], z = part.length * memory_.inverse[i];
+    const auto moments = decayMoments(z);
+    const auto drivenBy = drivenMoments(z);
+    for (std::size_t k = 0; k < 3; ++k) {
+      with[k] += g * strain_[i] * moments[k];
+      for (std::size_t l = 0; l < 3; ++l) own[k][l] += g * drivenBy[k][l];
+    }
+    sums_.dissipation +=
+        g * lossForm(z)(strain_[i], part.depth.c1, 2 * part.depth.c2, 3 * part.depth.c3);
+  }
+  gatherContact(part, with[0], with[1], with[2], own);
+}
+
+/// Sums over a piece in contact; withStrain: sum g_i e_i integral of exp(-z u) u^k. The elastic
+/// part of the work is added where contact ends.
+void ArmPass::gatherContact(const Piece& piece, double withStrain0, double withStrain1,
+                            double withStrain2, const std::array<std::array<double, 3>, 3>& own) {
+  const double length = piece.length;
+  const std::array<double, 3> slope{piece.depth.c1, 2 * piece.depth.c2, 3 * piece.depth.c3};
+  const double slopeSquared = piece.depth.integralOfSlopeSquared(1) / length;
+  double strain = withStrain0,
+         work = slope[0] * withStrain0 + slope[1] * withStrain1 + slope[2] * withStrain2;
+  for (std::size_t k = 0; k < 3; ++k) {
+    strain += own[0][k] * slope[k];
+    for (std::size_t l = 0; l < 3; ++l) work += slope[k] * own[k][l] * slope[l];
+  }
+  const double damped = memory_.dashpot * slopeSquared;
+  sums_.pressure += length * (piece.depth.integral(1) + strain) +
+                    memory_.dashpot * (slope[0] + piece.depth.c2 + piece.depth.c3);
+  sums_.work += work + damped;
+  sums_.dissipation += damped;
+  sums_.contactLength += length;
+  sums_.slopeSquared += slopeSquared;
+  double last = piece.depth.c0;
+  for (const double u : stationaryPoints(piece.depth)) {
+    sums_.absoluteSlope += std::abs(piece.depth(u) - last);
+    last = piece.depth(u);
+  }
+  sums_.absoluteSlope += std::abs(piece.depth(1) - last);
+}
+
+/// How far (m) the free surface comes back from now on over a distance.
+double ArmPass::comesBack(double distance) const {
+  double back = 0;
+  for (std::size_t j = 0; j < mode_.size(); ++j)
+    back -= mode_[j] * std::expm1(-memory_.rate[j] * distance);
+  return back;
+}
+
+/// Depth of the line below the free surface at t, mode_ being that at `from`; slope with t.
+double ArmPass::gapAt(const Inside& inside, double from, double t, double& slope) const {
+  const double distance = (t - from) * inside.along;
+  double back = back_, falling = 0;
+  for (std::size_t j = 0; j < mode_.size(); ++j) {
+    const double gone = std::expm1(-memory_.rate[j] * distance);
+    back -= mode_[j] * gone;
+    falling += memory_.rate[j] * mode_[j] * (1 + gone);
+  }
+  slope = -inside.rise.derivative(t) + inside.along * falling;
+  return leftRise_ + back - inside.rise(t);
+}
+
+/// First place in (from, to] where the line reaches the free surface, or kNone.
+double ArmPass::findEntry(const Inside& inside, double from, double to, double lowest) const {
+  if (leftRise_ + back_ + comesBack(std::abs((to - from) * inside.along)) <= lowest) return kNone;
+  Few<4> stops = breakpoints(inside.rise, to > from);
+  stops.add(to);
+  double a = from, slopeA = 0;
+  gapAt(inside, from, a, slopeA);
+  const double onward = to > from ? 1 : -1;
+  const auto gap = [&](double t, double& slope) { return gapAt(inside, from, t, slope); };
+  const auto zeroFrom = [&](double low, double high) {
+    double ignored = 0;
+    return onward > 0 ? zeroBetween(low, high, -1, gap)
+                      : zeroBetween(high, low, gapAt(inside, from, high, ignored), gap);
+  };
+  for (const double b : stops) {
+    if ((b - a) * onward <= 0) continue;
+    double slopeB = 0;
+    if (gapAt(inside, from, b, slopeB) > 0) return zeroFrom(a, b);
+    if (slopeA * onward > 0 && slopeB * onward < 0) {
+      double low = a, high = b, slope = 0;
+      for (int i = 0; i < 60 && std::abs(high - low) > 1e-9; ++i) {
+        const double middle = 0.5 * (low + high);
+        if (gapAt(inside, from, middle, slope) > 0) return zeroFrom(a, middle);
+        (slope * onward > 0 ? low : high) = middle;
+      }
+    }
+    a = b;
+    slopeA = slopeB;
+  }
+  return kNone;
+}
+
+}  // namespace asperity

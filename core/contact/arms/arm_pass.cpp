@@ -1,0 +1,316 @@
+#include "core/contact/arms/arm_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace asperity {
+namespace {
+
+constexpr int kMostEvents = 64;  // in one segment, which has a few; more are rounding
+
+}  // namespace
+
+ArmPass::ArmPass(const TravelLine& line, const ArmMemory& memory)
+    : line_(line),
+      memory_(memory),
+      strain_(memory.arms()),
+      next_(memory.arms()),
+      mode_(memory.modes()),
+      arcMode_(memory.modes()),
+      yieldChange_(memory.arms()) {}
+
+void ArmPass::run(double depth, std::span<const double> strain, ArmTangent* tangent) {
+  tangent_ = tangent;
+  if (tangent) tangent->begin();
+  go<false>(depth, strain, nullptr);
+  const double begun = touching_ ? contactStart_ : arcStart_;
+  if (tangent) tangent->finish(std::max(line_.length - begun, 0.0), touching_);
+  tangent_ = nullptr;
+}
+
+void ArmPass::runForState(double depth, std::span<const double> strain, ArmShape* shape) {
+  go<true>(depth, strain, shape);
+}
+
+template <bool Everything>
+void ArmPass::go(double depth, std::span<const double> strain, ArmShape* shape) {
+  depth_ = depth;
+  sums_ = {};
+  level_ = 0;
+  touching_ = true;
+  hasLeft_ = false;
+  entryRise_ = 0;
+  contactStart_ = 0;
+  std::fill(yieldChange_.begin(), yieldChange_.end(), 0);
+  std::copy(strain.begin(), strain.end(), strain_.begin());
+  refreshSums();
+  for (std::size_t i = 0; i < line_.segments();) {
+    if (shape) record(i, *shape);
+    i = touching_ ? contactSegment<Everything>(i) : freeSegments<Everything>(i, shape == nullptr);
+  }
+  if (touching_) {
+    if (Everything) sums_.work += elasticWork(0);
+  } else {
+    gatherArc<Everything>(line_.length);
+    setStrainsFree();  // the lowest point takes over
+  }
+  for (std::size_t i = memory_.slow; i < strain_.size(); ++i)
+    yieldChange_[i] = strain[i] - strain_[i];
+}
+
+void ArmPass::completeStrains(std::span<double> strain) {
+  std::fill(strain_.begin(), strain_.end(), 0);
+  depth_ = 0;
+  const std::size_t last = line_.segments() - 1;
+  advance(pieceOf(insideOf(0), 0, 1), 1);
+  for (std::size_t i = 1; i < last; ++i) {
+    const Cubic rise = line_.segment(i);
+    for (std::size_t k = 0; k < strain_.size(); ++k)
+      strain_[k] = memory_.kept[k] * strain_[k] - rise.c1 * memory_.driven[0][k] -
+                   2 * rise.c2 * memory_.driven[1][k] - 3 * rise.c3 * memory_.driven[2][k];
+  }
+  advance(pieceOf(insideOf(last), 1, 0), 1);
+  for (std::size_t k = 0; k < strain_.size(); ++k)
+    strain[k] = strain_[k] / -std::expm1(-line_.length * memory_.inverse[k]);
+}
+
+void ArmPass::refreshSums() {
+  strainSum_ = lossSum_ = 0;
+  for (std::size_t i = 0; i < strain_.size(); ++i) {
+    strainSum_ += memory_.modulus[i] * strain_[i];
+    lossSum_ += memory_.lossRate[i] * strain_[i];
+  }
+}
+
+/// Put into the elements' own springs from where contact began up to this rise.
+double ArmPass::elasticWork(double rise) const {
+  return (entryRise_ - rise) * (depth_ - 0.5 * (entryRise_ + rise));
+}
+
+/// Strains that go with the amplitudes.
+void ArmPass::setStrainsFree() {
+  std::fill(strain_.begin(), strain_.end(), 0);
+  const std::size_t arms = strain_.size();
+  for (std::size_t j = 0; j < mode_.size(); ++j) {
+    const double* row = memory_.conversion.toStrain.data() + j * arms;
+    for (std::size_t i = 0; i < arms; ++i) strain_[i] += row[i] * mode_[j];
+  }
+}
+
+/// Amplitudes that go with a depth and the strains.
+void ArmPass::setModes(double* modes, double depth) const {
+  const std::size_t arms = strain_.size();
+  for (std::size_t j = 0; j < mode_.size(); ++j) {
+    const double* row = memory_.conversion.ofYield.data() + j * arms;
+    double amplitude = memory_.settled[j] * depth;
+    for (std::size_t i = 0; i < arms; ++i) amplitude -= row[i] * strain_[i];
+    modes[j] = amplitude;
+  }
+}
+
+// ---- in contact
+// ----------------------------------------------------------------------------------
+
+/// A whole segment in contact, without looking inside where pressure surely lasts.
+template <bool Everything>
+std::size_t ArmPass::contactSegment(std::size_t i) {
+  const bool whole = i > 0 && i + 1 < line_.segments();
+  if (!whole) {
+    lookInside<Everything>(i);
+    return i + 1;
+  }
+  const Cubic rise = line_.segment(i);
+  const double h = line_.spacing, d0 = -rise.c1, d1 = -2 * rise.c2, d2 = -3 * rise.c3;
+  const std::size_t arms = strain_.size();
+  const double *kept = memory_.kept.data(), *g = memory_.modulus.data(),
+               *loss = memory_.lossRate.data(), *m0 = memory_.driven[0].data(),
+               *m1 = memory_.driven[1].data(), *m2 = memory_.driven[2].data();
+  const double* now = strain_.data();
+  double* next = next_.data();
+  double strainSum = 0, lossSum = 0;
+  for (std::size_t k = 0; k < arms; ++k) {
+    const double e = kept[k] * now[k] + (d0 * m0[k] + d1 * m1[k] + d2 * m2[k]);
+    next[k] = e;
+    strainSum += g[k] * e;
+    lossSum += loss[k] * e;
+  }
+  const double perLength = memory_.dashpot / h;
+  const double before = depth_ - rise.c0 + strainSum_ + perLength * d0;
+  const double slopeBefore = d0 * memory_.glassy - h * lossSum_ + perLength * d1;
+  const double after = depth_ - line_.rise[i + 1] + strainSum + perLength * (d0 + d1 + d2);
+  const double slopeAfter =
+      (d0 + d1 + d2) * memory_.glassy - h * lossSum + perLength * (d1 + 2 * d2);
+  // A dip between the ends lies above where the tangents meet.
+  bool lasts = before > 0 && after > 0;
+  if (lasts && slopeBefore < 0 && slopeAfter > 0) {
+    const double meet = (after - before - slopeAfter) / (slopeBefore - slopeAfter);
+    lasts = before + slopeBefore * meet > 0;
+  }
+  if (!lasts) {
+    lookInside<Everything>(i);
+    return i + 1;
+  }
+  const double volume = depth_ * h - line_.bounds(i).riseIntegral;
+  sums_.depth += volume;
+  for (std::size_t k = 0; k < memory_.slow; ++k)
+    yieldChange_[k] += memory_.yieldKept[k] * now[k] + d0 * memory_.yieldDriven[0][k] +
+                       d1 * memory_.yieldDriven[1][k] + d2 * memory_.yieldDriven[2][k];
+  if constexpr (Everything) {
+    std::array<double, 3> with{};
+    for (std::size_t n = 0; n < 3; ++n)
+      for (std::size_t k = 0; k < arms; ++k) with[n] += memory_.moment[n][k] * now[k];
+    gatherContact({{depth_ - rise.c0, d0, 0.5 * d1, d2 / 3}, h, line_.position(i)}, with[0],
+                  with[1], with[2], memory_.own);
+    for (std::size_t k = 0; k < arms; ++k)
+      sums_.dissipation += g[k] * memory_.loss[k](now[k], d0, d1, d2);
+  }
+  strain_.swap(next_);
+  strainSum_ = strainSum;
+  lossSum_ = lossSum;
+  return i + 1;
+}
+
+/// Contact from `from` on; returns where it ends, or `to`.
+template <bool Everything>
+double ArmPass::pressed(const Inside& inside, double from, double to) {
+  const Piece piece = pieceOf(inside, from, to);
+  if (!(piece.length > 0)) return to;
+  const double found = liftOff(piece), u = std::min(found, 1.0);
+  const double volume = piece.length * piece.depth.integral(u);
+  sums_.depth += volume;
+  if (u > 0) {
+    if constexpr (Everything) gatherPiece(piece, u);
+    advance(piece, u);
+  }
+  if (found > 1) return to;
+  const double at = from + u * (to - from);
+  leave<Everything>(inside.at(at), inside.rise(at));
+  return at;
+}
+
+template <bool Everything>
+void ArmPass::leave(double position, double rise) {
+  // Rounding may have the end before the start, where a fast arm would grow out of the numbers.
+  position = std::max(position, contactStart_);
+  if (tangent_) tangent_->leave(position - contactStart_);
+  touching_ = false;
+  hasLeft_ = true;
+  level_ = 0;
+  arcStart_ = position;
+  leftRise_ = rise;
+  back_ = 0;
+  if constexpr (Everything) sums_.work += elasticWork(rise);
+  setModes(mode_.data(), depth_ - rise);
+  arcMode_ = mode_;
+}
+
+// ---- free
+// ----------------------------------------------------------------------------------------
+
+/// Closes the arc's sums at a place, with the amplitudes there. Free, each amplitude relaxes by
+/// itself and takes what its own spring has stored.
+template <bool Everything>
+void ArmPass::gatherArc(double position) {
+  const double length = std::max(position - arcStart_, 0.0);
+  const std::size_t arms = strain_.size();
+  double volume = 0;
+  for (std::size_t j = 0; j < mode_.size(); ++j) {
+    const double z = memory_.rate[j] * length, back = std::expm1(-z);
+    volume += arcMode_[j] * (z > 0 ? -back / z : 1);
+    mode_[j] = arcMode_[j] * (1 + back);
+    if constexpr (Everything)
+      sums_.dissipation -=
+          0.5 * memory_.stiffness[j] * arcMode_[j] * arcMode_[j] * back * (2 + back);
+    for (std::size_t i = 0; i < memory_.slow; ++i)
+      yieldChange_[i] += memory_.conversion.toYield[j * arms + i] * arcMode_[j] * back;
+  }
+  sums_.depth += volume * length;
+}
+
+void ArmPass::enter(double position, double rise) {
+  position = std::max(position, arcStart_);
+  if (tangent_) tangent_->enter(position - arcStart_);
+  touching_ = true;
+  contactStart_ = position;
+  entryRise_ = rise;
+  setStrainsFree();
+  refreshSums();
+}
+
+/// As many segments as the line stays above the free surface for sure; else a look inside of one.
+template <bool Everything>
+std::size_t ArmPass::freeSegments(std::size_t i, bool mayJump) {
+  const bool whole = i > 0 && i + 1 < line_.segments();
+  if (!whole) {
+    lookInside<Everything>(i);
+    return i + 1;
+  }
+  const std::size_t place = i - 1;
+  for (std::size_t level = mayJump ? level_ : 0;; --level) {
+    const std::size_t size = std::size_t{1} << (2 * level), block = place >> (2 * level);
+    const bool fits = (place & (size - 1)) == 0 && block < line_.blockCount(level);
+    if (fits) {
+      const double *decay = memory_.decay[level].data(), *lost = memory_.lost[level].data();
+      double back = back_;
+      for (std::size_t j = 0; j < mode_.size(); ++j) back += mode_[j] * lost[j];
+      if (leftRise_ + back <= line_.block(level, block).lowest) {
+        for (std::size_t j = 0; j < mode_.size(); ++j) mode_[j] *= decay[j];
+        back_ = back;
+        level_ = std::min(level + 1, line_.blocks.size() - 1);
+        return i + size;
+      }
+    }
+    if (level == 0) break;
+  }
+  level_ = 0;
+  lookInside<Everything>(i);
+  return i + 1;
+}
+
+// ---- inside a segment
+// ----------------------------------------------------------------------------
+
+template <bool Everything>
+void ArmPass::lookInside(std::size_t i) {
+  const Inside inside = insideOf(i);
+  const bool onwards = inside.along > 0;
+  double t = onwards ? 0 : 1;
+  const double end = onwards ? 1 : 0;
+  for (int events = 0; events < kMostEvents; ++events) {
+    if (touching_) {
+      t = pressed<Everything>(inside, t, end);
+      if (touching_) return;
+    }
+    const double entry = findEntry(inside, t, end, line_.bounds(i).lowest);
+    if (entry > 1) break;
+    gatherArc<Everything>(inside.at(entry));
+    enter(inside.at(entry), inside.rise(entry));
+    t = entry;
+  }
+  if (touching_) {
+    // The same event over and over again is rounding: contact goes on.
+    advance(pieceOf(inside, t, end), 1);
+    return;
+  }
+  const double rest = std::abs((end - t) * inside.along);
+  back_ += comesBack(rest);
+  for (std::size_t j = 0; j < mode_.size(); ++j) mode_[j] *= std::exp(-memory_.rate[j] * rest);
+}
+
+void ArmPass::record(std::size_t i, ArmShape& shape) {
+  double depth = depth_ - line_.rise[i], pressure = 0;
+  const std::size_t known = shape.modes.size();
+  if (touching_) {
+    pressure = depth + strainSum_ - memory_.dashpot * line_.slopeIn[i];
+    shape.modes.resize(known + mode_.size());
+    setModes(shape.modes.data() + known, depth);
+  } else {
+    shape.modes.insert(shape.modes.end(), mode_.begin(), mode_.end());
+    depth = std::max(depth, std::accumulate(mode_.begin(), mode_.end(), 0.0));
+  }
+  shape.nodes.depth.push_back(depth);
+  shape.nodes.pressure.push_back(std::max(pressure, 0.0));
+}
+
+}  // namespace asperity

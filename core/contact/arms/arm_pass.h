@@ -1,0 +1,116 @@
+// One pass over a line for elements with arms (standard solid, Prony series with or without a
+// dashpot of its own), from its lowest point, where the arms' strains are given, around to it
+// again. In contact the arms' strains are integrated exactly along the line's cubics; free, the
+// surface creeps back as a sum of exponentials. Events are found inside of segments, so friction
+// converges as for one relaxation time: second order for linear, fourth for cubic segments. Strains
+// and the way that a free surface has come back stand by themselves, not as differences of depths,
+// which may be many magnitudes larger.
+// Cost: some flops per element in contact and arm; free blocks are skipped.
+// Ownership: keeps its workspace; refers to line and memory. Threading: one thread at a time.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/contact/arms/arm_coefficients.h"
+#include "core/contact/arms/arm_tangent.h"
+#include "core/contact/kernels/pass_sums.h"
+#include "core/contact/line/prepared_profile.h"
+
+namespace asperity {
+
+/// Shape and memory at the nodes, in travel order.
+struct ArmShape {
+  NodeShape nodes;            // pressure: p / 4G
+  std::vector<double> modes;  // m, [node][mode]: amplitudes a_j, in contact too
+};
+
+class ArmPass {
+ public:
+  ArmPass(const TravelLine& line, const ArmMemory& memory);
+
+  /// Enough for the balance: sums().depth and yieldChange(); with `tangent` their derivatives too.
+  void run(double depth, std::span<const double> strain, ArmTangent* tangent = nullptr);
+  /// All sums.
+  void runForState(double depth, std::span<const double> strain, ArmShape* shape = nullptr);
+
+  /// The arms' strains (m) at the lowest point in complete contact, which do not depend on the
+  /// depth: what a period drives them, over what it lets them forget.
+  void completeStrains(std::span<double> strain);
+  /// Whether everything was in contact all along the last pass.
+  bool wasComplete() const { return !hasLeft_; }
+
+  /// Per 4G, G the equilibrium modulus. Pressure, work and dissipation are summed apart; of the
+  /// last all terms are positive.
+  const StateSums& sums() const { return sums_; }
+  /// What the arms have yielded over the period (m); in steady sliding nothing.
+  const std::vector<double>& yieldChange() const { return yieldChange_; }
+
+ private:
+  /// A segment to look inside: its rise over t in [0, 1], s = start + t along. The last one is
+  /// measured back from its end, the lowest point: contact there may be far shorter than it.
+  struct Inside {
+    Cubic rise;
+    double start, along;
+    double at(double t) const { return start + t * along; }
+  };
+
+  /// A part of it in contact: w over u in [0, 1], in the direction of travel.
+  struct Piece {
+    Cubic depth;
+    double length, start;
+  };
+
+  template <bool Everything>
+  void go(double depth, std::span<const double> strain, ArmShape* shape);
+  template <bool Everything>
+  std::size_t contactSegment(std::size_t i);
+  template <bool Everything>
+  std::size_t freeSegments(std::size_t i, bool mayJump);
+  template <bool Everything>
+  void lookInside(std::size_t i);
+  template <bool Everything>
+  double pressed(const Inside& inside, double from, double to);
+  void enter(double position, double rise);
+  template <bool Everything>
+  void leave(double position, double rise);
+
+  Inside insideOf(std::size_t i) const;
+  Piece pieceOf(const Inside& inside, double from, double to) const;
+  double pressureAt(const Piece& piece, double u, double& slope) const;
+  double liftOff(const Piece& piece) const;
+  void advance(const Piece& piece, double u);
+  void gatherPiece(const Piece& piece, double u);
+  void gatherContact(const Piece& piece, double withStrain0, double withStrain1, double withStrain2,
+                     const std::array<std::array<double, 3>, 3>& own);
+  template <bool Everything>
+  void gatherArc(double position);
+  double comesBack(double distance) const;
+  double gapAt(const Inside& inside, double from, double t, double& slope) const;
+  double findEntry(const Inside& inside, double from, double to, double lowest) const;
+  void refreshSums();
+  void setStrainsFree();
+  void setModes(double* modes, double depth) const;
+  double elasticWork(double rise) const;
+  void addYield(const Piece& piece, double u);
+  void record(std::size_t i, ArmShape& shape);
+
+  const TravelLine& line_;
+  const ArmMemory& memory_;
+  double depth_ = 0;
+  bool touching_ = true, hasLeft_ = false;
+  std::size_t level_ = 0;               // of the block tried next
+  std::vector<double> strain_, next_;   // m, e_i in contact
+  std::vector<double> mode_, arcMode_;  // m, a_j now and where the arc began
+  std::vector<double> yieldChange_;     // m
+  double strainSum_ = 0, lossSum_ = 0;  // sum g_i e_i (m), sum g_i e_i / c_i
+  double arcStart_ = 0;                 // m
+  double contactStart_ = 0;             // m
+  double entryRise_ = 0;                // m, where the present contact began
+  double leftRise_ = 0;                 // m, where the present arc began
+  double back_ = 0;                     // m, that the free surface has come back since
+  StateSums sums_;
+  ArmTangent* tangent_ = nullptr;
+};
+
+}  // namespace asperity

@@ -1,0 +1,33 @@
+// The same element seen from its compliance. Where nothing touches, an element with arms creeps
+// back as a sum of independent exponentials; driven by p = 4 pi each obeys a' = -rate a +
+// fluidity pi, and y = glassyCompliance pi + sum a. Interlaced poles and zeros of the complex
+// modulus: Gross, Mathematical Structure of the Theories of Viscoelasticity (1953).
+// Made once per law, whatever the velocity; plain values, read by any thread.
+#pragma once
+
+#include <vector>
+
+#include "core/material/element_law.h"
+
+namespace asperity {
+
+struct RetardationModes {
+  double glassyCompliance = 0;   // 1/Pa; 0 with a dashpot of its own
+  std::vector<double> rate;      // 1/s, rising; 0 only without an equilibrium modulus
+  std::vector<double> fluidity;  // 1/(Pa s)
+
+  // From and to the arms: q_i = y - e_i is what the arm's dashpot has yielded. Row after row, one
+  // row a mode; `arms` entries in each.
+  std::size_t arms = 0;
+  std::vector<double> ofDepth;  // a_j = ofDepth_j y + sum_i ofYield_ji q_i
+  std::vector<double> ofYield;
+  std::vector<double> toYield;   // q_i = sum_j toYield_ji a_j, free
+  std::vector<double> toStrain;  // e_i = sum_j toStrain_ji a_j, free
+
+  std::size_t modes() const { return rate.size(); }
+};
+
+/// Accurate to about 1e-14 for any spread of times and moduli.
+RetardationModes retardationModes(const ElementLaw& law);
+
+}  // namespace asperity

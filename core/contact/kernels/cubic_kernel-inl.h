@@ -1,0 +1,310 @@
+// The body of lane_stream.h, compiled once per instruction set.
+
+#if defined(ASPERITY_LANE_STREAM_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASPERITY_LANE_STREAM_INL
+#undef ASPERITY_LANE_STREAM_INL
+#else
+#define ASPERITY_LANE_STREAM_INL
+#endif
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/contact/kernels/cubic_kernel.h"
+#include "core/contact/kernels/segment_step-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace asperity {
+namespace HWY_NAMESPACE {
+
+constexpr std::size_t kMostLevels = 16;
+
+class LaneStream {
+ public:
+  LaneStream(const TravelLine& line, PassQueue& queue)
+      : line_(line), queue_(queue), last_(line.segments() - 1), levels_(line.blocks.size()) {}
+
+  void run() {
+    constexpr int kStepsBetweenLooks = 256;
+    for (std::size_t lane = kLanes; lane-- > 0;) {
+      begin(lane, 0, last_);  // harmless numbers for lanes without work
+      lanes_.busy[lane] = 0;
+      idle_[idleCount_++] = lane;
+    }
+    for (std::size_t stream = 0; stream < kLanes; ++stream) {
+      PassTask task;
+      if (queue_.begin(stream, task)) setPass(stream, task);
+    }
+    fillLanes();
+    for (int look = kStepsBetweenLooks; idleCount_ < kLanes; --look) {
+      if (look == 0) {
+        if (queue_.isStopped()) return;
+        look = kStepsBetweenLooks;
+      }
+      SegmentStep(lanes_).run();
+      // Those in contact first, then those that are free, as the machine expects more of the same.
+      const unsigned pressed = lanes_.finished & lanes_.pressed, free = lanes_.finished & ~pressed;
+      for (unsigned left = pressed; left != 0; left &= left - 1) goOn<true>(lowestBit(left));
+      for (unsigned left = free; left != 0; left &= left - 1) goOn<false>(lowestBit(left));
+    }
+  }
+
+ private:
+  static constexpr std::size_t kLanes = Wide::kLanes;
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t kWindow = BlockLevel::kPadding;  // blocks compared at once
+
+  /// A pass under way.
+  struct Pass {
+    PassTask task;
+    PassSums sums;
+    std::size_t parts = 0, running = 0;     // begun; of these, not finished
+    std::size_t from = kNone, nextCut = 0;  // where the next part begins, and may end
+    double inverse = 0;
+    double lost[kMostLevels][kWindow + 1];  // part of a depth, over 0, 1, ... blocks of each level
+  };
+  /// A part of a pass: segments up to `last`.
+  struct Place {
+    std::size_t pass = 0, segment = 0, last = 0;
+    double looks = 0;
+  };
+
+  void setPass(std::size_t stream, const PassTask& task) {
+    Pass& pass = passes_[stream];
+    if (pass.inverse == 0 || pass.task.memory != task.memory) setMemory(pass, task.memory);
+    pass.task = task;
+    pass.sums = {};
+    pass.parts = pass.running = pass.nextCut = pass.from = 0;
+  }
+
+  /// Gives idle lanes the parts that begin first, of any pass: so lanes stay near each other, and
+  /// what one of them has read of a long line the others find in the cache.
+  void fillLanes() {
+    for (std::size_t from = 0; idleCount_ > 0 && from != kNone;) {
+      std::size_t first = 0;
+      for (std::size_t stream = 1; stream < kLanes; ++stream)
+        if (passes_[stream].from < passes_[first].from) first = stream;
+      from = passes_[first].from;
+      if (from != kNone) beginPart(first);
+    }
+  }
+
+  void beginPart(std::size_t stream) {
+    Pass& pass = passes_[stream];
+    const std::size_t lane = idle_[--idleCount_], from = pass.from;
+    std::size_t last = last_;
+    pass.from = kNone;
+    const std::size_t wanted = static_cast<std::size_t>(pass.task.parts), cuts = line_.cuts.size();
+    ++pass.parts;
+    ++pass.running;
+    for (std::size_t k = pass.nextCut; k < cuts && pass.parts < wanted; ++k) {
+      // Those not taken are spread evenly.
+      if (k * wanted < pass.parts * cuts || !touchesAt(line_.cuts[k], pass.task)) continue;
+      pass.from = line_.cuts[k].segment;
+      last = pass.from - 1;
+      pass.nextCut = k + 1;
+      break;
+    }
+    places_[lane].pass = stream;
+    begin(lane, from, last);
+  }
+
+  void setMemory(Pass& pass, double memory) {
+    // Without memory the free surface comes back at once.
+    pass.inverse = memory > 0 ? std::min(1 / memory, 1e300) : 1e300;
+    double one = -std::expm1(-line_.spacing * pass.inverse);
+    for (std::size_t level = 0; level < levels_; ++level) {
+      double* lost = pass.lost[level];
+      lost[0] = 0;
+      for (std::size_t k = 0; k < kWindow; ++k) lost[k + 1] = lost[k] + (1 - lost[k]) * one;
+      one = lost[4];
+    }
+  }
+
+  /// Whether contact is certain at the cut: w e^(s/c) rises over the segment before it, what lies
+  /// further back within `clear` is not as deep, and anything from beyond has relaxed below it.
+  bool touchesAt(const TravelLine::Cut& cut, const PassTask& task) const {
+    const SegmentBounds before = line_.blocks[0][cut.segment - 2];
+    const double rise = line_.rise[cut.segment], w = task.depth - rise;
+    return task.depth - before.highest - task.memory * before.steepest > 0 && w > 0 &&
+           cut.clear >= task.memory * std::log1p(rise / w);
+  }
+
+  void begin(std::size_t lane, std::size_t from, std::size_t last) {
+    Place& place = places_[lane];
+    const Pass& pass = passes_[place.pass];
+    place.segment = from;
+    place.last = last;
+    place.looks = 0;
+    lanes_.depth[lane] = pass.task.depth;
+    lanes_.memory[lane] = pass.task.memory;
+    lanes_.inverse[lane] = pass.inverse;
+    lanes_.arcRise[lane] = lanes_.arcPosition[lane] = lanes_.surface[lane] = 0;
+    lanes_.sumDepth[lane] = lanes_.freeStiffness[lane] = lanes_.freeLoss[lane] = 0;
+    lanes_.contactLength[lane] = lanes_.slopeSquared[lane] = lanes_.sumPressure[lane] = 0;
+    lanes_.busy[lane] = lanes_.touching[lane] = lanes_.limit[lane] = 1;
+    lanes_.from[lane] = lanes_.isPressedAtLimit[lane] = lanes_.closes[lane] = 0;
+    load(lane);
+  }
+
+  static std::size_t lowestBit(unsigned bits) {
+    return static_cast<std::size_t>(std::countr_zero(bits));
+  }
+
+  /// The lane has finished its segment.
+  template <bool kPressed>
+  HWY_INLINE void goOn(std::size_t lane) {
+    Place& place = places_[lane];
+    ++place.looks;
+    if (place.segment == place.last) return endPart(lane);
+    ++place.segment;
+    if (kPressed)
+      skipPressed(lane, place);
+    else
+      skipFree(lane, place);
+    load(lane);
+  }
+
+  void endPart(std::size_t lane) {
+    const Place& place = places_[lane];
+    const std::size_t stream = place.pass;
+    Pass& pass = passes_[stream];
+    PassSums& sums = pass.sums;
+    const double length = lanes_.contactLength[lane], slopes = lanes_.slopeSquared[lane];
+    sums.depth += lanes_.sumDepth[lane];
+    sums.contactLength += length;
+    sums.stiffness += length + lanes_.freeStiffness[lane];
+    sums.slopeSquared += slopes;
+    sums.dissipation += pass.task.memory * slopes + lanes_.freeLoss[lane];
+    sums.pressure += lanes_.sumPressure[lane];
+    sums.looks += place.looks;
+    lanes_.busy[lane] = 0;
+    idle_[idleCount_++] = lane;
+    PassTask task;
+    if (--pass.running == 0 && pass.from == kNone && queue_.next(stream, sums, task))
+      setPass(stream, task);
+    fillLanes();
+  }
+
+  /// Goes from segment i to the last at most, over as many blocks at once as are `simple`, up and
+  /// down the levels; returns where it stops. simple(level, block) compares kWindow of them,
+  /// take(level, block, count) takes those that are.
+  template <class Simple, class Take>
+  HWY_INLINE std::size_t skip(std::size_t i, std::size_t last, const Simple& simple,
+                              const Take& take) const {
+    for (std::size_t level = 0; i < last;) {
+      const std::size_t block = (i - 1) >> (2 * level);
+      // Up to where the next level's blocks begin.
+      const std::size_t most = std::min(kWindow - (block & 3), (last - i) >> (2 * level));
+      const std::size_t count = most > 0 ? std::min(simple(level, block), most) : 0;
+      if (count > 0) take(level, block, count);
+      i += count << (2 * level);
+      if (count > 0 && count == most && ((block + count) & 3) == 0 && level + 1 < levels_)
+        ++level;
+      else if (level > 0)
+        --level;
+      else if (count < most)
+        break;
+    }
+    return i;
+  }
+
+  /// The first of kWindow blocks at which `holds` does not, or kWindow.
+  template <class Holds>
+  static HWY_INLINE std::size_t firstOther(const Holds& holds) {
+    for (std::size_t k = 0; k < kWindow; k += One::kLanes) {
+      const auto other = hn::Not(holds(k).m);
+      if (!hn::AllFalse(kTag, other))
+        return k + static_cast<std::size_t>(hn::FindFirstTrue(kTag, other));
+    }
+    return kWindow;
+  }
+
+  HWY_INLINE void skipFree(std::size_t lane, Place& place) {
+    const Pass& pass = passes_[place.pass];
+    const One depth = One::all(lanes_.depth[lane]);
+    double surface = lanes_.surface[lane];
+    const auto isFree = [&](std::size_t level, std::size_t block) {
+      const double* lowest = line_.blocks[level].lowest.data() + block;
+      const double* lost = pass.lost[level];
+      const One start = One::all(surface), over = depth - start;
+      return firstOther([&](std::size_t k) {
+        return One::load(lowest + k) >= mulAdd(over, One::load(lost + k + 1), start);
+      });
+    };
+    place.segment = skip(place.segment, place.last, isFree,
+                         [&](std::size_t level, std::size_t, std::size_t count) {
+                           surface += (lanes_.depth[lane] - surface) * pass.lost[level][count];
+                         });
+  }
+
+  HWY_INLINE void skipPressed(std::size_t lane, Place& place) {
+    const double depth = lanes_.depth[lane], memory = lanes_.memory[lane];
+    const std::size_t from = place.segment;
+    const One wideDepth = One::all(depth), wideMemory = One::all(memory);
+    double rises = 0, slopes = 0;
+    const auto isPressed = [&](std::size_t level, std::size_t block) {
+      const double* highest = line_.blocks[level].highest.data() + block;
+      const double* steepest = line_.blocks[level].steepest.data() + block;
+      return firstOther([&](std::size_t k) {
+        const One least = wideDepth - One::load(highest + k);
+        return negMulAdd(wideMemory, One::load(steepest + k), least) > One::all(0);
+      });
+    };
+    const auto take = [&](std::size_t level, std::size_t block, std::size_t count) {
+      rises += sumOfFirst(count, line_.blocks[level].riseIntegral.data() + block);
+      slopes += sumOfFirst(count, line_.blocks[level].slopeSquared.data() + block);
+    };
+    const std::size_t to = skip(from, place.last, isPressed, take);
+    if (to == from) return;
+    place.segment = to;
+    const double length = line_.spacing * static_cast<double>(to - from);
+    const double depths = depth * length - rises;
+    lanes_.sumDepth[lane] += depths;
+    lanes_.contactLength[lane] += length;
+    lanes_.slopeSquared[lane] += slopes;
+    lanes_.sumPressure[lane] += depths - memory * (line_.rise[to] - line_.rise[from]);
+  }
+
+  static HWY_INLINE double sumOfFirst(std::size_t count, const double* values) {
+    auto sum = hn::Zero(kTag);
+    for (std::size_t k = 0; k < kWindow && k < count; k += One::kLanes) {
+      const auto used = hn::FirstN(kTag, std::min(count - k, One::kLanes));
+      sum = hn::Add(sum, hn::IfThenElseZero(used, hn::LoadU(kTag, values + k)));
+    }
+    return hn::GetLane(hn::SumOfLanes(kTag, sum));
+  }
+
+  /// Few stores, for the vectors read them at once. Segments are measured from their lower end, as
+  /// in the plain pass.
+  HWY_INLINE void load(std::size_t lane) {
+    const std::size_t i = places_[lane].segment;
+    const bool isBack = line_.isMeasuredBack(i);
+    const std::size_t first = isBack ? i + 1 : i, second = isBack ? i : i + 1;
+    const double length = line_.segmentLength(i);
+    lanes_.height0[lane] = line_.rise[first];
+    lanes_.height1[lane] = line_.rise[second];
+    lanes_.start[lane] = line_.position(first);
+    lanes_.along[lane] = isBack ? -length : length;
+    lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
+    lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];
+    if (i == places_[lane].last) lanes_.closes[lane] = 1;
+  }
+
+  const TravelLine& line_;
+  PassQueue& queue_;
+  std::size_t last_, levels_;
+  Pass passes_[kLanes];
+  Place places_[kLanes];
+  Lanes lanes_;
+  std::size_t idle_[kLanes], idleCount_ = 0;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace asperity
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

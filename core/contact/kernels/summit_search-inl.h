@@ -1,0 +1,198 @@
+// The summits of straight_pass.h: where the pressure p of a line of straight segments falls through
+// 0, inside a segment or at a corner. Compiled once per instruction set.
+
+#if defined(ASPERITY_SUMMIT_SEARCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASPERITY_SUMMIT_SEARCH_INL
+#undef ASPERITY_SUMMIT_SEARCH_INL
+#else
+#define ASPERITY_SUMMIT_SEARCH_INL
+#endif
+
+#include <hwy/contrib/math/math-inl.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/contact/line/prepared_profile.h"
+#include "core/contact/kernels/wide-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace asperity {
+namespace HWY_NAMESPACE {
+
+/// Some summits in the order of travel; lengths in m.
+struct alignas(64) Summits {
+  static constexpr std::size_t kMost = 128;
+  using Values = double[kMost];
+
+  std::size_t count = 0;
+  std::size_t segment[kMost];  // which it ends; where it is at a corner, the one that begins there
+  std::size_t start[kMost];    // segment in which, or at whose start, p rose through 0 before
+  // Of the segment's start: s, rise, and the slope d rise / ds from there.
+  Values position, rise, slope;
+  Values inside;  // 1: inside the segment; 0: at its start
+  // What SummitSearch::measure() adds:
+  Values along;   // from the segment's start
+  Values height;  // rise
+  Values depth;   // w
+  Values order;   // ln w + s / c, by which one overtops another
+};
+
+/// Goes along a line at one depth and memory and gathers its summits, some at a time. A summit
+/// above the depth is none.
+class SummitSearch {
+ public:
+  SummitSearch(const TravelLine& line, double depth, double memory, double inverse)
+      : line_(line), depth_(depth), memory_(memory), inverse_(inverse) {}
+
+  const Summits& summits() const { return summits_; }
+
+  /// All of the line's summits and its end, which counts as one. take() is called where more might
+  /// not fit: they are forgotten then. Ends where it returns false.
+  template <class Take>
+  HWY_INLINE bool run(const Take& take) {
+    const std::size_t segments = line_.segments();
+    addSegments(0, 1);  // stands outside the blocks
+    std::size_t done = 1;
+    if (line_.blocks.size() > kWordLevel) {
+      if (!goOverWords(take)) return false;
+      done += kWord * line_.blocks[kWordLevel].size();
+    }
+    for (; done < segments; done += kWord)
+      if (!addWord(done, std::min(kWord, segments - done), take)) return false;
+    add(segments, start_, 0, 0);
+    return empty(take);
+  }
+
+ private:
+  static constexpr std::size_t kWord = 64, kWordLevel = 3;  // segments looked at together
+
+  /// Words that lie above the depth have no summits, nor have those under pressure all along.
+  template <class Take>
+  HWY_INLINE bool goOverWords(const Take& take) {
+    const BlockLevel& words = line_.blocks[kWordLevel];
+    const One d = One::all(depth_), c = One::all(memory_);
+    for (std::size_t word = 0; word < words.size(); word += One::kLanes) {
+      const One room = d - One::load(words.highest.data() + word);
+      const unsigned rising = bitsOf(room > c * One::load(words.steepest.data() + word));
+      unsigned left = bitsOf(One::load(words.lowest.data() + word) < d);
+      if (word + One::kLanes > words.size()) left &= (1U << (words.size() - word)) - 1;
+      for (; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        const std::size_t first = 1 + kWord * (word + lane);
+        if ((rising >> lane & 1) != 0)
+          passRising(first);
+        else if (!addWord(first, kWord, take))
+          return false;
+      }
+    }
+    return true;
+  }
+
+  void passRising(std::size_t first) {
+    if (first != next_ || !isRising_) start_ = first;
+    isRising_ = true;
+    next_ = first + kWord;
+  }
+
+  template <class Take>
+  HWY_INLINE bool addWord(std::size_t first, std::size_t count, const Take& take) {
+    addSegments(first, count);
+    return summits_.count + kWord < Summits::kMost || empty(take);
+  }
+
+  template <class Take>
+  HWY_INLINE bool empty(const Take& take) {
+    measure();
+    const bool goOn = take();
+    summits_.count = 0;
+    return goOn;
+  }
+
+  HWY_INLINE void addSegments(std::size_t first, std::size_t count) {
+    // A bit a segment: p > 0 at its start, at its end; start below the depth.
+    std::uint64_t begins = 0, ends = 0, below = 0;
+    const One d = One::all(depth_), c = One::all(memory_), none = One::all(0);
+    const auto look = [&](std::size_t k, One begin, One end, One slope) {
+      const One needed = c * slope, room = d - begin;
+      begins |= std::uint64_t{bitsOf(room > needed)} << k;
+      ends |= std::uint64_t{bitsOf(d - end > needed)} << k;
+      below |= std::uint64_t{bitsOf(room > none)} << k;
+    };
+    const double *rise = line_.rise.data() + first, *slope = line_.slopeIn.data() + first;
+    if (count == kWord) {
+      for (std::size_t k = 0; k < kWord; k += One::kLanes)
+        look(k, One::load(rise + k), One::load(rise + k + 1), One::load(slope + k));
+    } else {
+      for (std::size_t k = 0; k < count; k += One::kLanes)
+        look(k, One::loadFirst(rise + k, count - k), One::loadFirst(rise + k + 1, count - k),
+             One::loadFirst(slope + k, count - k));
+      const std::uint64_t valid = (std::uint64_t{1} << count) - 1;
+      begins &= valid, ends &= valid, below &= valid;
+    }
+    const bool wasRising = isRising_ && first == next_;
+    const std::uint64_t before = ends << 1 | (wasRising ? 1 : 0);
+    const std::uint64_t rises = (begins & ~before) | (ends & ~begins);
+    addFalls((begins & ~ends) | (before & ~begins & below), begins, rises, first);
+    if (rises != 0) start_ = first + 63 - static_cast<std::size_t>(std::countl_zero(rises));
+    isRising_ = (ends >> (count - 1) & 1) != 0;
+    next_ = first + count;
+  }
+
+  HWY_INLINE void addFalls(std::uint64_t falls, std::uint64_t begins, std::uint64_t rises,
+                           std::size_t first) {
+    for (; falls != 0; falls &= falls - 1) {
+      const std::uint64_t bit = falls & (~falls + 1);
+      const bool inside = (begins & bit) != 0;
+      // At a corner p may rise again inside the segment behind it.
+      const std::uint64_t before = rises & (inside ? bit | (bit - 1) : bit - 1);
+      const std::size_t start =
+          before != 0 ? first + 63 - static_cast<std::size_t>(std::countl_zero(before)) : start_;
+      const std::size_t segment = first + static_cast<std::size_t>(std::countr_zero(falls));
+      add(segment, start, line_.slopeIn[segment], inside ? 1 : 0);
+    }
+  }
+
+  HWY_INLINE void add(std::size_t segment, std::size_t start, double slope, double inside) {
+    const std::size_t k = summits_.count++;
+    summits_.segment[k] = segment;
+    summits_.start[k] = start;
+    summits_.position[k] = line_.position(segment);
+    summits_.rise[k] = line_.rise[segment];
+    summits_.slope[k] = slope;
+    summits_.inside[k] = inside;
+  }
+
+  HWY_INLINE void measure() {
+    constexpr double kLeast = 1e-300;
+    const One d = One::all(depth_), c = One::all(memory_), inverse = One::all(inverse_);
+    for (std::size_t k = 0; k < summits_.count; k += One::kLanes) {
+      const One rise = One::load(summits_.rise + k), slope = One::load(summits_.slope + k);
+      const OneMask inside = One::load(summits_.inside + k) > One::all(0);
+      const One corner = d - rise, vanishing = c * slope;  // p is 0 where w = c rise'
+      const One along = onlyIn(inside, (corner - vanishing) / slope);
+      const One depth = select(inside, vanishing, corner);
+      const One logarithm{hn::Log(kTag, max(depth, One::all(kLeast)).v)};
+      along.store(summits_.along + k);
+      mulAdd(along, slope, rise).store(summits_.height + k);
+      depth.store(summits_.depth + k);
+      mulAdd(One::load(summits_.position + k) + along, inverse, logarithm)
+          .store(summits_.order + k);
+    }
+  }
+
+  const TravelLine& line_;
+  double depth_, memory_, inverse_;
+  std::size_t start_ = 0;  // of the stretch under pressure that is or was last
+  std::size_t next_ = 0;   // the first segment not looked at
+  bool isRising_ = true;   // p > 0 before it; the lowest point, where travel starts, is in contact
+  Summits summits_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace asperity
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,102 @@
+// A line made ready for contact: its segments in the order in which material meets them, starting
+// at the lowest point, where contact is certain and the period therefore closes in one pass.
+// Made once per line, scheme and direction; then read by any number of threads.
+//
+// s is the distance travelled by the material under the line (m), rise = z - z_lowest >= 0, and a
+// point of the line at indentation d presses the material w = d - rise deep.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <stop_token>
+#include <vector>
+
+#include "core/contact/line/block_level.h"
+#include "core/contact/line/polynomial.h"
+#include "core/scene/scene.h"
+#include "core/surface/line.h"
+
+namespace asperity {
+
+enum class Direction { Forward, Backward };  // sliding towards +x or -x
+
+struct TravelLine {
+  Scheme scheme = Scheme::Cubic;
+  double length = 0;                       // m, period
+  double spacing = 0;                      // m, of all segments but perhaps the first and the last
+  double firstLength = 0, lastLength = 0;  // m, of those two
+  std::vector<double> rise;                // m, n + 1; first and last are the lowest point: 0
+  std::vector<double> slopeIn;   // d rise / ds at the start of each segment, n (nodal: at nodes)
+  std::vector<double> slopeOut;  // at its end, n; cubic only
+  double lowestHeight = 0;       // m, z of the lowest point, where rise is 0
+  SegmentBounds firstBounds{}, lastBounds{};  // of the first and the last segment; cubic only
+  /// blocks[k][b] bounds and sums up the 4^k whole segments from segment 1 + b 4^k on; the first
+  /// and the last segment, which may be parts, stand outside. For nodal, likewise of nodes.
+  /// blocks[0] is empty for linear: block() says what one straight segment does.
+  std::vector<BlockLevel> blocks;
+  /// Starts of segments near low points, ascending, where a pass may be cut if they are in contact;
+  /// cubic only.
+  struct Cut {
+    std::size_t segment;
+    double clear;  // m: so far back of it nothing is lower, but for the segment before it
+  };
+  std::vector<Cut> cuts;
+  double meanRise = 0;                 // m, of the line as the scheme sees it
+  double rmsHeight = 0, rmsSlope = 0;  // of the line itself
+
+  std::size_t firstNode = 0;         // node of the Line at or just before s = 0, in travel order
+  bool startsInsideSegment = false;  // the lowest point is not a node: first and last are parts
+  double startFraction = 0;          // of that segment, 0 where it is one
+
+  std::size_t segments() const { return slopeIn.size(); }
+  /// s of node i, m; i <= segments().
+  double position(std::size_t i) const {
+    if (i == 0) return 0;
+    return i == segments() ? length : (static_cast<double>(i) - startFraction) * spacing;
+  }
+  /// Not the difference of two positions, which has lost digits where segments are many.
+  double segmentLength(std::size_t i) const {
+    if (i == 0) return firstLength;
+    return i + 1 == segments() ? lastLength : spacing;
+  }
+  /// Whether its end is the lower one. Contact there may be far shorter than the segment and far
+  /// lower than its start; measured from that, both would have lost their digits.
+  bool isMeasuredBack(std::size_t i) const { return rise[i + 1] < rise[i] || i + 1 == segments(); }
+  double slopeAtEnd(std::size_t i) const { return slopeOut.empty() ? slopeIn[i] : slopeOut[i]; }
+  SegmentBounds bounds(std::size_t i) const {
+    if (scheme == Scheme::Linear) return straightBounds(i);
+    if (i == 0) return firstBounds;
+    return i + 1 == segments() ? lastBounds : blocks[0][i - 1];
+  }
+  /// Of a resolved line's blocks, single segments too.
+  std::size_t blockCount(std::size_t level) const {
+    return level == 0 ? segments() - 2 : blocks[level].size();
+  }
+  SegmentBounds block(std::size_t level, std::size_t i) const {
+    return level == 0 ? bounds(i + 1) : blocks[level][i];
+  }
+  /// The rise over segment i as a function of t = (s - s_i) / segmentLength(i).
+  Cubic segment(std::size_t i) const;
+  /// The same measured back from the segment's end: t = (s_{i+1} - s) / segmentLength(i).
+  Cubic segmentBackwards(std::size_t i) const;
+
+ private:
+  SegmentBounds straightBounds(std::size_t i) const {
+    const double begin = rise[i], end = rise[i + 1], slope = slopeIn[i];
+    return {std::min(begin, end), std::max(begin, end), slope, 0.5 * spacing * (begin + end),
+            slope * slope * spacing};
+  }
+};
+
+/// Values at the segments' starts (NodeShape) as values at the Line's nodes, in the order of x.
+std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<double>& values,
+                                Direction direction = Direction::Forward);
+
+TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction = Direction::Forward);
+
+/// The same into one whose memory is used again. Returns false where `stop` was requested, which is
+/// looked at between steps of about ten numbers a node; it is then not whole.
+bool prepareTravelInto(TravelLine& travel, const Line& line, Scheme scheme,
+                       Direction direction = Direction::Forward, const std::stop_token& stop = {});
+
+}  // namespace asperity

@@ -1,0 +1,297 @@
+#include "core/contact/march/time_march.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/kernels/decay_moments.h"
+
+namespace asperity {
+namespace {
+
+// Nodes in a step. A shorter way leaves only rounding of the differences of heights; over it no
+// slope changes.
+constexpr double kLeastMove = 1e-6;
+
+}  // namespace
+
+TimeMarch::TimeMarch(std::shared_ptr<const Line> line, double lowest, ElementLaw law)
+    : line_(std::move(line)),
+      lowest_(lowest),
+      law_(std::move(law)),
+      modes_(retardationModes(law_)),
+      depth_(line_->nodes()),
+      pressure_(line_->nodes()),
+      rise_(line_->nodes()),
+      amplitude_(modes_.modes() * line_->nodes()),
+      lastRise_(line_->nodes()),
+      free_(line_->nodes()),
+      threshold_(line_->nodes()),
+      creep_(modes_.modes()) {
+  placeLine();
+}
+
+/// Of the compliance at rest, or without a rest of the amplitude that flows, each has its part.
+void TimeMarch::setState(std::span<const double> depth, double indentation) {
+  std::copy(depth.begin(), depth.end(), depth_.begin());
+  indentation_ = indentation;
+  double whole = modes_.glassyCompliance;
+  const bool flows = !modes_.rate.empty() && modes_.rate[0] == 0;
+  for (std::size_t j = 0; j < modes_.modes(); ++j) whole += modes_.fluidity[j] / modes_.rate[j];
+  const std::size_t count = depth_.size();
+  for (std::size_t j = 0; j < modes_.modes(); ++j) {
+    const double part = flows ? (j == 0 ? 1 : 0) : modes_.fluidity[j] / modes_.rate[j] / whole;
+    for (std::size_t i = 0; i < count; ++i) amplitude_[j * count + i] = part * depth_[i];
+  }
+}
+
+void TimeMarch::setState(std::span<const double> depth, std::span<const double> pressure,
+                         std::span<const double> amplitudes, double indentation) {
+  setState(depth, indentation);
+  setPressure(pressure);
+  const std::size_t count = depth_.size(), modes = modes_.modes();
+  if (amplitudes.size() != modes * count) return;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < modes; ++j) amplitude_[j * count + i] = amplitudes[i * modes + j];
+}
+
+void TimeMarch::goOnFrom(const TimeMarch& other) {
+  setState(other.depth_, other.indentation_);
+  setPressure(other.pressure_);
+  if (amplitude_.size() == other.amplitude_.size()) amplitude_ = other.amplitude_;
+  setDistance(other.distance_);
+  record(other.records_);
+  if (records_.sinceContact && sinceContact_.size() == other.sinceContact_.size())
+    sinceContact_ = other.sinceContact_;
+  if (line_->nodes() != other.line_->nodes() || line_->length != other.line_->length) return;
+  passedNodes_ = other.passedNodes_;
+  ahead_ = other.ahead_;
+  placeLine();
+}
+
+void TimeMarch::settleAtRest(const MarchLoad& load) {
+  const double stiffness = 4 * law_.equilibriumModulus * line_->spacing;
+  threshold_ = rise_;
+  indentation_ =
+      load.kind == LoadKind::Force ? balance(load.normalForce / stiffness).whole() : load.depth;
+  std::vector<double> depth(rise_.size());
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    depth[i] = std::max(indentation_ - rise_[i], 0.0);
+    pressure_[i] = 4 * law_.equilibriumModulus * depth[i];
+  }
+  setState(depth, indentation_);
+}
+
+void TimeMarch::setDistance(double distance) {
+  distance_ = 0;
+  passedNodes_ = 0;
+  ahead_ = 0;
+  moveLine(distance);
+  placeLine();
+}
+
+/// The line's place is held in nodes and a part of one: sums of steps do not drift off the nodes.
+void TimeMarch::moveLine(double distance) {
+  distance_ += distance;
+  const double moved = std::fmod(distance, line_->length) / line_->spacing - ahead_;
+  const double whole = std::ceil(moved);
+  const auto count = static_cast<std::ptrdiff_t>(line_->nodes());
+  passedNodes_ = (passedNodes_ + static_cast<std::ptrdiff_t>(whole)) % count;
+  ahead_ = whole - moved;
+}
+
+void TimeMarch::setPressure(std::span<const double> pressure) {
+  std::copy(pressure.begin(), pressure.end(), pressure_.begin());
+}
+
+/// The line over the elements: on nodes exactly, between them by its cubics.
+void TimeMarch::placeLine() {
+  const std::size_t count = line_->nodes();
+  const double h = line_->spacing;
+  const double t = ahead_;  // of the segment after node i - passedNodes_
+  const auto size = static_cast<std::ptrdiff_t>(count);
+  std::size_t from = static_cast<std::size_t>((size - passedNodes_) % size);
+  const double h01 = t * t * (3 - 2 * t), h00 = 1 - h01;
+  const double h10 = h * t * (1 - t) * (1 - t), h11 = -h * t * t * (1 - t);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t to = from + 1 == count ? 0 : from + 1;
+    const double height = t == 0 ? line_->height[from]
+                                 : h00 * line_->height[from] + h01 * line_->height[to] +
+                                       h10 * line_->slopeAfter[from] + h11 * line_->slopeLeftOf(to);
+    rise_[i] = height - lowest_;
+    from = to;
+  }
+}
+
+/// The climb to the first threshold and further with sum max(0, further - threshold_i) = load (m);
+/// thresholds are counted from the first one on, for a load may press by far less than the line has
+/// to climb. Newton's method on a convex, piecewise linear function: from the first step on it
+/// comes from the right and only falls, until the set of touched elements repeats; a step that does
+/// not fall any more is rounding.
+TimeMarch::Climb TimeMarch::balance(double load) {
+  const double lowest = *std::min_element(threshold_.begin(), threshold_.end());
+  for (double& threshold : threshold_) threshold -= lowest;
+  double d = std::max(-lowest, load);
+  for (bool first = true; true; first = false) {
+    std::size_t count = 0;
+    double sum = 0;
+    for (const double threshold : threshold_) {
+      const bool below = threshold < d;
+      count += below ? 1 : 0;
+      sum += below ? threshold : 0;
+    }
+    const double next = count > 0 ? (load + sum) / static_cast<double>(count) : load;
+    if (!(next < d) && !first) return {lowest, d};
+    if (next == d || count == 0) return {lowest, next};
+    d = next;
+  }
+}
+
+void TimeMarch::prepareSteps(double dt) {
+  if (dt == preparedFor_) return;
+  preparedFor_ = dt;
+  const bool hasDashpot = modes_.glassyCompliance == 0;
+  compliance_ = modes_.glassyCompliance;
+  for (std::size_t j = 0; j < creep_.size(); ++j) {
+    const double z = modes_.rate[j] * dt, flow = modes_.fluidity[j] * dt;
+    const DrivenDecay decay = drivenDecay(z);
+    Creep& creep = creep_[j];
+    creep.kept = decay.kept;
+    creep.forgotten = -std::expm1(-z);
+    creep.before = hasDashpot ? 0 : flow * (decay.driven[0] - decay.driven[1]);
+    creep.after = flow * (hasDashpot ? decay.driven[0] : decay.driven[1]);
+    creep.stiffness = modes_.rate[j] / modes_.fluidity[j];
+    const double whole = z > 0 ? -0.5 * std::expm1(-2 * z) / z : 1;  // of a p that stays
+    const LossForm form = hasDashpot ? LossForm{} : lossForm(z);
+    creep.loss = {flow * whole, 0, 0};
+    if (!hasDashpot) creep.loss[1] = flow * (z > 0 ? form.ed[0] / z : 1);
+    if (!hasDashpot) creep.loss[2] = flow * (z > 0 ? form.dd[0] / z : 1.0 / 3);
+    compliance_ += creep.after;
+  }
+}
+
+/// Depths at the end of the step where nothing touches, and how far the line has to climb from
+/// where it is to reach them. With a dashpot a short step presses elements by far less than they
+/// are deep, so all is counted from the step's begin: a touched element has no gap, to the last
+/// bit.
+void TimeMarch::creepFreely() {
+  const std::size_t count = depth_.size();
+  const bool hasDashpot = modes_.glassyCompliance == 0;
+  std::fill(free_.begin(), free_.end(), 0);
+  std::fill(threshold_.begin(), threshold_.end(), 0);
+  for (std::size_t j = 0; j < creep_.size(); ++j) {
+    const Creep creep = creep_[j];
+    double* amplitude = amplitude_.data() + j * count;
+    if (creep.before == 0)
+      for (std::size_t i = 0; i < count; ++i) {
+        free_[i] += creep.kept * amplitude[i];
+        threshold_[i] -= creep.forgotten * amplitude[i];
+      }
+    else
+      for (std::size_t i = 0; i < count; ++i)
+        free_[i] += creep.kept * amplitude[i] + creep.before * 0.25 * pressure_[i];
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const double gap = depth_[i] - (indentation_ - lastRise_[i]);
+    threshold_[i] = hasDashpot ? threshold_[i] + gap + (rise_[i] - lastRise_[i])
+                               : free_[i] + rise_[i] - indentation_;
+  }
+}
+
+/// Presses the touched elements to the new indentation and sums up.
+template <bool HasDashpot>
+MarchStep TimeMarch::finishStep(const Climb& climb) {
+  const std::size_t count = depth_.size();
+  const double before = before_;
+  const double h = 4 * line_->spacing;  // p is 4 times what the amplitudes are driven by
+  double load = 0, work = 0, stored = 0, dissipated = 0, advance = 0, closing = 0;
+  std::size_t touching = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double pushed = std::max(climb.further - threshold_[i], 0.0);
+    const double start = depth_[i], end = pushed > 0 ? indentation_ - rise_[i] : free_[i];
+    const double last = 0.25 * pressure_[i], now = pushed / compliance_;
+    const double mean = HasDashpot ? now : 0.5 * (last + now);
+    const double gap = start - (before - lastRise_[i]);
+    load += now;
+    advance += mean * (lastRise_[i] - rise_[i]);
+    if (HasDashpot) closing += mean * gap;
+    if (!HasDashpot) stored += 0.5 * modes_.glassyCompliance * (now - last) * (now + last);
+    touching += pushed > 0 ? 1 : 0;
+    depth_[i] = end;
+    threshold_[i] = last;  // from here on: the pressure before
+    pressure_[i] = 4 * now;
+  }
+  for (std::size_t j = 0; j < creep_.size(); ++j) {
+    const Creep creep = creep_[j];
+    double* amplitude = amplitude_.data() + j * count;
+    const bool isSlow = creep.forgotten < 0.5;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double start = amplitude[i], now = 0.25 * pressure_[i];
+      double driven = creep.after * now;
+      if constexpr (!HasDashpot) driven += creep.before * threshold_[i];
+      const double change = driven - creep.forgotten * start;
+      // What has settled stays, to the last bit, and what is forgotten leaves no rounding.
+      const double end = isSlow ? start + change : creep.kept * start + driven;
+      if constexpr (HasDashpot) work += now * change;
+      stored += 0.5 * creep.stiffness * change * (end + start);
+      if constexpr (HasDashpot) {
+        const double x = now - creep.stiffness * start;
+        dissipated += creep.loss[0] * x * x;
+      } else {
+        dissipated += creep.taken(threshold_[i] - creep.stiffness * start, now - threshold_[i]);
+      }
+      amplitude[i] = end;
+    }
+  }
+  MarchStep result;
+  result.indentation = indentation_;
+  result.normalForce = h * load;
+  // Under a p that is linear in time the depths between begin and end are known by their
+  // amplitudes alone: what these store and dissipate is the work, to the last digit.
+  result.work = h * (HasDashpot ? work : stored + dissipated);
+  result.stored = h * stored;
+  result.dissipated = h * dissipated;
+  result.slidingWork = result.work - result.normalForce * climb.whole();
+  result.lineWork = h * advance;
+  result.gapWork = h * closing;
+  result.contactLength = line_->spacing * static_cast<double>(touching);
+  return result;
+}
+
+void TimeMarch::countContacts(MarchStep& step) const {
+  bool last = pressure_.back() > 0;
+  for (const double pressure : pressure_) {
+    step.contacts += pressure > 0 && !last ? 1 : 0;
+    last = pressure > 0;
+  }
+  if (step.contacts == 0 && last) step.contacts = 1;  // all around
+}
+
+double TimeMarch::slopeForce() const {
+  const std::vector<double> slope = lineSlope();
+  double force = 0;
+  for (std::size_t i = 0; i < slope.size(); ++i) force += pressure_[i] * slope[i];
+  return force * line_->spacing;
+}
+
+MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
+  prepareSteps(dt);
+  keepBegin();
+  moveLine(distance);
+  std::swap(rise_, lastRise_);
+  placeLine();
+  creepFreely();
+  before_ = indentation_;
+  const Climb climb = load.kind == LoadKind::Force
+                          ? balance(load.normalForce * compliance_ / (4 * line_->spacing))
+                          : Climb{0, load.depth - indentation_};
+  indentation_ += climb.whole();
+  MarchStep result =
+      modes_.glassyCompliance == 0 ? finishStep<true>(climb) : finishStep<false>(climb);
+  countContacts(result);
+  const bool moves = std::abs(distance) > kLeastMove * line_->spacing;
+  result.slopeForce = moves ? result.lineWork / distance : slopeForce();
+  recordStep(dt);
+  return result;
+}
+
+}  // namespace asperity

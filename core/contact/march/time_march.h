@@ -1,0 +1,172 @@
+// The march in time: elements of any linear rheology at equal distances under a line that moves as
+// it likes, also through rest, the rate of the indentation included, the force balance solved
+// exactly in every step.
+//
+// An element is held by its creeping amplitudes (core/contact/arms/retardation.h), which know nothing of
+// each other: y = J p/4 + sum a_j, a_j' = -rate_j a_j + fluidity_j p/4. Elements with a dashpot of
+// their own (Kelvin: one amplitude, J = 0) are loaded by a constant p in a step; their p jumps
+// where the line meets them. Elements without one are loaded by a p that is linear in time. Either
+// way y_new = max(y_free, d_new - rise), p >= 0 by construction, and F_N(d_new) is piecewise linear
+// and is solved exactly. With dt = dx / v friction converges at second order in dx; v dt beyond
+// about twice the way slid in a relaxation time cannot resolve it.
+//
+// Ownership: holds its line, its law and its state. Threading: one thread at a time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/contact/arms/retardation.h"
+#include "core/material/element_law.h"
+#include "core/scene/scene.h"
+#include "core/surface/line.h"
+
+namespace asperity {
+
+/// What is held constant in a step.
+struct MarchLoad {
+  LoadKind kind = LoadKind::Force;
+  double normalForce = 0;  // N, for LoadKind::Force
+  double depth = 0;        // m, for LoadKind::Indentation
+};
+
+/// What happened in one step, over one period.
+struct MarchStep {
+  double indentation = 0;    // m, at its end, from the lowest point of the line
+  double normalForce = 0;    // N; constant in the step, or at its end without a dashpot
+  double work = 0;           // J, done on the elements: integral of p du
+  double dissipated = 0;     // J, in the dashpots, each by itself: never below 0
+  double stored = 0;         // J, gained by the springs
+  double slidingWork = 0;    // J, work less what the normal force did by sinking; in steady sliding
+                             // all of it is dissipated, at any resolution
+  double lineWork = 0;       // J, pressure times the line's own advance: F_x times distance. Second
+                             // order in dx everywhere; slidingWork is first order where elements
+                             // enter, because p acts on them before the line has reached them
+  double gapWork = 0;        // J, that difference: pressure times the gap it closed in the step
+  double slopeForce = 0;     // N, integral of p dz/dx, which is -F_x: the slopes are means over the
+                             // way of the step (lineWork over distance), at rest those of the place
+  double contactLength = 0;  // m
+  std::size_t contacts = 0;  // stretches in contact
+};
+
+/// What a march notes of each element besides, at a cost of its own.
+struct MarchRecords {
+  bool sinceContact = false, power = false;
+};
+
+class TimeMarch {
+ public:
+  /// One element at each node of the line; lowest: height of its lowest point (m).
+  TimeMarch(std::shared_ptr<const Line> line, double lowest, ElementLaw law);
+
+  /// Depths y = -u >= 0 (m) of all elements, and the indentation they belong to. What they
+  /// remember is as if they had crept there under a constant pressure.
+  void setState(std::span<const double> depth, double indentation);
+
+  /// The same with the pressures p (N/m) and, of elements with arms, the amplitudes a_j (m),
+  /// [node][mode].
+  void setState(std::span<const double> depth, std::span<const double> pressure,
+                std::span<const double> amplitudes, double indentation);
+
+  /// Goes on from another's state: its amplitudes where there are as many.
+  void goOnFrom(const TimeMarch& other);
+
+  /// Pressed by the load at rest, everything relaxed: F_N = 4 G dx sum y.
+  void settleAtRest(const MarchLoad& load);
+
+  /// The line's place (m slid so far), and pressures (N/m) to show before the first step.
+  void setDistance(double distance);
+  void setPressure(std::span<const double> pressure);
+
+  /// Moves the line by `distance` (m, either sign) in the time dt (s, > 0).
+  MarchStep step(const MarchLoad& load, double dt, double distance);
+
+  /// Notes these from now on. Elements that are free now count as never in contact.
+  void record(MarchRecords wanted);
+  /// What is known of the time before.
+  void setSinceContact(std::span<const double> seconds);
+  /// s since each element was in contact, 0 in contact, infinite where it never was; empty where
+  /// not recorded.
+  const std::vector<double>& sinceContact() const { return sinceContact_; }
+  /// W/m, dissipated in each element: mean over the last step, of which the sum is
+  /// (MarchStep::dissipated + gapWork) / dt, or before the first one what its state says
+  /// (dissipation.h); 0 where what is left to creep is rounding. An element that the line meets
+  /// within the step takes the work done on its way over the gap, too: so the sum balances lineWork
+  /// and is of second order in dx as well. Empty where not recorded.
+  const std::vector<double>& power() const { return power_; }
+  /// dz/dx of the line over each element, from its cubics; under a corner the mean of both sides.
+  std::vector<double> lineSlope() const;
+  /// N, integral of p dz/dx with the slopes of the line where it is: -F_x, at rest too.
+  double slopeForce() const;
+
+  double distance() const { return distance_; }                      // m, slid so far
+  double indentation() const { return indentation_; }                // m
+  const std::vector<double>& depth() const { return depth_; }        // m, y at x_i = i spacing
+  const std::vector<double>& pressure() const { return pressure_; }  // N/m
+  const std::vector<double>& rise() const { return rise_; }  // m, of the line above each element
+  /// m, a_j, [mode][element]
+  const std::vector<double>& amplitudes() const { return amplitude_; }
+  const Line& line() const { return *line_; }
+  const ElementLaw& law() const { return law_; }
+  const RetardationModes& modes() const { return modes_; }
+
+ private:
+  /// What a step of dt does to an amplitude.
+  struct Creep {
+    double kept;       // of the amplitude
+    double forgotten;  // 1 - kept
+    double before;     // m / Pa, of p/4 at the step's begin
+    double after;      // m / Pa, of p/4 at its end, or throughout
+    double stiffness;  // Pa, of its spring; 0 for one that only flows
+    /// m / Pa: its dashpot takes x (loss[0] x + loss[1] more) + loss[2] more^2 under a p/4 that is
+    /// by x above what its spring holds (Pa) and grows by `more` in the step.
+    std::array<double, 3> loss;
+
+    double taken(double x, double more) const {
+      return x * (loss[0] * x + loss[1] * more) + loss[2] * more * more;
+    }
+  };
+
+  /// m, of the line in a step.
+  struct Climb {
+    double toTouch, further;
+    double whole() const { return toTouch + further; }
+  };
+
+  void prepareSteps(double dt);
+  void moveLine(double distance);
+  void placeLine();
+  Climb balance(double load);
+  void creepFreely();
+  template <bool HasDashpot>
+  MarchStep finishStep(const Climb& climb);
+  void countContacts(MarchStep& step) const;
+  void keepBegin();
+  void recordStep(double dt);
+  void recordPower(double dt);
+
+  std::shared_ptr<const Line> line_;
+  double lowest_;
+  ElementLaw law_;
+  RetardationModes modes_;
+  double distance_ = 0, indentation_ = 0;
+  double before_ = 0;               // m, indentation at the step's begin
+  std::ptrdiff_t passedNodes_ = 0;  // by which the line has moved, of one period
+  double ahead_ = 0;                // less this part of a node
+  std::vector<double> depth_, pressure_, rise_;
+  std::vector<double> amplitude_;  // m, [mode][element]
+  std::vector<double> lastRise_;   // m, before the step
+  std::vector<double> free_;       // m, depths at the end of the step if nothing touches
+  std::vector<double> threshold_;  // m, climb of the line at which each element is touched
+  std::vector<Creep> creep_;
+  MarchRecords records_;
+  std::vector<double> sinceContact_, power_;
+  std::vector<double> beginDepth_, beginPressure_, beginAmplitude_;  // of the step, for power
+  double preparedFor_ = -1;                                          // s, dt of creep_
+  double compliance_ = 0;  // m / Pa, y over p/4 pressed on at the end of the step
+};
+
+}  // namespace asperity

@@ -1,0 +1,115 @@
+#include "core/contact/steady_solver.h"
+
+#include "core/contact/complete_contact.h"
+#include "core/contact/interface.h"
+#include "core/contact/sweep.h"
+#include "core/scene/effects.h"
+#include "core/base/input_error.h"
+#include "core/scene/plan.h"
+
+namespace asperity {
+
+SceneSliding::SceneSliding(const Scene& scene)
+    : load_(scene.load),
+      interface_(scene.interface),
+      hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
+      hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
+      law_(lawOf(scene.elastomer)) {
+  checkEffects(scene);
+  needEquilibrium(scene);
+  if (callsFor(scene, Purpose::Curve, Stage::TemperatureShift)) countStage(Stage::TemperatureShift);
+  if (hasArms_) modes_ = retardationModes(law_);
+}
+
+SlidingConditions SceneSliding::conditions(double velocity) const {
+  return {law_.equilibriumModulus, law_.relaxationTime, velocity};
+}
+
+/// At rest every arm has relaxed.
+bool SceneSliding::hasArmsAt(double velocity) const {
+  return hasArms_ && velocity > 0;
+}
+
+void SceneSliding::addInterface(const TravelLine& line, SteadyResult& result) const {
+  if (!hasInterface_) return;
+  countStage(Stage::Interface);
+  result.muInterface =
+      localFriction(interface_, result.normalForce, result.contactFraction * line.length);
+}
+
+void SceneSliding::countSteady(const Load& load) const {
+  countStage(Stage::SteadyPass);
+  if (load.kind == LoadKind::Force) countStage(Stage::ForceBalance);
+  if (law_.kind() != ElementKind::Elastic) countStage(Stage::FreeSurface);
+}
+
+bool SceneSliding::sweepArms(const TravelLine& line, const Load& load,
+                             std::span<const double> velocities, std::span<SteadyResult> results,
+                             const std::stop_token& stop) const {
+  ArmState last;
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    if (stop.stop_requested()) return false;
+    const bool known = i > 0 && last.result.status == SteadyStatus::Balanced;
+    last = slideWithArms(line, law_, modes_, load, velocities[i], known ? &last : nullptr);
+    results[i] = last.result;
+  }
+  return true;
+}
+
+bool SceneSliding::sweep(const TravelLine& line, const Load& load,
+                         std::span<const double> velocities, std::span<SteadyResult> results,
+                         const std::stop_token& stop, std::span<const SteadyResult> others) const {
+  countSteady(load);
+  if (velocities.size() > 1) countStage(Stage::Sweep);
+  const bool done = hasArms_
+                        ? sweepArms(line, load, velocities, results, stop)
+                        : slideSweep(line, conditions(0), load, velocities, results, stop, others);
+  if (done)
+    for (SteadyResult& result : results) addInterface(line, result);
+  return done;
+}
+
+SteadyState SceneSliding::at(const TravelLine& line, double velocity) const {
+  countSteady(load_);
+  SteadyState state;
+  if (hasArmsAt(velocity)) {
+    ArmState found = slideWithArms(line, law_, modes_, load_, velocity);
+    state = {found.result, std::move(found.balance)};
+  } else {
+    state.result = slideAtLoad(line, conditions(velocity), load_);
+  }
+  addInterface(line, state.result);
+  return state;
+}
+
+bool SceneSliding::isComplete(const TravelLine& line, double depth, double velocity) const {
+  return hasArmsAt(velocity) ? ArmSolver(line, law_, modes_, velocity).isContactComplete(depth)
+                             : isContactComplete(line, depth, velocity * law_.relaxationTime);
+}
+
+double SceneSliding::completeAbove(const TravelLine& line, double velocity) const {
+  return hasArmsAt(velocity) ? ArmSolver(line, law_, modes_, velocity).completeAbove()
+                             : asperity::completeAbove(line, velocity * law_.relaxationTime);
+}
+
+SteadyShape SceneSliding::shape(const TravelLine& line, double velocity,
+                                const SteadyState& state) const {
+  countStage(Stage::Shape);
+  SteadyShape shape;
+  if (hasArmsAt(velocity)) {
+    ArmShape found = armShapeAt(line, law_, modes_, velocity, state.arms);
+    shape = {std::move(found.nodes), std::move(found.modes)};
+  } else {
+    shape.nodes = shapeAt(line, conditions(velocity), state.result.indentation);
+    // Relaxed under its pressure, every mode has crept as far as it will.
+    if (hasArms_)
+      for (const double pressure : shape.nodes.pressure)
+        for (std::size_t j = 0; j < modes_.modes(); ++j)
+          shape.modes.push_back(law_.equilibriumModulus * pressure * modes_.fluidity[j] /
+                                modes_.rate[j]);
+  }
+  for (double& pressure : shape.nodes.pressure) pressure *= 4 * law_.equilibriumModulus;
+  return shape;
+}
+
+}  // namespace asperity

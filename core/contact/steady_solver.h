@@ -1,0 +1,67 @@
+// Steady sliding as a scene describes it: the one place where its plan becomes a kernel. Elastic
+// and Kelvin elements take their own, with nothing of arms in it; local friction is added where
+// there is some. Threading: const members may be called by several threads at once.
+// Failure: the constructor throws InputError where the scene's effects exclude each other or it
+// has no steady state; after that `status` of a result says how it went.
+#pragma once
+
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/contact/arms/arm_sliding.h"
+#include "core/contact/arms/retardation.h"
+#include "core/contact/steady_sliding.h"
+#include "core/material/element_law.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// A result with what its elements remember.
+struct SteadyState {
+  SteadyResult result;
+  ArmBalance arms;  // of elements with arms; else empty
+};
+
+/// Shape at the line's nodes in travel order.
+struct SteadyShape {
+  NodeShape nodes;            // pressure in N/m
+  std::vector<double> modes;  // m, [node][mode] of elements with arms; else empty
+};
+
+class SceneSliding {
+ public:
+  explicit SceneSliding(const Scene& scene);
+
+  const ElementLaw& law() const { return law_; }
+  const RetardationModes& modes() const { return modes_; }
+
+  /// results[i] is for velocities[i] (m/s, ascending); others: of another line; as slideSweep.
+  bool sweep(const TravelLine& line, const Load& load, std::span<const double> velocities,
+             std::span<SteadyResult> results, const std::stop_token& stop = {},
+             std::span<const SteadyResult> others = {}) const;
+
+  /// Under the scene's load. velocity: m/s, >= 0.
+  SteadyState at(const TravelLine& line, double velocity) const;
+  /// Whether everything is in contact at this depth (m), and the depth above which it is. Not for
+  /// nodal.
+  bool isComplete(const TravelLine& line, double depth, double velocity) const;
+  double completeAbove(const TravelLine& line, double velocity) const;
+  SteadyShape shape(const TravelLine& line, double velocity, const SteadyState& state) const;
+
+ private:
+  SlidingConditions conditions(double velocity) const;
+  bool hasArmsAt(double velocity) const;
+  bool sweepArms(const TravelLine& line, const Load& load, std::span<const double> velocities,
+                 std::span<SteadyResult> results, const std::stop_token& stop) const;
+  void countSteady(const Load& load) const;
+  void addInterface(const TravelLine& line, SteadyResult& result) const;
+
+  Load load_;
+  Interface interface_;
+  bool hasInterface_, hasArms_;
+  ElementLaw law_;
+  RetardationModes modes_;
+};
+
+}  // namespace asperity

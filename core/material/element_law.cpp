@@ -1,0 +1,107 @@
+#include "core/material/element_law.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/base/input_error.h"
+#include "core/base/range_text.h"
+#include "core/material/temperature_shift.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kSmallestModulus = 1e-6;  // Pa, that is not 0
+
+/// In a shorter time nothing slides as far as 1e-130 of an element at any velocity, and what an arm
+/// or a dashpot then carries is below 1e-80 of the load. Ratios and squares of longer times stay
+/// within the range of a double.
+constexpr double kShortestTime = 1e-150;  // s
+
+/// Arms of no modulus never carry, arms of (nearly) no time never remember; equal times are one
+/// arm.
+std::vector<Arm> withStrength(const std::vector<Arm>& given, double shift) {
+  std::vector<Arm> arms;
+  for (const Arm& arm : given)
+    if (arm.modulus > 0 && arm.relaxationTime * shift >= kShortestTime)
+      arms.push_back({arm.modulus, arm.relaxationTime * shift});
+  std::stable_sort(arms.begin(), arms.end(),
+                   [](const Arm& a, const Arm& b) { return a.relaxationTime > b.relaxationTime; });
+  std::vector<Arm> merged;
+  for (const Arm& arm : arms) {
+    if (!merged.empty() && merged.back().relaxationTime == arm.relaxationTime)
+      merged.back().modulus += arm.modulus;
+    else
+      merged.push_back(arm);
+  }
+  return merged;
+}
+
+void checkModulus(double modulus, const std::string& key) {
+  if (modulus != 0 && modulus < kSmallestModulus)
+    throw InputError("", key,
+                     fmt::format("{} Pa is neither 0 nor at least {} Pa", plainNumber(modulus),
+                                 plainNumber(kSmallestModulus)));
+}
+
+void checkArms(const Elastomer& elastomer) {
+  if (elastomer.rheology == Rheology::StandardSolid && elastomer.arms.size() != 1)
+    throw InputError("", "elastomer.arms",
+                     fmt::format("a standard solid has one arm, not {}", elastomer.arms.size()));
+  for (std::size_t i = 0; i < elastomer.arms.size(); ++i)
+    checkModulus(elastomer.arms[i].modulus, fmt::format("elastomer.arms[{}].modulus", i));
+  checkModulus(elastomer.equilibriumModulus, "elastomer.equilibrium_modulus");
+}
+
+}  // namespace
+
+double ElementLaw::springModulus() const {
+  double modulus = equilibriumModulus;
+  for (const Arm& arm : arms) modulus += arm.modulus;
+  return modulus;
+}
+
+double ElementLaw::glassyModulus() const {
+  return viscosity > 0 ? std::numeric_limits<double>::infinity() : springModulus();
+}
+
+ElementLaw lawOf(const Elastomer& elastomer) {
+  ElementLaw law;
+  if (elastomer.rheology == Rheology::Elastic) {
+    law.equilibriumModulus = elastomer.shearModulus;
+    return law;
+  }
+  const double shift = shiftFactor(elastomer.shift, elastomer.temperature);
+  if (elastomer.rheology == Rheology::Kelvin) {
+    law.equilibriumModulus = elastomer.shearModulus;
+    law.relaxationTime = elastomer.relaxationTime * shift;
+    law.viscosity = law.equilibriumModulus * law.relaxationTime;
+    return law;
+  }
+  checkArms(elastomer);
+  law.equilibriumModulus = elastomer.equilibriumModulus;
+  law.arms = withStrength(elastomer.arms, shift);
+  if (elastomer.rheology == Rheology::Prony) law.viscosity = elastomer.viscosity * shift;
+  // Beside arms, a dashpot that creeps under their springs in no time carries nothing.
+  if (!law.arms.empty() && law.viscosity < kShortestTime * law.springModulus()) law.viscosity = 0;
+  if (law.viscosity > 0)
+    law.relaxationTime = law.equilibriumModulus > 0 ? law.viscosity / law.equilibriumModulus
+                                                    : std::numeric_limits<double>::infinity();
+  if (law.equilibriumModulus == 0 && law.arms.empty() && law.viscosity == 0)
+    throw InputError("", "elastomer.equilibrium_modulus",
+                     "is 0, and so is everything else: the elastomer is empty");
+  return law;
+}
+
+ComplexModulus complexModulus(const ElementLaw& law, double frequency) {
+  ComplexModulus modulus{law.equilibriumModulus, law.viscosity * frequency};
+  for (const Arm& arm : law.arms) {
+    const double turn = frequency * arm.relaxationTime, part = arm.modulus / (1 + turn * turn);
+    modulus.storage += part * turn * turn;
+    modulus.loss += part * turn;
+  }
+  return modulus;
+}
+
+}  // namespace asperity

@@ -1,0 +1,46 @@
+// What is left of an elastomer after the temperature shift and without effects of no strength: the
+// plain values that every kernel starts from. Pure functions; any thread.
+//
+// Per length: p = 4 (G y + eta y' + sum G_i e_i), e_i' = y' - e_i / tau_i, with y = -u the depth
+// of an element and ' the time derivative; without contact p = 0.
+#pragma once
+
+#include <vector>
+
+#include "core/material/elastomer.h"
+
+namespace asperity {
+
+/// Which kernel an element needs: no memory, one relaxation of the free surface, or arms.
+enum class ElementKind { Elastic, Kelvin, Arms };
+
+struct ElementLaw {
+  double equilibriumModulus = 0;  // Pa, G
+  double viscosity = 0;           // Pa s, eta
+  double relaxationTime = 0;      // s, eta / G (infinite without G)
+  std::vector<Arm> arms;          // strictly falling relaxation times, moduli above 0; arms of less
+                                  // than 1e-150 s never remember anything and are left out
+
+  ElementKind kind() const {
+    if (!arms.empty()) return ElementKind::Arms;
+    return relaxationTime > 0 ? ElementKind::Kelvin : ElementKind::Elastic;
+  }
+  /// Pa, of all springs together, whatever the dashpot.
+  double springModulus() const;
+  /// Pa, of a sudden deformation; infinite with a dashpot of its own.
+  double glassyModulus() const;
+
+  bool operator==(const ElementLaw&) const = default;
+};
+
+/// Throws InputError where the elastomer cannot be: nothing in it, a standard solid without its
+/// one arm, a temperature without a shift.
+ElementLaw lawOf(const Elastomer& elastomer);
+
+/// The complex modulus at an angular frequency (1/s): storage G' and loss G'' (Pa).
+struct ComplexModulus {
+  double storage, loss;
+};
+ComplexModulus complexModulus(const ElementLaw& law, double frequency);
+
+}  // namespace asperity

@@ -1,0 +1,119 @@
+#include "core/paper/claim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace asperity {
+namespace {
+
+constexpr double kStandardErrors = 2;  // from a border, for a verdict
+
+nlohmann::ordered_json numberOrNull(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+/// The order in which verdicts decide of several.
+int rank(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::No:
+      return 0;
+    case Verdict::Undecided:
+      return 1;
+    default:
+      return 2;
+  }
+}
+
+}  // namespace
+
+double Bounds::margin(double value) const {
+  return std::min(value - from, to - value);
+}
+
+Bounds within(double expected, double allowed) {
+  return {expected - allowed, expected + allowed};
+}
+
+Bounds below(double border) {
+  Bounds bounds;
+  bounds.to = border;
+  return bounds;
+}
+
+Bounds above(double border) {
+  Bounds bounds;
+  bounds.from = border;
+  return bounds;
+}
+
+Verdict verdict(const Estimate& measured, const Bounds& bounds) {
+  if (!std::isfinite(measured.value) || !std::isfinite(measured.standardError))
+    return Verdict::Undecided;
+  const double margin = bounds.margin(measured.value);
+  const double needed = kStandardErrors * measured.standardError;
+  if (needed > 0 && std::abs(margin) <= needed) return Verdict::Undecided;
+  return margin >= 0 ? Verdict::Yes : Verdict::No;
+}
+
+Verdict both(Verdict a, Verdict b) {
+  return rank(a) <= rank(b) ? a : b;
+}
+
+void decide(Claim& claim, const Estimate& measured, const Bounds& bounds) {
+  claim.measured = measured;
+  claim.bounds = bounds;
+  claim.holds = verdict(measured, bounds);
+}
+
+void decideExactly(Claim& claim, double value, const Bounds& bounds) {
+  claim.measured = {value, kNotApplicable};
+  claim.bounds = bounds;
+  claim.holds = verdict({value, 0}, bounds);
+}
+
+std::size_t decideByAll(Claim& claim, std::span<const Estimate> measured, const Bounds& bounds) {
+  std::size_t deciding = 0;
+  for (std::size_t i = 1; i < measured.size(); ++i) {
+    const int one = rank(verdict(measured[i], bounds));
+    const int other = rank(verdict(measured[deciding], bounds));
+    const bool isNearer =
+        bounds.margin(measured[i].value) < bounds.margin(measured[deciding].value);
+    if (one < other || (one == other && isNearer)) deciding = i;
+  }
+  decide(claim, measured.empty() ? Estimate{} : measured[deciding], bounds);
+  return deciding;
+}
+
+std::string holdsText(const Claim& claim) {
+  switch (claim.holds) {
+    case Verdict::Yes:
+      return "yes";
+    case Verdict::No:
+      return "no";
+    case Verdict::Undecided:
+      return "undecided";
+    case Verdict::OnlyForScheme:
+      break;
+  }
+  return "only for scheme " + claim.scheme;
+}
+
+nlohmann::ordered_json claimJson(const Claim& claim) {
+  nlohmann::ordered_json json;
+  json["id"] = claim.id;
+  json["where"] = claim.where;
+  json["claim"] = claim.claim;
+  json["quantity"] = claim.quantity;
+  json["measured"] = numberOrNull(claim.measured.value);
+  json["uncertainty"] = numberOrNull(claim.measured.standardError);
+  json["expected"] = numberOrNull(claim.expected);
+  json["criterion"] = claim.criterion;
+  json["holds_from"] = numberOrNull(claim.bounds.from);
+  json["holds_to"] = numberOrNull(claim.bounds.to);
+  json["holds"] = holdsText(claim);
+  json["note"] = claim.note;
+  return json;
+}
+
+}  // namespace asperity

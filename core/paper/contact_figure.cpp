@@ -1,0 +1,125 @@
+// Fig. 1: one contact, as a drawing. What the text before it says of the line and of the model.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/steady_sliding.h"
+#include "core/friction/curve_file.h"
+#include "core/paper/figure_parts.h"
+#include "core/paper/figures_each.h"
+#include "core/scene/columns.h"
+#include "core/surface/line_source.h"
+#include "core/surface/spectrum.h"
+
+namespace asperity {
+namespace {
+
+struct Contact {
+  Line line;
+  TravelLine travel;
+  SteadyResult steady;
+  std::vector<double> depth, pressure;  // at the line's nodes; m and N/m
+};
+
+Contact contactOf(const Scene& scene) {
+  const LineSource source(scene, pointsPerElementOfCurve(scene));  // as all figures
+  Contact contact{source.make(0), {}, {}, {}, {}};
+  contact.travel = prepareTravel(contact.line, scene.accuracy.scheme);
+  const SlidingConditions conditions = conditionsOf(scene, scene.sliding.velocity);
+  contact.steady = slideAtLoad(contact.travel, conditions, scene.load);
+  const NodeShape shape = shapeAt(contact.travel, conditions, contact.steady.indentation);
+  contact.depth = inLineOrder(contact.travel, shape.depth);
+  contact.pressure = inLineOrder(contact.travel, shape.pressure);
+  for (double& pressure : contact.pressure) pressure *= 4 * scene.elastomer.shearModulus;
+  return contact;
+}
+
+std::string tableOf(const Contact& contact) {
+  std::string text =
+      joinedColumns({"position", "line_height", "surface_height", "pressure"}) + "\n";
+  const double down = contact.travel.lowestHeight + contact.steady.indentation;
+  for (std::size_t i = 0; i < contact.line.nodes(); ++i)
+    text += fmt::format("{},{},{},{}\n", static_cast<double>(i) * contact.line.spacing,
+                        contact.line.height[i] - down, -contact.depth[i], contact.pressure[i]);
+  return text;
+}
+
+/// Share of a sum over modes that comes from waves of at least a tenth of the longest, or at most
+/// ten times the shortest.
+struct Shares {
+  double longWaves = 0, shortWaves = 0;
+};
+
+Shares sharesOf(const FourierLine& modes, double power) {
+  const std::size_t count = modes.coefficients.size();
+  double whole = 0, early = 0, late = 0;
+  for (std::size_t k = 1; k <= count; ++k) {
+    const double part =
+        std::norm(modes.coefficients[k - 1]) * std::pow(static_cast<double>(k), power);
+    whole += part;
+    if (k <= 10) early += part;
+    if (10 * k >= count) late += part;
+  }
+  return {early / whole, late / whole};
+}
+
+Claim balanceClaim(const Contact& contact) {
+  Claim claim{"constant_normal_force", "p. 2, Eq. (3)",
+              "The indentation depth is determined to satisfy the condition of constant normal "
+              "force",
+              "relative residual of the force balance"};
+  claim.expected = 0;
+  claim.criterion = "below 1e-9";
+  decideExactly(claim, contact.steady.residual, below(1e-9));
+  claim.note = "For separate elements F_N(d) jumps where an element enters; see Fig. 2's claims.";
+  return claim;
+}
+
+Claim unilateralClaim(const Contact& contact) {
+  double worst = 0, largest = 0;
+  const double down = contact.travel.lowestHeight + contact.steady.indentation;
+  for (std::size_t i = 0; i < contact.line.nodes(); ++i) {
+    worst = std::max(worst, down - contact.line.height[i] - contact.depth[i]);
+    largest = std::max(largest, contact.depth[i]);
+  }
+  Claim claim{"no_penetration", "p. 2, Eqs. (1) and (2)",
+              "Elements out of contact satisfy u < z - d, those in contact f > 0",
+              "largest penetration over the largest depth"};
+  claim.expected = 0;
+  claim.criterion = "at most 1e-12, and no negative pressure";
+  decideExactly(claim, worst / largest, below(1e-12));
+  const double lowest = *std::min_element(contact.pressure.begin(), contact.pressure.end());
+  if (lowest < 0) claim.holds = Verdict::No;
+  claim.note =
+      "The paper's own condition for leaving the contact is f > 0, not u < z - d alone. With the "
+      "detachment condition d - z + eta v z' = 0 a factor G is missing: G (d - z) + eta v z' = 0.";
+  return claim;
+}
+
+Claim shareClaim(const char* id, const char* text, const char* quantity, double share) {
+  Claim claim{id, "p. 1, definitions of h and of the rms gradient", text, quantity};
+  claim.criterion = "more than half";
+  decideExactly(claim, share, above(0.5));
+  return claim;
+}
+
+}  // namespace
+
+void addContactFigure(Figure& figure, const FigureOptions& options) {
+  const Contact contact = contactOf(figure.scene);
+  figure.csv = tableOf(contact);
+  figure.sheet.note = "Vertical and horizontal units differ.";
+  const FourierLine modes = LineSource(figure.scene, 1).spectrum(0);
+  figure.claims = {
+      balanceClaim(contact), unilateralClaim(contact),
+      shareClaim("height_from_long_waves", "h is dominated by the long wavelengths",
+                 "share of h^2 from the longest decade of wavelengths",
+                 sharesOf(modes, 0).longWaves),
+      shareClaim("slope_from_short_waves", "The rms gradient is dominated by the short wavelengths",
+                 "share of the squared gradient from the shortest decade of wavelengths",
+                 sharesOf(modes, 2).shortWaves)};
+  if (options.progress) options.progress(1);
+}
+
+}  // namespace asperity

@@ -1,0 +1,186 @@
+// Fig. 5: alpha and beta of Eq. (5) in zone 1 over the Hurst exponent.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/friction/curve_file.h"
+#include "core/paper/figure_parts.h"
+#include "core/paper/figures_each.h"
+#include "core/friction/law.h"
+#include "core/scene/columns.h"
+
+namespace asperity {
+namespace {
+
+struct Coefficients {
+  double hurst = 0;
+  Estimate alpha, beta;
+  Estimate wideAlpha;             // of the window that beta is read in
+  std::vector<double> without{};  // alpha without each group of realizations
+};
+
+Coefficients coefficientsOf(const Study& study) {
+  Coefficients one{
+      study.scene().surface.hurst,
+      jackknife(study.groups(), [&](int out) { return alphaOf(study, out); }),
+      jackknife(study.groups(), [&](int out) { return betaOf(study, out); }),
+      jackknife(study.groups(), [&](int out) { return alphaOf(study, out, kBetaUpTo); })};
+  for (int out = 0; study.groups() > 1 && out < study.groups(); ++out)
+    one.without.push_back(alphaOf(study, out));
+  return one;
+}
+
+/// Of two exponents, by leaving out the same realizations; NaN with fewer than three groups.
+double correlation(const Coefficients& a, const Coefficients& b) {
+  if (a.without.size() < 3) return kNotApplicable;
+  const auto n = static_cast<double>(a.without.size());
+  double sumA = 0, sumB = 0, aa = 0, bb = 0, ab = 0;
+  for (std::size_t k = 0; k < a.without.size(); ++k) {
+    sumA += a.without[k];
+    sumB += b.without[k];
+  }
+  for (std::size_t k = 0; k < a.without.size(); ++k) {
+    const double x = a.without[k] - sumA / n, y = b.without[k] - sumB / n;
+    aa += x * x;
+    bb += y * y;
+    ab += x * y;
+  }
+  return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : kNotApplicable;
+}
+
+/// All exponents have the same random phases: what neighbours have in common.
+std::string correlationNote(const std::vector<Coefficients>& all) {
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < all.size(); ++k) sum += correlation(all[k], all[k + 1]);
+  const double mean = sum / static_cast<double>(all.size() - 1);
+  std::string note = "The points share their random lines and are correlated";
+  return std::isfinite(mean)
+             ? note + fmt::format(": neighbours in \u03B1 by {:.2f} on average.", mean)
+             : note + ".";
+}
+
+DiagramPoint pointOf(double x, const Estimate& estimate) {
+  return {x, estimate.value, estimate.value - estimate.standardError,
+          estimate.value + estimate.standardError};
+}
+
+Diagram emptyDiagram(const char* title, const char* name) {
+  Diagram diagram;
+  diagram.title = title;
+  diagram.x = {"Hurst exponent H", "", AxisScale::Linear, -0.05, 1.05};
+  diagram.y = {name, "", AxisScale::Linear};
+  return diagram;
+}
+
+Diagram alphaDiagram(const std::vector<Coefficients>& all) {
+  Diagram diagram = emptyDiagram("exponent", "\u03B1");
+  diagram.y.to = 0.6;
+  DiagramSeries theory{"\u03B1 = H/(1 + H), Eq. (7)"};
+  theory.isTheory = true;
+  for (int k = 0; k <= 50; ++k) theory.points.push_back({k / 50.0, forceExponent(k / 50.0)});
+  DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 0.1", SeriesMark::Circle,
+                         SeriesStroke::None};
+  measured.colour = 0;
+  for (const Coefficients& one : all) measured.points.push_back(pointOf(one.hurst, one.alpha));
+  DiagramSeries wide{"measured, 0.001 \u2264 F\u2099/GhL \u2264 1", SeriesMark::Diamond,
+                     SeriesStroke::None};
+  wide.colour = 1;
+  for (const Coefficients& one : all) wide.points.push_back(pointOf(one.hurst, one.wideAlpha));
+  diagram.series = {theory, wide, measured};
+  return diagram;
+}
+
+Diagram betaDiagram(const std::vector<Coefficients>& all) {
+  Diagram diagram = emptyDiagram("prefactor", "\u03B2");
+  diagram.y.to = 3;
+  DiagramSeries one{"\u03B2 = 1, silently in Eq. (12)"};
+  one.isTheory = true;
+  one.stroke = SeriesStroke::Dashed;
+  one.points = {{0, 1}, {1, 1}};
+  DiagramSeries table{"table used by Eq. (11) here"};
+  table.isTheory = true;
+  for (int k = 0; k <= 50; ++k) table.points.push_back({k / 50.0, betaOf(k / 50.0)});
+  DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 1", SeriesMark::Circle,
+                         SeriesStroke::None};
+  for (const Coefficients& here : all) measured.points.push_back(pointOf(here.hurst, here.beta));
+  diagram.series = {one, table, measured};
+  return diagram;
+}
+
+Claim exponentClaim(const std::vector<Coefficients>& all) {
+  Claim claim{"alpha_is_H_over_1_plus_H", "p. 3, Eq. (7), Fig. 5",
+              "For 0.2 < H < 0.8 the exponent alpha = H/(1+H) fits the numerical data very well",
+              "largest |alpha - H/(1+H)| at the five Hurst exponents between 0.2 and 0.8, without "
+              "the ends; F_N / G h L from 0.001 to 0.1"};
+  const auto deviation = [](const Coefficients& one, const Estimate& alpha) {
+    return Estimate{std::abs(alpha.value - forceExponent(one.hurst)), alpha.standardError};
+  };
+  std::string each;
+  std::vector<Estimate> narrow, wide;
+  for (const Coefficients& one : all) {
+    each += fmt::format("{}H = {:g}: {:.3f} for {:.3f}", each.empty() ? "" : ", ", one.hurst,
+                        one.alpha.value, forceExponent(one.hurst));
+    if (!isMiddle(one.hurst)) continue;
+    narrow.push_back(deviation(one, one.alpha));
+    wide.push_back(deviation(one, one.wideAlpha));
+  }
+  claim.expected = 0;
+  claim.criterion = "below 0.02 at each";
+  decideByAll(claim, narrow, below(0.02));
+  const auto widest = std::ranges::max_element(wide, {}, &Estimate::value);
+  claim.note = fmt::format(
+      "{}. It depends on the window: with F_N / G h L up to 1 the largest deviation is {:.3f}.",
+      each, widest->value);
+  return claim;
+}
+
+Claim prefactorClaim(const std::vector<Coefficients>& all) {
+  Claim claim{"beta_of_equation_12", "p. 3, Eq. (12)",
+              "Eq. (11) can be rewritten as Eq. (12), in which beta does not appear",
+              "beta most distant from 1 at the eleven Hurst exponents"};
+  std::vector<Estimate> betas;
+  for (const Coefficients& one : all) betas.push_back(one.beta);
+  claim.expected = 1;
+  claim.criterion = "every beta within 0.1 of 1";
+  decideByAll(claim, betas, within(1, 0.1));
+  std::string each;
+  for (const Coefficients& one : all)
+    each += fmt::format("{}{:g}: {:.2f}", each.empty() ? "" : ", ", one.hurst, one.beta.value);
+  claim.note =
+      "Eq. (12) sets beta = 1 without saying so and is low by that factor in region I. "
+      "beta by H: " +
+      each + ".";
+  return claim;
+}
+
+}  // namespace
+
+void addExponentsFigure(Figure& figure, const FigureOptions& options) {
+  const std::vector<double> exponents = elevenHurstExponents();
+  FigureWork work(options, static_cast<double>(exponents.size()));
+  std::vector<Coefficients> all;
+  figure.csv = joinedColumns({"hurst", "alpha", "alpha_standard_error", "alpha_law", "beta",
+                              "beta_standard_error", "alpha_up_to_1",
+                              "alpha_up_to_1_standard_error", "realizations"}) +
+               "\n";
+  for (const double hurst : exponents) {
+    Scene scene = figure.scene;
+    scene.surface.hurst = hurst;
+    const double slope = LineSource(scene, 1).statistics().rmsSlope;
+    const Study study(scene, zone1Cases(scene, slope), work.next(1));
+    const Coefficients& one = all.emplace_back(coefficientsOf(study));
+    figure.csv += fmt::format(
+        "{},{},{},{},{},{},{},{},{}\n", hurst, one.alpha.value, csvNumber(one.alpha.standardError),
+        forceExponent(hurst), one.beta.value, csvNumber(one.beta.standardError),
+        one.wideAlpha.value, csvNumber(one.wideAlpha.standardError), study.realizations());
+  }
+  figure.sheet.diagrams = {alphaDiagram(all), betaDiagram(all)};
+  figure.sheet.note =
+      "In the limit of low velocity. \u03B1 depends on the range of forces that it is fitted to; "
+      "\u03B2 belongs to \u03B1 = H/(1 + H). Bars: one standard error. " +
+      correlationNote(all);
+  figure.claims = {exponentClaim(all), prefactorClaim(all)};
+}
+
+}  // namespace asperity

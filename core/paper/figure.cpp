@@ -1,0 +1,174 @@
+#include "core/paper/figure.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/paper/figure_parts.h"
+#include "core/paper/figures_each.h"
+#include "core/base/input_error.h"
+#include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::array<FigureEntry, 8> kEntries{{
+    {FigureName::Contact, "1", "Contact of a rough surface and a viscoelastic elastomer",
+     "sweep.velocity_from sweep.velocity_to sweep.points ensemble.realizations"},
+    {FigureName::Velocity, "2", "Typical dependence of friction on velocity",
+     "ensemble.realizations"},
+    {FigureName::Hurst, "3", "Dependence on velocity for six Hurst exponents",
+     "surface.hurst ensemble.realizations"},
+    {FigureName::Forces, "4", "Dependence on velocity for twenty normal forces",
+     "load.normal_force ensemble.realizations"},
+    {FigureName::Exponents, "5", "\u03B1 and \u03B2 of Eq. (5) over the Hurst exponent",
+     "surface.hurst load.normal_force sweep.velocity_from sweep.velocity_to sweep.points "
+     "ensemble.realizations"},
+    {FigureName::Plateau, "6", "Friction on the plateau over the normal force",
+     "surface.hurst load.normal_force sweep.velocity_from sweep.velocity_to sweep.points "
+     "ensemble.realizations"},
+    {FigureName::Master, "master", "The master curve of Eqs. (16) and (17)",
+     "load.normal_force surface.length surface.elements surface.rms_height "
+     "elastomer.relaxation_time ensemble.realizations"},
+    {FigureName::Spacing, "spacing", "What the spacing of the elements does",
+     "surface.elements ensemble.realizations"},
+}};
+
+/// The parameters of the paper that differ from a scene's defaults.
+std::string_view paperScene(FigureName name) {
+  switch (name) {
+    case FigureName::Contact:
+      return R"({"title": "Fig. 1", "surface": {"elements": 1000, "seed": 7},
+                 "load": {"normal_force": 0.2}})";
+    case FigureName::Velocity:
+      return R"({"title": "Fig. 2"})";
+    case FigureName::Hurst:
+      return R"({"title": "Fig. 3", "load": {"normal_force": 10}})";
+    case FigureName::Forces:
+      return R"({"title": "Fig. 4", "load": {"normal_force": 0.33}})";
+    case FigureName::Exponents:
+      return R"({"title": "Fig. 5", "load": {"normal_force": 0.01}})";
+    case FigureName::Plateau:
+      return R"({"title": "Fig. 6", "load": {"normal_force": 1}})";
+    case FigureName::Master:
+      return R"({"title": "Master curve", "load": {"normal_force": 0.1}})";
+    case FigureName::Spacing:
+      return R"({"title": "Influence of the spacing", "load": {"normal_force": 0.1}})";
+  }
+  return "{}";
+}
+
+bool listHas(std::string_view list, std::string_view word) {
+  for (std::size_t at = list.find(word); at != std::string_view::npos;
+       at = list.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || list[at - 1] == ' ') && (end == list.size() || list[end] == ' ')) return true;
+  }
+  return false;
+}
+
+void checkAssignments(const FigureEntry& entry, const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) {
+    const std::string key = assignment.substr(0, assignment.find('='));
+    if (key == "ensemble.realizations")
+      throw InputError("--set", key, "is given to a figure by --realizations");
+    if (listHas(entry.ownKeys, key))
+      throw InputError("--set", key, fmt::format("figure {} sets it itself", entry.word));
+  }
+}
+
+/// The law and its claims are about a self-affine line, a Kelvin body and a normal force.
+void checkModel(const FigureEntry& entry, const Scene& scene) {
+  const auto require = [&](bool fits, const char* key, const char* only) {
+    if (!fits)
+      throw InputError("--set", key,
+                       fmt::format("figure {} of the paper is about {}", entry.word, only));
+  };
+  require(scene.surface.kind == SurfaceKind::SelfAffine, "surface.kind", "a self_affine line");
+  require(scene.elastomer.rheology == Rheology::Kelvin, "elastomer.rheology", "a kelvin body");
+  require(scene.elastomer.relaxationTime > 0, "elastomer.relaxation_time",
+          "a viscoelastic body: more than 0");
+  require(scene.surface.rmsHeight > 0, "surface.rms_height", "a rough line: more than 0");
+  require(scene.load.kind == LoadKind::Force, "load.kind", "a constant force");
+}
+
+}  // namespace
+
+std::span<const FigureEntry> figureEntries() {
+  return kEntries;
+}
+
+const FigureEntry& entryOf(FigureName name) {
+  return kEntries[static_cast<std::size_t>(name)];
+}
+
+Scene figureScene(FigureName name, const FigureOptions& options) {
+  const FigureEntry& entry = entryOf(name);
+  checkAssignments(entry, options.assignments);
+  Scene scene = readScene(paperScene(name), "--set", {}, options.assignments);
+  scene.ensemble.realizations = options.realizations;
+  checkModel(entry, scene);
+  return scene;
+}
+
+Figure makeFigure(FigureName name, const FigureOptions& options) {
+  const FigureEntry& entry = entryOf(name);
+  Figure figure;
+  figure.name = name;
+  figure.scene = figureScene(name, options);
+  const bool isOfPaper = name < FigureName::Master;
+  figure.sheet.title = isOfPaper ? fmt::format("Fig. {}: {}", entry.word, entry.headline)
+                                 : std::string(entry.headline);
+  switch (name) {
+    case FigureName::Contact:
+      addContactFigure(figure, options);
+      break;
+    case FigureName::Velocity:
+      addVelocityFigure(figure, options);
+      break;
+    case FigureName::Hurst:
+      addHurstFigure(figure, options);
+      break;
+    case FigureName::Forces:
+      addForcesFigure(figure, options);
+      break;
+    case FigureName::Exponents:
+      addExponentsFigure(figure, options);
+      break;
+    case FigureName::Plateau:
+      addPlateauFigure(figure, options);
+      break;
+    case FigureName::Master:
+      addMasterFigure(figure, options);
+      break;
+    case FigureName::Spacing:
+      addSpacingFigure(figure, options);
+      break;
+  }
+  if (figure.sheet.subtitle.empty()) figure.sheet.subtitle = parameterLine(figure.scene, entry);
+  return figure;
+}
+
+std::string claimsJson(std::span<const Figure> figures) {
+  using Json = nlohmann::ordered_json;
+  Json root = {{"schema", "asperity-claims/1"}, {"version", ASPERITY_VERSION}};
+  root["paper"] = "Q. Li et al., Phys. Rev. Lett. 111, 034301 (2013)";
+  Json list = Json::array(), scenes;
+  for (const Figure& figure : figures) {
+    const std::string word(entryOf(figure.name).word);
+    scenes[word] = provenance("figure", figure.scene);
+    for (const Claim& claim : figure.claims) {
+      Json entry = {{"figure", word}};
+      entry.update(claimJson(claim));
+      list.push_back(std::move(entry));
+    }
+  }
+  root["claims"] = std::move(list);
+  root["figures"] = std::move(scenes);
+  return root.dump(2) + "\n";
+}
+
+}  // namespace asperity

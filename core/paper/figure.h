@@ -1,0 +1,63 @@
+// The figures of Li et al., PRL 111, 034301 (2013), each from a fresh computation with the paper's
+// parameters: a diagram, its data, the scene behind it, and the paper's sentences about it held
+// against what was computed. Two more show the collapse of Eqs. (16) and (17) and the influence of
+// the spacing.
+// Immutable once made; any thread. Equal options give equal bytes.
+// Failure: InputError for assignments that do not fit the figure; std::runtime_error where a force
+// balance is not met; StudyStopped where `stop` was requested.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/chart/diagram.h"
+#include "core/paper/claim.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+enum class FigureName { Contact, Velocity, Hurst, Forces, Exponents, Plateau, Master, Spacing };
+
+struct FigureEntry {
+  FigureName name;
+  std::string_view word;      // "1" ... "6", "master", "spacing"
+  std::string_view headline;  // "Dependence on velocity for six Hurst exponents"
+  /// Scene keys that the figure varies or sets itself, separated by spaces.
+  std::string_view ownKeys;
+};
+
+/// All of them, in order.
+std::span<const FigureEntry> figureEntries();
+const FigureEntry& entryOf(FigureName name);
+
+struct FigureOptions {
+  std::int64_t realizations = 200;
+  /// Of a scene's keys, over the paper's parameters: "surface.seed=2".
+  std::vector<std::string> assignments;
+  int threads = 0;
+  std::stop_token stop;
+  std::function<void(double part)> progress;  // 0 to 1; from one thread at a time; may be empty
+};
+
+struct Figure {
+  FigureName name = FigureName::Contact;
+  Scene scene;         // to play with
+  DiagramSheet sheet;  // without diagrams for the contact, which is drawn as one
+  std::string csv;
+  std::vector<Claim> claims;
+};
+
+/// The paper's parameters for a figure, with the assignments. Throws InputError.
+Scene figureScene(FigureName name, const FigureOptions& options);
+
+Figure makeFigure(FigureName name, const FigureOptions& options);
+
+/// claims.json: the figures made in one run, with provenance.
+std::string claimsJson(std::span<const Figure> figures);
+
+}  // namespace asperity

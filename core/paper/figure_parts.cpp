@@ -1,0 +1,145 @@
+#include "core/paper/figure_parts.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/friction/curve_file.h"
+#include "core/friction/ensemble.h"
+
+namespace asperity {
+
+std::vector<double> paperForces() {
+  return logSpaced(1e-3, 100, 20);
+}
+
+std::vector<double> paperSpacings() {
+  return logSpaced(1e-7, 1e-5, 20);
+}
+
+std::vector<double> sixHurstExponents() {
+  return {0, 0.2, 0.4, 0.6, 0.8, 1};
+}
+
+std::vector<double> elevenHurstExponents() {
+  std::vector<double> exponents;
+  for (int tenths = 0; tenths <= 10; ++tenths) exponents.push_back(tenths / 10.0);
+  return exponents;
+}
+
+bool isMiddle(double hurst) {
+  return hurst > 0.2 + 1e-9 && hurst < 0.8 - 1e-9;
+}
+
+FigureWork::FigureWork(const FigureOptions& options, double totalCost)
+    : options_(options), total_(totalCost) {}
+
+StudyOptions FigureWork::next(double cost) {
+  StudyOptions study{options_.threads, options_.stop, {}};
+  const double before = done_;
+  done_ += cost;
+  if (options_.progress)
+    study.progress = [this, before, cost](std::int64_t done, std::int64_t total) {
+      const double part = static_cast<double>(done) / static_cast<double>(total);
+      options_.progress((before + cost * part) / total_);
+    };
+  return study;
+}
+
+Study FigureWork::study(const Scene& scene, const std::vector<double>& normalForces,
+                        const std::vector<double>& velocities, double cost) {
+  return {scene, normalForces, velocities, next(cost)};
+}
+
+DiagramSeries frictionSeries(const Study& study, std::size_t j, std::string name) {
+  DiagramSeries series;
+  series.name = std::move(name);
+  for (std::size_t i = 0; i < study.velocities(j).size(); ++i) {
+    const double value = study.normalizedMu(j, i);
+    const double error = study.muStandardError(j, i) / study.line().rmsSlope;
+    series.points.push_back({study.velocities(j)[i], value, value - error, value + error});
+  }
+  return series;
+}
+
+DiagramSeries lawSeries(const Study& study, std::size_t j, std::string name) {
+  DiagramSeries series;
+  series.name = std::move(name);
+  series.isTheory = true;
+  LawInput in = study.lawInput(j, 0);
+  const std::vector<double>& velocities = study.velocities(j);
+  for (const double velocity : logSpaced(velocities.front(), velocities.back(), 161)) {
+    in.velocity = velocity;
+    series.points.push_back({velocity, frictionLaw(in) / in.rmsSlope});
+  }
+  return series;
+}
+
+DiagramAxis velocityAxis() {
+  return {"sliding velocity v", "m/s"};
+}
+
+DiagramAxis normalizedFrictionAxis() {
+  return {"normalized friction \u03BC/\u2207z", ""};
+}
+
+Diagram frictionDiagram() {
+  Diagram diagram;
+  diagram.x = velocityAxis();
+  diagram.y = normalizedFrictionAxis();
+  return diagram;
+}
+
+std::string tableRows(const Study& study, std::size_t j, const std::string& lead) {
+  std::string text;
+  for (std::size_t i = 0; i < study.velocities(j).size(); ++i)
+    text += lead + curveRow(study.point(j, i));
+  return text;
+}
+
+std::string parameterLine(const Scene& scene, const FigureEntry& entry) {
+  const auto isVaried = [&](std::string_view key) {
+    return entry.ownKeys.find(key) != std::string_view::npos;
+  };
+  std::vector<std::string> parts;
+  if (!isVaried("surface.hurst")) parts.push_back(fmt::format("H = {:g}", scene.surface.hurst));
+  if (!isVaried("load.normal_force"))
+    parts.push_back("F\u2099 = " + printedQuantity(scene.load.normalForce, "N"));
+  parts.push_back("G = " + printedQuantity(scene.elastomer.shearModulus, "Pa"));
+  if (!isVaried("surface.rms_height"))
+    parts.push_back("h = " + printedQuantity(scene.surface.rmsHeight, "m"));
+  if (!isVaried("elastomer.relaxation_time"))
+    parts.push_back("\u03C4 = " + printedQuantity(scene.elastomer.relaxationTime, "s"));
+  if (!isVaried("surface.length"))
+    parts.push_back("L = " + printedQuantity(scene.surface.length, "m"));
+  if (!isVaried("surface.elements")) parts.push_back(fmt::format("N = {}", scene.surface.elements));
+  if (entry.name != FigureName::Contact)
+    parts.push_back(fmt::format("{} realizations", scene.ensemble.realizations));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+Claim fullContactClaim(std::span<const Study> studies) {
+  FullContact all;
+  for (const Study& study : studies) {
+    const FullContact one = fullContactOf(study);
+    all.points += one.points;
+    all.toResolved = std::max(all.toResolved, one.toResolved);
+    all.toSpectral = std::max(all.toSpectral, one.toSpectral);
+  }
+  Claim claim{"equation_8_is_exact", "p. 3, Eq. (8)",
+              "In complete contact mu = 4 L eta grad^2 v / F_N, exactly confirmed",
+              "largest |mu / Eq. (8) - 1| in complete contact, with the slope of the line as "
+              "resolved"};
+  claim.expected = 0;
+  claim.criterion = "below 1e-9, on at least one point";
+  decideExactly(claim, all.points > 0 ? all.toResolved : kNotApplicable, below(1e-9));
+  claim.note = fmt::format(
+      "{} points of complete contact. Against the slope of the spectrum the difference is {:.1e}: "
+      "the resolution of the line, which falls with accuracy.oversampling.",
+      all.points, all.toSpectral);
+  return claim;
+}
+
+}  // namespace asperity

@@ -1,0 +1,59 @@
+// What the figures share: the scenes and ranges of the paper, studies that report how far the whole
+// figure is, series and table rows. Used by the files of this folder only.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/chart/diagram.h"
+#include "core/paper/figure.h"
+#include "core/paper/readings.h"
+#include "core/friction/study.h"
+#include "core/base/printed_number.h"
+
+namespace asperity {
+
+/// The parameters varied in the paper: 20 forces from 1e-3 to 100 N, 20 spacings from 1e-7 to
+/// 1e-5 m, six Hurst exponents for curves and eleven for coefficients.
+std::vector<double> paperForces();
+std::vector<double> paperSpacings();
+std::vector<double> sixHurstExponents();
+std::vector<double> elevenHurstExponents();
+
+/// 0.2 < H < 0.8, for which the paper makes its statements: without the ends.
+bool isMiddle(double hurst);
+
+/// Runs studies one after another and reports the part done of all. Costs are in any one unit.
+class FigureWork {
+ public:
+  FigureWork(const FigureOptions& options, double totalCost);
+
+  Study study(const Scene& scene, const std::vector<double>& normalForces,
+              const std::vector<double>& velocities, double cost);
+  /// Options of other work whose progress counts as `cost`.
+  StudyOptions next(double cost);
+
+ private:
+  const FigureOptions& options_;
+  double total_, done_ = 0;
+};
+
+/// mu / rms slope over velocity with one standard error, and Eq. (11) over the same velocities.
+DiagramSeries frictionSeries(const Study& study, std::size_t j, std::string name);
+DiagramSeries lawSeries(const Study& study, std::size_t j, std::string name);
+
+DiagramAxis velocityAxis();
+DiagramAxis normalizedFrictionAxis();
+Diagram frictionDiagram();  // both axes, no series yet
+
+/// The rows of one study's force j; `lead` stands in front of each ("0.7,").
+std::string tableRows(const Study& study, std::size_t j, const std::string& lead);
+
+/// "H = 0.7, h = 500 nm, ..." of what the figure does not vary.
+std::string parameterLine(const Scene& scene, const FigureEntry& entry);
+
+/// Eq. (8) in complete contact, over all the studies.
+Claim fullContactClaim(std::span<const Study> studies);
+
+}  // namespace asperity

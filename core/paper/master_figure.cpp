@@ -1,0 +1,260 @@
+// The master curve, Eqs. (16) and (17): curves for other forces, lengths, relaxation times and
+// heights before and after shifting; temperature is the special case that shifts exactly.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/friction/curve_file.h"
+#include "core/friction/ensemble.h"
+#include "core/paper/figure_parts.h"
+#include "core/paper/figures_each.h"
+#include "core/scene/columns.h"
+
+namespace asperity {
+namespace {
+
+struct Variant {
+  std::string name;
+  Scene scene;
+  int kind;  // which parameter differs, as a colour
+};
+
+std::vector<Variant> variantsOf(const Scene& base) {
+  std::vector<Variant> variants{{"as given", base, 0}};
+  const auto add = [&](std::string name, int kind, const auto& change) {
+    Variant variant{std::move(name), base, kind};
+    change(variant.scene);
+    variants.push_back(std::move(variant));
+  };
+  for (const double factor : {0.1, 10.0, 100.0})
+    add("F\u2099 = " + printedQuantity(factor * base.load.normalForce, "N"), 1,
+        [&](Scene& scene) { scene.load.normalForce *= factor; });
+  for (const double factor : {0.25, 4.0})
+    add("L = " + printedQuantity(factor * base.surface.length, "m"), 2, [&](Scene& scene) {
+      // The spacing stays: the elastomer is only longer.
+      scene.surface.length *= factor;
+      scene.surface.elements = std::llround(factor * static_cast<double>(scene.surface.elements));
+    });
+  for (const double factor : {0.1, 10.0})
+    add("\u03C4 = " + printedQuantity(factor * base.elastomer.relaxationTime, "s"), 3,
+        [&](Scene& scene) { scene.elastomer.relaxationTime *= factor; });
+  for (const double factor : {0.2, 5.0})
+    add("h = " + printedQuantity(factor * base.surface.rmsHeight, "m"), 4,
+        [&](Scene& scene) { scene.surface.rmsHeight *= factor; });
+  return variants;
+}
+
+/// What Eq. (17) divides by: velocity (m/s) and friction.
+struct Shift {
+  double velocity, friction;
+};
+
+Shift shiftOf(const Study& study, int leftOut = Study::kAll) {
+  LawInput in = study.lawInput(0, 0);
+  in.rmsSlope = study.rmsSlopeContact(0, 0, leftOut);
+  in.velocity = 1;
+  return {meetingVelocity(dimensionlessForce(in), in.hurst) / dimensionlessVelocity(in),
+          in.rmsSlope};
+}
+
+/// Root mean square over x of the standard deviation of log10(mu) among the studies, where `value`
+/// reads friction of a study at x.
+template <class Value>
+double spread(const std::vector<Study>& studies, const std::vector<double>& places,
+              const Value& value) {
+  double squares = 0;
+  for (const double x : places) {
+    double sum = 0, sumOfSquares = 0;
+    for (const Study& study : studies) {
+      const double logarithm = std::log10(value(study, x));
+      sum += logarithm;
+      sumOfSquares += logarithm * logarithm;
+    }
+    const auto n = static_cast<double>(studies.size());
+    squares += std::max(0.0, sumOfSquares / n - sum / n * (sum / n));
+  }
+  return std::sqrt(squares / static_cast<double>(places.size()));
+}
+
+double spreadBefore(const std::vector<Study>& studies, int out) {
+  const std::vector<double>& velocities = studies.front().velocities();
+  return spread(studies, logSpaced(velocities.front(), 10, 60), [&](const Study& study, double v) {
+    return normalizedMuAt(study, 0, v, out) * study.line().rmsSlope;
+  });
+}
+
+/// Up to the plateau: region IV is not part of Eq. (12).
+constexpr double kCollapseFrom = 0.01, kCollapseTo = 10;
+
+double spreadAfter(const std::vector<Study>& studies, int out) {
+  return spread(studies, logSpaced(kCollapseFrom, kCollapseTo, 60),
+                [&](const Study& study, double x) {
+                  const Shift shift = shiftOf(study, out);
+                  return normalizedMuAt(study, 0, x * shift.velocity, out) * study.line().rmsSlope /
+                         shift.friction;
+                });
+}
+
+Claim collapseClaim(const std::vector<Study>& studies) {
+  Claim claim{"master_curve", "p. 4, Eqs. (16) and (17)",
+              "Changing force, system size or relaxation time only shifts the curves in the double "
+              "logarithmic presentation",
+              "rms spread of the shifted curves in decades of mu, up to the plateau"};
+  claim.expected = 0;
+  claim.criterion = "below 0.05 decades (12 %)";
+  decide(claim,
+         jackknife(studies.front().groups(), [&](int out) { return spreadAfter(studies, out); }),
+         below(0.05));
+  claim.note =
+      fmt::format("Before the shift it is {:.2f} decades.", spreadBefore(studies, Study::kAll));
+  return claim;
+}
+
+/// The same G, tau, h and L in other units of length and time: mu / grad is a function of Fbar,
+/// c / L, H and N alone.
+Claim dimensionClaim(const Scene& base, FigureWork& work) {
+  Scene scene = base, other = base;
+  scene.ensemble.realizations = other.ensemble.realizations =
+      std::min<std::int64_t>(base.ensemble.realizations, 5);
+  other.surface.length *= 3;
+  other.surface.rmsHeight *= 0.7;
+  other.elastomer.shearModulus *= 2.1;
+  other.elastomer.relaxationTime *= 0.3;
+  const std::vector<double> velocities{1e-3, 1e-1, 10};
+  std::vector<double> scaled = velocities;
+  for (double& velocity : scaled) velocity *= 3 / 0.3;
+  const Study one = work.study(scene, {base.load.normalForce}, velocities, 1);
+  const Study two = work.study(other, {base.load.normalForce * 3 * 0.7 * 2.1}, scaled, 1);
+  double worst = 0;
+  for (std::size_t i = 0; i < velocities.size(); ++i)
+    worst = std::max(worst, std::abs(two.normalizedMu(0, i) / one.normalizedMu(0, i) - 1));
+  Claim claim{"dimensionless_variables", "p. 1, abstract; p. 4, conclusion",
+              "The coefficient of friction depends on two dimensionless combinations of force, "
+              "velocity, modulus, viscosity, roughness, slope, size and the Hurst exponent",
+              "largest change of mu / grad where h, L, G and tau change but F_N / G h L and "
+              "tau v grad / h do not"};
+  claim.expected = 0;
+  claim.criterion = "below 1e-9";
+  decideExactly(claim, worst, below(1e-9));
+  claim.note = "At the same number of elements; it is a third variable, by the spacing.";
+  return claim;
+}
+
+/// WLF constants measured on a filled rubber (Sci. Rep. 11, 2021, s41598-021-97921-0).
+constexpr double kC1 = 4.41, kC2 = 137.64, kReference = 343.15;  // -, K, K
+
+double wlfShift(double kelvin) {
+  return std::pow(10, -kC1 * (kelvin - kReference) / (kC2 + kelvin - kReference));
+}
+
+struct Temperatures {
+  Diagram diagram;
+  Claim claim;
+};
+
+/// mu(v, T) = mu(v a_T, T_r): curves at four temperatures, computed each on its own.
+Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
+  Temperatures result;
+  result.diagram = frictionDiagram();
+  result.diagram.title = "temperature";
+  Scene scene = base;
+  scene.ensemble.realizations = std::min<std::int64_t>(base.ensemble.realizations, 20);
+  const std::vector<double> velocities = sweepVelocities(scene.sweep);
+  double worst = 0;
+  const std::vector<double> celsius{10, 40, 70, 100};
+  std::vector<DiagramSeries> shifted;
+  for (std::size_t k = 0; k < celsius.size(); ++k) {
+    const double factor = wlfShift(celsius[k] + 273.15);
+    Scene warm = scene;
+    warm.elastomer.relaxationTime *= factor;
+    const Study study = work.study(warm, {scene.load.normalForce}, velocities, 0.2);
+    std::vector<double> moved = velocities;
+    for (double& velocity : moved) velocity *= factor;
+    const Study reference = work.study(scene, {scene.load.normalForce}, moved, 0.2);
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+      worst = std::max(worst, std::abs(study.mu(0, i) / reference.mu(0, i) - 1));
+    DiagramSeries raw = frictionSeries(study, 0, fmt::format("{:g} \u00B0C", celsius[k]));
+    raw.colour = static_cast<int>(k);
+    raw.stroke = SeriesStroke::Dotted;
+    DiagramSeries marks = raw;
+    marks.name.clear();
+    marks.stroke = SeriesStroke::None;
+    marks.mark = SeriesMark::Circle;
+    for (DiagramSeries* series : {&raw, &marks})
+      for (DiagramPoint& point : series->points) point.low = point.high = kNotApplicable;
+    for (DiagramPoint& point : marks.points) point.x *= factor;
+    result.diagram.series.push_back(std::move(raw));
+    shifted.push_back(std::move(marks));
+  }
+  for (DiagramSeries& series : shifted) result.diagram.series.push_back(std::move(series));
+  result.diagram.x.title = "velocity v (lines), v a\u209C (circles)";
+  result.claim = {"temperature_shift", "p. 4, after Eq. (17)",
+                  "Curves are shifted by changes of temperature, which influences the relaxation "
+                  "time (the master curve procedure)",
+                  "largest |mu(v, T) / mu(v a_T, T_r) - 1|, 10 to 100 degrees Celsius"};
+  result.claim.expected = 0;
+  result.claim.criterion = "below 1e-9";
+  decideExactly(result.claim, worst, below(1e-9));
+  result.claim.note = "WLF shift of a filled rubber: C1 = 4.41, C2 = 137.64 K, T_r = 343.15 K.";
+  return result;
+}
+
+DiagramSeries plainSeries(const Study& study, const Variant& variant, bool isShifted) {
+  DiagramSeries series = frictionSeries(study, 0, variant.name);
+  series.colour = variant.kind;
+  if (variant.kind == 0) series.mark = SeriesMark::Circle;
+  const Shift shift = isShifted ? shiftOf(study) : Shift{1, 1};
+  for (DiagramPoint& point : series.points) {
+    point.low = point.high = kNotApplicable;
+    point.x /= shift.velocity;
+    point.y *= study.line().rmsSlope / shift.friction;
+  }
+  return series;
+}
+
+}  // namespace
+
+void addMasterFigure(Figure& figure, const FigureOptions& options) {
+  const std::vector<Variant> variants = variantsOf(figure.scene);
+  FigureWork work(options, static_cast<double>(variants.size()) + 3.6);
+  Diagram before = frictionDiagram(), after;
+  before.title = "as computed";
+  before.y.title = "friction \u03BC";
+  after.title = "shifted by Eq. (17)";
+  after.x = {"v\u0305 / f(F\u0305)", ""};
+  after.y = {"\u03BC/\u2207z in contact", ""};
+  DiagramSeries law{"Eq. (11)"};
+  law.isTheory = true;
+  for (const double x : logSpaced(1e-4, 1e3, 141))
+    law.points.push_back({x, std::numbers::sqrt2 / std::hypot(1, 1 / x)});
+  after.series.push_back(law);
+
+  std::vector<Study> studies;
+  figure.csv = joinedColumns({"variant", "velocity_shift", "friction_shift"}) + "," + curveHeader();
+  for (const Variant& variant : variants) {
+    const Study& study = studies.emplace_back(work.study(
+        variant.scene, {variant.scene.load.normalForce}, sweepVelocities(variant.scene.sweep), 1));
+    before.series.push_back(plainSeries(study, variant, false));
+    after.series.push_back(plainSeries(study, variant, true));
+    after.series.back().name.clear();
+    const Shift shift = shiftOf(study);
+    figure.csv +=
+        tableRows(study, 0, fmt::format("{},{},{},", variant.name, shift.velocity, shift.friction));
+  }
+  after.x.from = 1e-4;
+  after.x.to = 1e3;
+  after.y.from = 1e-4;
+  after.y.to = 3;
+  Claim dimension = dimensionClaim(figure.scene, work);
+  Temperatures temperatures = temperaturesOf(figure.scene, work);
+  figure.sheet.diagrams = {std::move(before), std::move(after), std::move(temperatures.diagram)};
+  figure.sheet.note =
+      "Shifted with the rms slope in contact at low velocity; f is where region I of Eq. (11) "
+      "meets "
+      "the plateau. Region IV is not part of Eq. (12) and does not collapse.";
+  figure.claims = {collapseClaim(studies), std::move(dimension), std::move(temperatures.claim)};
+}
+
+}  // namespace asperity

@@ -1,0 +1,202 @@
+// Fig. 6: the plateau (region III) over the normal force for several Hurst exponents.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/friction/curve_file.h"
+#include "core/paper/figure_parts.h"
+#include "core/paper/figures_each.h"
+#include "core/scene/columns.h"
+#include "core/surface/line_source.h"
+
+namespace asperity {
+namespace {
+
+struct Top {
+  double force = 0;  // dimensionless
+  Plateau plateau;
+  Estimate normalizedMu;
+  double contactFraction = 0, slopeRatio = 0;  // at the velocity nearest to the maximum
+};
+
+struct Tops {
+  double hurst = 0;
+  int groups = 1;
+  Study study;
+  std::vector<Top> tops;  // by force
+};
+
+Top topOf(const Study& study, std::size_t j) {
+  Top top;
+  top.force = dimensionlessForce(study.lawInput(j, 0));
+  top.plateau = plateauOf(study, j);
+  top.normalizedMu =
+      jackknife(study.groups(), [&](int out) { return plateauOf(study, j, out).normalizedMu; });
+  const std::vector<double>& velocities = study.velocities(j);
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < velocities.size(); ++i)
+    if (study.mu(j, i) > study.mu(j, nearest)) nearest = i;
+  top.contactFraction = study.contactFraction(j, nearest);
+  top.slopeRatio = study.rmsSlopeContact(j, nearest) / study.line().rmsSlope;
+  return top;
+}
+
+Diagram diagramOf(const std::vector<Tops>& all) {
+  Diagram diagram;
+  diagram.x = {"normal force F\u2099", "N"};
+  diagram.y = {"plateau of \u03BC/\u2207z", "", AxisScale::Linear, 0, 1.6};
+  DiagramSeries theory{"\u221A2, Eq. (9)"};
+  theory.isTheory = true;
+  theory.stroke = SeriesStroke::Dashed;
+  const Study& first = all.front().study;
+  theory.points = {{first.normalForce(0), std::numbers::sqrt2},
+                   {first.normalForce(first.forces() - 1), std::numbers::sqrt2}};
+  diagram.series.push_back(theory);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    DiagramSeries series{fmt::format("H = {:g}", all[k].hurst), SeriesMark::Circle};
+    series.colour = static_cast<int>(k);
+    for (std::size_t j = 0; j < all[k].tops.size(); ++j) {
+      const auto [value, error] = all[k].tops[j].normalizedMu;
+      series.points.push_back({all[k].study.normalForce(j), value, value - error, value + error});
+    }
+    diagram.series.push_back(std::move(series));
+  }
+  return diagram;
+}
+
+/// The middle Hurst exponents at forces that are not too small, most distant from `expected`.
+Claim heightClaim(const std::vector<Tops>& all) {
+  Claim claim{"plateau_is_sqrt_2", "p. 3, Eq. (9), Fig. 6",
+              "For 0.2 < H < 0.8 and not too small forces the plateau is almost constant, about "
+              "sqrt(2) times the rms slope",
+              "plateau of mu / rms slope most distant from sqrt(2), F_N / G h L >= 1"};
+  claim.expected = std::numbers::sqrt2;
+  claim.criterion = "within 10 % of sqrt(2)";
+  std::vector<Estimate> plateaus;
+  double lowest = 2, highest = 0;
+  for (const Tops& one : all)
+    for (const Top& top : one.tops) {
+      if (!isMiddle(one.hurst) || top.force < 1) continue;
+      lowest = std::min(lowest, top.normalizedMu.value);
+      highest = std::max(highest, top.normalizedMu.value);
+      plateaus.push_back(top.normalizedMu);
+    }
+  decideByAll(claim, plateaus, within(claim.expected, 0.1 * claim.expected));
+  claim.note = fmt::format(
+      "From {:.3f} to {:.3f}. sqrt(2) assumes exponentially distributed slopes; random phases give "
+      "Gaussian ones, for which Eq. (10) is 1.253 times the slope in contact, and 1.596 where the "
+      "contact is weighted by the slope. Eq. (10)'s second line lacks a factor sqrt(L_cont).",
+      lowest, highest);
+  return claim;
+}
+
+Claim hurstClaim(const std::vector<Tops>& all) {
+  // At the force nearest to F_N / G h L = 10, which all have.
+  std::size_t at = 0;
+  const std::vector<Top>& any = all.front().tops;
+  for (std::size_t j = 1; j < any.size(); ++j)
+    if (std::abs(std::log(any[j].force / 10)) < std::abs(std::log(any[at].force / 10))) at = j;
+  const auto byHeight = [at](const Tops& a, const Tops& b) {
+    return a.tops[at].normalizedMu.value < b.tops[at].normalizedMu.value;
+  };
+  const auto [low, high] = std::minmax_element(all.begin(), all.end(), byHeight);
+  Claim claim{
+      "plateau_depends_weakly_on_H", "p. 3, Fig. 6",
+      "On the plateau the coefficient of friction depends only weakly on the Hurst exponent",
+      "smallest over largest plateau of the six Hurst exponents, F_N / G h L near 10"};
+  claim.expected = 1;
+  claim.criterion = "above 0.85";
+  const auto ratio = [&](int out) {
+    return plateauOf(low->study, at, out).normalizedMu /
+           plateauOf(high->study, at, out).normalizedMu;
+  };
+  decide(claim, jackknife(low->groups, ratio), above(0.85));
+  claim.note = fmt::format("Smallest at H = {:g}, largest at H = {:g}.", low->hurst, high->hurst);
+  return claim;
+}
+
+Claim fallClaim(const std::vector<Tops>& all) {
+  Claim claim{"plateau_falls_at_small_forces", "p. 4, Fig. 6",
+              "The plateau decreases at very small forces",
+              "plateau at the smallest force over the largest plateau, mean over H"};
+  const auto ratio = [&](int out) {
+    double sum = 0;
+    for (const Tops& one : all) {
+      double top = 0;
+      for (std::size_t j = 0; j < one.study.forces(); ++j)
+        top = std::max(top, plateauOf(one.study, j, out).normalizedMu);
+      sum += plateauOf(one.study, 0, out).normalizedMu / top;
+    }
+    return sum / static_cast<double>(all.size());
+  };
+  claim.criterion = "below 1";
+  decide(claim, jackknife(all.front().groups, ratio), below(1));
+  std::string each;
+  for (const Tops& one : all)
+    each += fmt::format(
+        "{}H = {:g}: {:.2f}", each.empty() ? "" : ", ", one.hurst,
+        one.tops.front().normalizedMu.value /
+            std::max_element(one.tops.begin(), one.tops.end(), [](const Top& a, const Top& b) {
+              return a.normalizedMu.value < b.normalizedMu.value;
+            })->normalizedMu.value);
+  claim.note = each + ".";
+  return claim;
+}
+
+/// p. 4: the dependence is less pronounced for small Hurst exponents and stronger near 1.
+Claim strongerClaim(const std::vector<Tops>& all) {
+  const auto fall = [](const Tops& one, int out) {
+    double top = 0;
+    for (std::size_t j = 0; j < one.study.forces(); ++j)
+      top = std::max(top, plateauOf(one.study, j, out).normalizedMu);
+    return plateauOf(one.study, 0, out).normalizedMu / top;
+  };
+  Claim claim{"fall_grows_with_H", "p. 4, after Eq. (15)",
+              "The dependence of the slope in contact on force is less pronounced for H near 0 and "
+              "gets stronger for H near 1",
+              "what is left of the plateau at the smallest force, for the largest H over that for "
+              "the smallest"};
+  claim.criterion = "below 1";
+  decide(claim,
+         jackknife(all.front().groups,
+                   [&](int out) { return fall(all.back(), out) / fall(all.front(), out); }),
+         below(1));
+  return claim;
+}
+
+}  // namespace
+
+void addPlateauFigure(Figure& figure, const FigureOptions& options) {
+  const std::vector<double> exponents = sixHurstExponents();
+  FigureWork work(options, static_cast<double>(exponents.size()));
+  std::vector<Tops> all;
+  figure.csv = joinedColumns({"hurst", "normal_force", "dimensionless_force", "plateau",
+                              "plateau_standard_error", "velocity_of_plateau", "contact_fraction",
+                              "slope_in_contact_over_slope", "realizations"}) +
+               "\n";
+  for (const double hurst : exponents) {
+    Scene scene = figure.scene;
+    scene.surface.hurst = hurst;
+    const double slope = LineSource(scene, 1).statistics().rmsSlope;
+    Study study(scene, plateauCases(scene, slope, paperForces()), work.next(1));
+    std::vector<Top> tops;
+    for (std::size_t j = 0; j < study.forces(); ++j) {
+      const Top& top = tops.emplace_back(topOf(study, j));
+      figure.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", hurst, study.normalForce(j),
+                                top.force, top.normalizedMu.value,
+                                csvNumber(top.normalizedMu.standardError), top.plateau.velocity,
+                                top.contactFraction, top.slopeRatio, study.realizations());
+    }
+    const int groups = study.groups();
+    all.push_back({hurst, groups, std::move(study), std::move(tops)});
+  }
+  figure.sheet.diagrams = {diagramOf(all)};
+  figure.sheet.note =
+      "The maximum of each averaged curve \u03BC(v), with one standard error. \u221A2 assumes "
+      "exponentially distributed slopes; a line of random phases has Gaussian ones.";
+  figure.claims = {heightClaim(all), hurstClaim(all), fallClaim(all), strongerClaim(all)};
+}
+
+}  // namespace asperity

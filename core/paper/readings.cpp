@@ -1,0 +1,136 @@
+#include "core/paper/readings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/friction/ensemble.h"
+#include "core/friction/fit.h"
+
+namespace asperity {
+namespace {
+
+std::vector<double> normalizedCurve(const Study& study, std::size_t j, int leftOut) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < study.velocities(j).size(); ++i)
+    values.push_back(study.normalizedMu(j, i, leftOut));
+  return values;
+}
+
+}  // namespace
+
+double velocityExponent(const Study& study, std::size_t j, std::size_t first, std::size_t last,
+                        int leftOut) {
+  std::vector<double> velocities, mu;
+  for (std::size_t i = first; i <= last; ++i) {
+    velocities.push_back(study.velocities(j)[i]);
+    mu.push_back(study.mu(j, i, leftOut));
+  }
+  return fitPower(velocities, mu).slope;
+}
+
+Plateau plateauOf(const Study& study, std::size_t j, int leftOut) {
+  const CurveMaximum maximum = maximumOf(study.velocities(j), normalizedCurve(study, j, leftOut));
+  return {maximum.velocity, maximum.value};
+}
+
+RegionBorders regionBorders(const Study& study, std::size_t j, int leftOut,
+                            const BorderRule& rule) {
+  return regionBorders(study.velocities(j), normalizedCurve(study, j, leftOut), rule);
+}
+
+double normalizedMuAt(const Study& study, std::size_t j, double velocity, int leftOut) {
+  const std::vector<double>& velocities = study.velocities(j);
+  const auto above = std::upper_bound(velocities.begin() + 1, velocities.end() - 1, velocity);
+  const auto i = static_cast<std::size_t>(above - velocities.begin());
+  const double part =
+      std::log(velocity / velocities[i - 1]) / std::log(velocities[i] / velocities[i - 1]);
+  const double before = study.normalizedMu(j, i - 1, leftOut);
+  return before * std::pow(study.normalizedMu(j, i, leftOut) / before, part);
+}
+
+double lowVelocityFactor(const Study& study, std::size_t j, std::size_t i, int leftOut) {
+  const LawInput in = study.lawInput(j, i);
+  return study.mu(j, i, leftOut) * in.rmsHeight /
+         (in.relaxationTime * in.velocity * in.rmsSlope * in.rmsSlope);
+}
+
+double velocityAt(double dimensionlessVelocity, const Scene& scene, double rmsSlope) {
+  return dimensionlessVelocity * std::numbers::sqrt2 * scene.surface.rmsHeight /
+         (scene.elastomer.relaxationTime * rmsSlope);
+}
+
+double meetingVelocity(double dimensionlessForce, double hurst) {
+  return std::hypot(dimensionlessForce / 4,
+                    std::pow(dimensionlessForce, forceExponent(hurst)) / betaOf(hurst));
+}
+
+bool isInZone1(double dimensionlessForce, double to) {
+  constexpr double kRounding = 1e-9;
+  return dimensionlessForce >= kZone1From * (1 - kRounding) &&
+         dimensionlessForce <= to * (1 + kRounding);
+}
+
+FullContact fullContactOf(const Study& study) {
+  FullContact found;
+  for (std::size_t j = 0; j < study.forces(); ++j)
+    for (std::size_t i = 0; i < study.velocities(j).size(); ++i) {
+      if (study.contactFraction(j, i) < 1 - 1e-12) continue;
+      ++found.points;
+      LawInput in = study.lawInput(j, i);
+      const auto deviation = [&] { return std::abs(study.mu(j, i) / fullContactFriction(in) - 1); };
+      found.toSpectral = std::max(found.toSpectral, deviation());
+      in.rmsSlope = study.rmsSlopeContact(j, i);
+      found.toResolved = std::max(found.toResolved, deviation());
+    }
+  return found;
+}
+
+double forceAt(const Scene& scene, double dimensionlessForce) {
+  return dimensionlessForce * scene.elastomer.shearModulus * scene.surface.rmsHeight *
+         scene.surface.length;
+}
+
+double alphaOf(const Study& study, int leftOut, double to) {
+  std::vector<double> forces, factors;
+  for (std::size_t j = 0; j < study.forces(); ++j) {
+    const double force = dimensionlessForce(study.lawInput(j, 0));
+    if (!isInZone1(force, to)) continue;
+    forces.push_back(force);
+    factors.push_back(lowVelocityFactor(study, j, 0, leftOut));
+  }
+  return -fitPower(forces, factors).slope;
+}
+
+double betaOf(const Study& study, int leftOut) {
+  const double alpha = forceExponent(study.scene().surface.hurst);
+  double sum = 0;
+  for (std::size_t j = 0; j < study.forces(); ++j) {
+    const double force = dimensionlessForce(study.lawInput(j, 0));
+    sum += std::log(lowVelocityFactor(study, j, 0, leftOut)) + alpha * std::log(force);
+  }
+  return std::exp(sum / static_cast<double>(study.forces()));
+}
+
+std::vector<LoadCase> zone1Cases(const Scene& scene, double rmsSlope) {
+  std::vector<LoadCase> cases;
+  for (const double force : logSpaced(kZone1From, kBetaUpTo, 13))
+    cases.push_back(
+        {{LoadKind::Force, forceAt(scene, force), 0}, {velocityAt(1e-5, scene, rmsSlope)}});
+  return cases;
+}
+
+std::vector<LoadCase> plateauCases(const Scene& scene, double rmsSlope,
+                                   const std::vector<double>& normalForces) {
+  std::vector<LoadCase> cases;
+  for (const double normalForce : normalForces) {
+    // The maximum lies one to two decades above where region I meets the plateau.
+    const double meeting = meetingVelocity(normalForce / forceAt(scene, 1), scene.surface.hurst);
+    const double velocity = velocityAt(meeting, scene, rmsSlope);
+    cases.push_back(
+        {{LoadKind::Force, normalForce, 0}, logSpaced(3 * velocity, 300 * velocity, 9)});
+  }
+  return cases;
+}
+
+}  // namespace asperity

@@ -1,0 +1,195 @@
+#include "core/paper/region_claims.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/friction/ensemble.h"
+#include "core/chart/few_summits.h"
+#include "core/paper/load_shares.h"
+#include "core/friction/fit.h"
+#include "core/material/element_law.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::int64_t kShareLines = 40;  // of which the shapes are looked at
+
+/// Velocities over that of the maximum; the last place is the highest velocity of the study.
+constexpr std::array kAround{0.25, 0.5, 1.0, 2.0, 4.0};
+constexpr std::size_t kAtMaximum = 2, kAtTheEnd = kAround.size();
+
+LoadShares sharesOf(const Study& study, FigureWork& work) {
+  std::vector<double> velocities;
+  for (const double factor : kAround) velocities.push_back(factor * plateauOf(study, 0).velocity);
+  velocities.push_back(study.velocities().back());
+  return {study.scene(),
+          {{{LoadKind::Force, study.normalForce(0), 0}, velocities}},
+          std::min(study.realizations(), kShareLines),
+          work.next(0.2)};
+}
+
+/// Part of the springs at the maximum, whose place is as uncertain as the curve is; straight in
+/// logarithms between the velocities around it.
+double elasticAtMaximum(const Study& study, const LoadShares& shares, int out) {
+  const std::vector<double>& v = shares.loadCase(0).velocities;
+  const double velocity =
+      std::clamp(plateauOf(study, 0, out).velocity, v.front(), v[kAround.size() - 1]);
+  std::size_t i = 0;
+  while (i + 2 < kAround.size() && velocity > v[i + 1]) ++i;
+  const double here = shares.elastic(0, i, out), next = shares.elastic(0, i + 1, out);
+  return here * std::pow(next / here, std::log(velocity / v[i]) / std::log(v[i + 1] / v[i]));
+}
+
+Claim viscousClaim(const Study& study, const LoadShares& shares) {
+  Claim claim{"elasticity_negligible_on_plateau", "p. 3, after Eq. (9)",
+              "In the plateau region the elastomer behaves practically as a viscous fluid: the "
+              "elasticity does not play any role",
+              "part of the normal force that the springs carry at the maximum of the curve"};
+  claim.expected = 0;
+  claim.criterion = "below 0.1";
+  decide(claim,
+         jackknife(shares.groups(), [&](int out) { return elasticAtMaximum(study, shares, out); }),
+         below(0.1));
+  claim.note = fmt::format("The trailing sides of the summits carry {:.2g} % of it there.",
+                           100 * shares.trailing(0, kAtMaximum));
+  return claim;
+}
+
+Claim followClaim(const Study& study, const LoadShares& shares) {
+  Claim claim{"region_4_follows_slope", "p. 4, Eqs. (9) and (15)",
+              "The decrease at large velocities (region IV) is related to the dependence of the "
+              "rms slope on the size of the real contact",
+              "mu / slope in contact at the highest velocity over that at the maximum, mean over "
+              "the lines of each"};
+  const auto ratio = [&](int out) {
+    return shares.frictionOverSlope(0, kAtTheEnd, out) /
+           shares.frictionOverSlope(0, kAtMaximum, out);
+  };
+  claim.expected = 1;
+  claim.criterion = "within 0.1 of 1";
+  decide(claim, jackknife(shares.groups(), ratio), within(1, 0.1));
+  const std::size_t last = study.velocities().size() - 1;
+  claim.note = fmt::format(
+      "Friction itself falls to {:.2g} of its maximum. Over the slope in contact it goes from "
+      "{:.3f} "
+      "to {:.3f}. On a smooth summit, where the slope in contact is evenly distributed, it is "
+      "2/sqrt(3) = {:.3f}.",
+      study.normalizedMu(0, last) / plateauOf(study, 0).normalizedMu,
+      shares.frictionOverSlope(0, kAtMaximum), shares.frictionOverSlope(0, kAtTheEnd),
+      2 / std::numbers::sqrt3);
+  return claim;
+}
+
+/// The scene's curve around the velocity at which F_N / (4 eta v) is a tenth of h: two decades to
+/// either side, of which the lower ones hold the maximum.
+Study studyOfBorder(const Scene& scene, FigureWork& work, double cost) {
+  const double velocity = fewSummitsVelocity(scene, scene.surface.rmsHeight);
+  return work.study(scene, {scene.load.normalForce}, logSpaced(velocity / 100, velocity * 100, 33),
+                    cost);
+}
+
+/// F_N / (4 eta v) over h where the curve falls below 95 % of its maximum.
+double heightAtBorder(const Study& study, int out = Study::kAll) {
+  const double height =
+      climbedHeight(study.normalForce(0), lawOf(study.scene().elastomer).viscosity,
+                    regionBorders(study, 0, out).offPlateau);
+  return height / study.scene().surface.rmsHeight;
+}
+
+std::vector<Study> studiesOfForces(const Study& study, FigureWork& work) {
+  std::vector<Study> studies;
+  for (const double force : {0.01, 0.1, 1.0, 10.0}) {
+    Scene scene = study.scene();
+    scene.load.normalForce = forceAt(scene, force);
+    studies.push_back(studyOfBorder(scene, work, 0.2));
+  }
+  return studies;
+}
+
+/// Longer and shorter periods under the same force per length. The roll-off keeps their heights and
+/// slopes as they are.
+std::vector<Study> studiesOfLengths(const Study& study, FigureWork& work) {
+  const Surface& given = study.scene().surface;
+  const double rollOff = given.rollOffWavelength > 0
+                             ? std::min(given.rollOffWavelength, given.length / 4)
+                             : given.length / 4;
+  std::vector<Study> studies;
+  for (const double factor : {0.25, 1.0, 4.0}) {
+    Scene scene = study.scene();
+    scene.surface.length *= factor;
+    scene.surface.elements = std::max<std::int64_t>(
+        3, std::llround(factor * static_cast<double>(scene.surface.elements)));
+    scene.surface.rollOffWavelength = rollOff;
+    scene.load.normalForce *= factor;
+    studies.push_back(studyOfBorder(scene, work, 2 * factor / 5.25));
+  }
+  return studies;
+}
+
+Claim borderClaim(const std::vector<Study>& forces, const std::vector<Study>& lengths) {
+  Claim claim{"region_4_begins_at_few_summits", "p. 4, after Eq. (15)",
+              "The plateau decreases where the contact becomes extremely small, at extremely high "
+              "sliding velocities or extremely low normal forces",
+              "F_N / (4 eta v) over h where region IV begins, geometric mean over four forces and "
+              "three lengths"};
+  const auto mean = [&](int out) {
+    double sum = 0;
+    for (const std::vector<Study>* studies : {&forces, &lengths})
+      for (const Study& study : *studies) sum += std::log(heightAtBorder(study, out));
+    return std::exp(sum / static_cast<double>(forces.size() + lengths.size()));
+  };
+  claim.expected = kFewSummits;
+  claim.criterion =
+      "0.03 to 0.3: the height that the contacts of one period climb together is "
+      "about a tenth of h";
+  decide(claim, jackknife(forces.front().groups(), mean), {0.03, 0.3});
+  std::string each;
+  for (const Study& study : forces)
+    each += fmt::format("{}F_N / G h L = {:.2g}: {:.3f}", each.empty() ? "" : ", ",
+                        dimensionlessForce(study.lawInput(0, 0)), heightAtBorder(study));
+  for (const Study& study : lengths)
+    each +=
+        fmt::format(", L = {:.2g} m: {:.3f}", study.scene().surface.length, heightAtBorder(study));
+  claim.note = each + ".";
+  return claim;
+}
+
+Claim lengthClaim(const std::vector<Study>& studies) {
+  Claim claim{"region_4_moves_with_length", "p. 1, abstract; p. 4, Eq. (17)",
+              "The law of friction depends on the size of the system, which shifts the curves",
+              "exponent n of v ~ L^n where region IV begins, at given F_N / L, h and roll-off"};
+  const auto exponent = [&](int out) {
+    std::vector<double> lengths, velocities;
+    for (const Study& study : studies) {
+      lengths.push_back(study.scene().surface.length);
+      velocities.push_back(regionBorders(study, 0, out).offPlateau);
+    }
+    return fitPower(lengths, velocities).slope;
+  };
+  claim.expected = 1;
+  claim.criterion = "0.5 to 1.5; 1 by F_N / (4 eta v) = 0.1 h";
+  decide(claim, jackknife(studies.front().groups(), exponent), within(1, 0.5));
+  std::string each;
+  for (const Study& study : studies)
+    each += fmt::format("{}L = {:.2g} m: {:.2g} m/s", each.empty() ? "" : ", ",
+                        study.scene().surface.length, regionBorders(study, 0).offPlateau);
+  claim.note =
+      each + ". Region IV belongs to the finite period: an endless line should keep its plateau.";
+  return claim;
+}
+
+}  // namespace
+
+std::vector<Claim> regionClaims(const Study& study, FigureWork& work) {
+  const LoadShares shares = sharesOf(study, work);
+  const std::vector<Study> forces = studiesOfForces(study, work);
+  const std::vector<Study> lengths = studiesOfLengths(study, work);
+  return {viscousClaim(study, shares), followClaim(study, shares), borderClaim(forces, lengths),
+          lengthClaim(lengths)};
+}
+
+}  // namespace asperity

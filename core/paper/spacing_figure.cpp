@@ -1,0 +1,99 @@
+// What the spacing does: the paper's twenty from 1e-7 to 1e-5 m, mu and mu over the rms slope.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/friction/curve_file.h"
+#include "core/friction/ensemble.h"
+#include "core/paper/figure_parts.h"
+#include "core/paper/figures_each.h"
+#include "core/friction/fit.h"
+#include "core/scene/columns.h"
+
+namespace asperity {
+namespace {
+
+/// Exponent of `read(study)` over the rms slope.
+template <class Read>
+double slopeExponent(const std::vector<Study>& studies, const Read& read) {
+  std::vector<double> slopes, values;
+  for (const Study& study : studies) {
+    slopes.push_back(study.line().rmsSlope);
+    values.push_back(read(study));
+  }
+  return fitPower(slopes, values).slope;
+}
+
+Claim lowVelocityClaim(const std::vector<Study>& studies) {
+  Claim claim{"region_1_slope_squared", "p. 2, before Eq. (5)",
+              "Simulations with different rms gradients, varied by the spacing, show mu very "
+              "accurately proportional to the squared gradient",
+              "exponent n of mu ~ grad^n at the lowest velocity, twenty spacings"};
+  claim.expected = 2;
+  claim.criterion = "within 0.1 of 2";
+  const auto exponent = [&](int out) {
+    return slopeExponent(studies, [&](const Study& study) { return study.mu(0, 0, out); });
+  };
+  decide(claim, jackknife(studies.front().groups(), exponent), within(2, 0.1));
+  return claim;
+}
+
+Claim maximumClaim(const std::vector<Study>& studies) {
+  Claim claim{"maximum_proportional_to_slope", "p. 2, before Fig. 2",
+              "The maximum of the coefficient of friction in the medium range of velocities is "
+              "proportional to the rms gradient",
+              "exponent n of the maximum ~ grad^n, twenty spacings"};
+  claim.expected = 1;
+  claim.criterion = "within 0.1 of 1";
+  const auto exponent = [&](int out) {
+    return slopeExponent(studies, [&](const Study& study) {
+      return plateauOf(study, 0, out).normalizedMu * study.line().rmsSlope;
+    });
+  };
+  decide(claim, jackknife(studies.front().groups(), exponent), within(1, 0.1));
+  return claim;
+}
+
+DiagramSeries seriesOf(const Study& study, double ramp, bool isNormalized) {
+  DiagramSeries series = frictionSeries(study, 0, "");
+  series.ramp = ramp;
+  for (DiagramPoint& point : series.points) {
+    point.low = point.high = kNotApplicable;
+    if (!isNormalized) point.y *= study.line().rmsSlope;
+  }
+  return series;
+}
+
+}  // namespace
+
+void addSpacingFigure(Figure& figure, const FigureOptions& options) {
+  const std::vector<double> spacings = paperSpacings();
+  double cost = 0;
+  for (const double spacing : spacings) cost += 1 / spacing;
+  FigureWork work(options, cost);
+  Diagram plain = frictionDiagram(), normalized = frictionDiagram();
+  plain.title = "coefficient of friction";
+  plain.y.title = "friction \u03BC";
+  normalized.title = "over the rms slope";
+  figure.csv = joinedColumns({"spacing", "rms_slope"}) + "," + curveHeader();
+  std::vector<Study> studies;
+  for (std::size_t k = 0; k < spacings.size(); ++k) {
+    Scene scene = figure.scene;
+    scene.surface.elements = std::llround(scene.surface.length / spacings[k]);
+    const Study& study = studies.emplace_back(
+        work.study(scene, {scene.load.normalForce}, sweepVelocities(scene.sweep), 1 / spacings[k]));
+    const double ramp = static_cast<double>(k) / static_cast<double>(spacings.size() - 1);
+    plain.series.push_back(seriesOf(study, ramp, false));
+    normalized.series.push_back(seriesOf(study, ramp, true));
+    figure.csv += tableRows(study, 0, fmt::format("{},{},", spacings[k], study.line().rmsSlope));
+  }
+  plain.ramp = normalized.ramp = DiagramRamp{"spacing", printedQuantity(spacings.front(), "m"),
+                                             printedQuantity(spacings.back(), "m")};
+  figure.sheet.diagrams = {std::move(plain), std::move(normalized)};
+  figure.sheet.note =
+      "The spacing sets the shortest wave of the line and with it the rms slope: it acts as a "
+      "parameter of the model.";
+  figure.claims = {lowVelocityClaim(studies), maximumClaim(studies)};
+}
+
+}  // namespace asperity

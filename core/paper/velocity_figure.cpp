@@ -1,0 +1,295 @@
+// Fig. 2: the typical curve, with regions I to IV; where the discretization decides, three curves.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/friction/curve_file.h"
+#include "core/friction/ensemble.h"
+#include "core/chart/few_summits.h"
+#include "core/paper/element_curves.h"
+#include "core/paper/figure_parts.h"
+#include "core/paper/figures_each.h"
+#include "core/paper/region_claims.h"
+#include "core/scene/columns.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kFineFrom = 0.1;  // m/s; below, all three agree
+
+struct Curves {
+  Study resolved;
+  std::vector<ElementPoint> literal, fine;
+  bool isFineCut;  // it ends where the steps that are affordable are too few
+};
+
+/// Of a figure's realizations this part, but two at least and `most` at most.
+std::int64_t partOfLines(std::int64_t realizations, std::int64_t part, std::int64_t most) {
+  return std::min(realizations, std::clamp<std::int64_t>(realizations / part, 2, most));
+}
+
+Curves computeCurves(const Scene& scene, const FigureOptions& options, FigureWork& work) {
+  const std::vector<double> velocities = sweepVelocities(scene.sweep);
+  std::vector<double> fast;
+  for (const double velocity : velocities)
+    if (velocity >= kFineFrom) fast.push_back(velocity);
+  // A march costs what hundreds of steady passes do, one in fine steps what ten thousands do.
+  const std::int64_t literalLines = partOfLines(options.realizations, 5, 40);
+  const std::int64_t fineLines = partOfLines(options.realizations, 33, 6);
+  Study resolved = work.study(scene, {scene.load.normalForce}, velocities, 1);
+  std::vector<ElementPoint> literal =
+      literalCurve(scene, velocities, literalLines, {}, work.next(4));
+  std::vector<ElementPoint> fine = fineStepCurve(scene, fast, fineLines, {}, work.next(10));
+  const bool isCut = fine.size() < fast.size();
+  return {std::move(resolved), std::move(literal), std::move(fine), isCut};
+}
+
+DiagramSeries elementSeries(const std::vector<ElementPoint>& points, const std::string& name,
+                            SeriesMark mark) {
+  const std::size_t lines = points.front().normalizedMu.size();
+  DiagramSeries series;
+  series.name = fmt::format("{} ({} line{})", name, lines, lines > 1 ? "s" : "");
+  series.mark = mark;
+  series.stroke = SeriesStroke::Dotted;
+  for (const ElementPoint& point : points) {
+    const auto [value, error] = point.estimate();
+    series.points.push_back({point.velocity, value, value - error, value + error});
+  }
+  return series;
+}
+
+Diagram diagramOf(const Curves& curves) {
+  const Study& study = curves.resolved;
+  Diagram diagram = frictionDiagram();
+  diagram.series.push_back(lawSeries(study, 0, "Eq. (11)"));
+  diagram.series.push_back(
+      elementSeries(curves.literal, "the paper's literal rule", SeriesMark::Square));
+  if (!curves.fine.empty())
+    diagram.series.push_back(
+        elementSeries(curves.fine, "N elements, fine steps", SeriesMark::Triangle));
+  DiagramSeries band = frictionSeries(study, 0, "");
+  band.isBand = true;
+  band.stroke = SeriesStroke::None;
+  band.colour = 2;
+  diagram.series.push_back(band);
+  DiagramSeries resolved =
+      frictionSeries(study, 0, fmt::format("resolved line ({} lines)", study.realizations()));
+  for (DiagramPoint& point : resolved.points) point.low = point.high = kNotApplicable;
+  resolved.colour = 2;
+  diagram.series.push_back(resolved);
+
+  const std::vector<double>& v = study.velocities();
+  for (const CurveRegion& region : regionsWithin(regionBorders(study, 0), v.front(), v.back()))
+    diagram.spans.push_back({region.from, region.to, region.name});
+  const double few = fewSummitsVelocity(study.scene(), study.line().rmsHeight);
+  addFewSummits(diagram, fewSummitsWithin(few, v.front(), v.back()));
+  return diagram;
+}
+
+std::string tableOf(const Curves& curves) {
+  std::string text = joinedColumns({"curve"}) + "," + curveHeader();
+  text += tableRows(curves.resolved, 0, "resolved,");
+  const LawInput in = curves.resolved.lawInput(0, 0);
+  const auto add = [&](const std::vector<ElementPoint>& points, const char* lead) {
+    for (const ElementPoint& element : points) {
+      LawInput at = in;
+      at.velocity = element.velocity;
+      CurvePoint point;
+      point.velocity = element.velocity;
+      const auto [value, error] = element.estimate();
+      point.normalizedMu = value;
+      point.mu = value * in.rmsSlope;
+      point.muStandardError = error * in.rmsSlope;
+      point.muLaw = frictionLaw(at);
+      point.contactFraction = point.indentation = kNotApplicable;
+      point.dimensionlessVelocity = dimensionlessVelocity(at);
+      point.dimensionlessForce = dimensionlessForce(at);
+      point.realizations = static_cast<std::int64_t>(element.normalizedMu.size());
+      text += lead + curveRow(point);
+    }
+  };
+  add(curves.literal, "literal,");
+  add(curves.fine, "elements_fine_steps,");
+  return text;
+}
+
+/// The last velocity, as an index, at or below this.
+std::size_t indexBelow(const std::vector<double>& velocities, double velocity) {
+  const auto above = std::upper_bound(velocities.begin(), velocities.end(), velocity * (1 + 1e-9));
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - velocities.begin(), 1) - 1);
+}
+
+Claim linearClaim(const Study& study) {
+  // Two decades well inside region I.
+  const std::size_t last = std::max<std::size_t>(
+      2, indexBelow(study.velocities(), regionBorders(study, 0).endOfLinear / 10));
+  Claim claim{"region_1_is_linear", "p. 2, Fig. 2",
+              "At first the coefficient of friction increases linearly with velocity (region I)",
+              "exponent n of mu ~ v^n"};
+  claim.expected = 1;
+  claim.criterion = "within 0.02 of 1, at velocities below a tenth of region I's end";
+  decide(
+      claim,
+      jackknife(study.groups(), [&](int out) { return velocityExponent(study, 0, 0, last, out); }),
+      within(1, 0.02));
+  return claim;
+}
+
+/// Another reading of the borders, to show how much hangs on it.
+constexpr BorderRule kStrict{0.9, 0.9};
+
+double widthOf(const Study& study, int out, const BorderRule& rule = {}) {
+  const RegionBorders borders = regionBorders(study, 0, out, rule);
+  return std::log10(borders.toPlateau / borders.endOfLinear);
+}
+
+double factorOf(const Study& study, int out, const BorderRule& rule = {}) {
+  const RegionBorders borders = regionBorders(study, 0, out, rule);
+  return normalizedMuAt(study, 0, borders.toPlateau, out) /
+         normalizedMuAt(study, 0, borders.endOfLinear, out);
+}
+
+Claim widthClaim(const Study& study) {
+  Claim claim{"region_2_width", "p. 2, Fig. 2", "Region II covers one decade of velocities",
+              "decades from 80 % of the line through region I to 95 % of the maximum"};
+  claim.expected = 1;
+  claim.criterion = "0.7 to 1.3 decades";
+  decide(claim, jackknife(study.groups(), [&](int out) { return widthOf(study, out); }),
+         within(1, 0.3));
+  claim.note = fmt::format(
+      "The paper does not say where it reads the borders. From 90 % of the line to 90 % of the "
+      "maximum it is {:.2f} decades.",
+      widthOf(study, Study::kAll, kStrict));
+  return claim;
+}
+
+Claim factorClaim(const Study& study) {
+  Claim claim{"region_2_factor", "p. 2, Fig. 2",
+              "The coefficient of friction increases in region II by a factor of two",
+              "mu at the end of region II over mu at its start, borders as for its width"};
+  claim.expected = 2;
+  claim.criterion = "1.5 to 2.5";
+  decide(claim, jackknife(study.groups(), [&](int out) { return factorOf(study, out); }),
+         within(2, 0.5));
+  claim.note = fmt::format(
+      "From 90 % of the line to 90 % of the maximum it is {:.2f}. Region II cannot both begin on "
+      "the line of slope 1 and grow by two only within a decade.",
+      factorOf(study, Study::kAll, kStrict));
+  return claim;
+}
+
+Claim plateauClaim(const Study& study) {
+  Claim claim{"plateau_height", "p. 3, Eq. (9)",
+              "On the plateau (region III) mu is about sqrt(2) times the rms slope",
+              "largest mu / rms slope of the line"};
+  claim.expected = std::sqrt(2.0);
+  claim.criterion = "within 10 % of sqrt(2)";
+  decide(claim,
+         jackknife(study.groups(), [&](int out) { return plateauOf(study, 0, out).normalizedMu; }),
+         within(claim.expected, 0.1 * claim.expected));
+  const Plateau plateau = plateauOf(study, 0);
+  claim.note =
+      fmt::format("At {:.2g} m/s. Mind the fall already at this small force.", plateau.velocity);
+  return claim;
+}
+
+constexpr double kLevel = 0.1;  // |n| of a level that counts as constant
+
+/// What fine steps of the same elements give where their number does not matter.
+std::string fineStepsNote(const Curves& curves) {
+  if (curves.fine.empty())
+    return fmt::format("Fine steps of the same N elements are not resolved by {} per spacing.",
+                       FineSteps{}.most);
+  // A decade is longer than the fall that they show.
+  const double end = curves.fine.back().velocity, from = end / std::sqrt(10.0);
+  const double exponent = exponentFrom(curves.fine, from).value;
+  const std::string measured =
+      std::isfinite(exponent)
+          ? fmt::format(
+                "Fine steps of the same N elements give n = {:.2f} between {:.2g} and "
+                "{:.2g} m/s",
+                exponent, from, end)
+          : fmt::format("Fine steps of the same N elements are resolved up to {:.2g} m/s", end);
+  if (!curves.isFineCut) return measured + ".";
+  return measured + fmt::format(
+                        "; beyond, {} of them per spacing are too few for 1 %, and any fixed "
+                        "number has a floor of its own.",
+                        FineSteps{}.most);
+}
+
+Claim constantLevelClaim(const Curves& curves) {
+  const Study& study = curves.resolved;
+  const std::size_t last = study.velocities().size() - 1;
+  const double from = study.velocities()[last] / 10;
+  const std::size_t first = indexBelow(study.velocities(), from);
+  Claim claim{"region_4_constant_level", "p. 2, Fig. 2; abstract",
+              "Friction finally drops to another constant level (region IV)",
+              "exponent n of mu ~ v^n over the last decade, by the paper's literal rule"};
+  claim.expected = 0;
+  claim.criterion = "|n| below 0.1; on a resolved line, too, for a plain yes";
+  const Bounds level = within(0, kLevel);
+  decide(claim, exponentFrom(curves.literal, from), level);
+  const Estimate resolved = jackknife(
+      study.groups(), [&](int out) { return velocityExponent(study, 0, first, last, out); });
+  const Verdict onLine = verdict(resolved, level);
+  if (claim.holds == Verdict::Yes && onLine == Verdict::No) {
+    claim.holds = Verdict::OnlyForScheme;
+    claim.scheme = "literal (one spacing per step)";
+  } else {
+    claim.holds = both(claim.holds, onLine);
+  }
+  claim.note = fmt::format(
+      "n is {:.2f} on the resolved line, which falls on as v^(-1/2). The level is one node's own "
+      "slope: the line moves one spacing per step, so the last contact is a single node, and more "
+      "power goes in than is dissipated. {}",
+      resolved.value, fineStepsNote(curves));
+  return claim;
+}
+
+Claim convergenceClaim(const Curves& curves) {
+  const auto worst = std::max_element(
+      curves.literal.begin(), curves.literal.end(),
+      [](const ElementPoint& a, const ElementPoint& b) { return a.jumpFraction < b.jumpFraction; });
+  Claim claim{"no_convergence_problems", "p. 2, after Eq. (4)",
+              "The algorithm is not iterative and there are no convergence problems",
+              "largest part of the steps in which no indentation meets the normal force"};
+  claim.expected = 0;
+  claim.criterion = "0 by the literal rule";
+  decideExactly(claim, worst->jumpFraction, below(0));
+  if (claim.holds == Verdict::No) {
+    claim.holds = Verdict::OnlyForScheme;
+    claim.scheme = "linear or cubic (a resolved line)";
+  }
+  claim.note = fmt::format(
+      "At {:.2g} m/s. F_N(d) of separate elements jumps where one enters under viscous pressure; "
+      "on a resolved line it is continuous and every balance is met to {:.0e}.",
+      worst->velocity, std::max(curves.resolved.largestResidual(), 1e-15));
+  return claim;
+}
+
+}  // namespace
+
+void addVelocityFigure(Figure& figure, const FigureOptions& options) {
+  FigureWork work(options, 15 + kRegionClaimsCost);
+  const Curves curves = computeCurves(figure.scene, options, work);
+  figure.sheet.diagrams.push_back(diagramOf(curves));
+  figure.sheet.note =
+      "Regions by 80 % of the line through region I and 95 % of the maximum. In region IV the "
+      "smallest scale decides: the constant level appears only where the line moves one spacing in "
+      "each step.";
+  if (curves.isFineCut && !curves.fine.empty())
+    figure.sheet.note += fmt::format(
+        " The curve of fine steps ends at {:.2g} m/s, above which {} steps per spacing are too few "
+        "for 1 %.",
+        curves.fine.back().velocity, FineSteps{}.most);
+  if (!figure.sheet.diagrams.front().shades.empty())
+    figure.sheet.note += std::string(" ") + kFewSummitsSentence;
+  figure.csv = tableOf(curves);
+  const Study& study = curves.resolved;
+  figure.claims = {linearClaim(study),  widthClaim(study),          factorClaim(study),
+                   plateauClaim(study), constantLevelClaim(curves), convergenceClaim(curves)};
+  for (Claim& claim : regionClaims(study, work)) figure.claims.push_back(std::move(claim));
+}
+
+}  // namespace asperity

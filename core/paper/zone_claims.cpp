@@ -1,0 +1,336 @@
+#include "core/paper/zone_claims.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/friction/ensemble.h"
+#include "core/paper/load_shares.h"
+#include "core/friction/fit.h"
+
+namespace asperity {
+namespace {
+
+/// The forces of zone 1, as indices.
+std::vector<std::size_t> forcesInZone1(const Study& study) {
+  std::vector<std::size_t> forces;
+  for (std::size_t j = 0; j < study.forces(); ++j)
+    if (isInZone1(dimensionlessForce(study.lawInput(j, 0)))) forces.push_back(j);
+  return forces;
+}
+
+/// Exponent of `read` over the forces given by index.
+template <class Read>
+double forceExponentOf(const Study& study, const std::vector<std::size_t>& forces,
+                       const Read& read) {
+  std::vector<double> x, y;
+  for (const std::size_t j : forces) {
+    x.push_back(study.normalForce(j));
+    y.push_back(read(j));
+  }
+  return fitPower(x, y).slope;
+}
+
+/// An exponent over the forces of zone 1, by the same window as alpha in Fig. 5.
+template <class Read>
+Claim zone1Claim(Claim claim, const Study& study, double expected, const Read& read) {
+  const std::vector<std::size_t> forces = forcesInZone1(study);
+  claim.expected = expected;
+  claim.criterion = "within 0.03 of the expected";
+  if (forces.size() < 3) return claim;
+  const auto exponent = [&](int out) {
+    return forceExponentOf(study, forces, [&](std::size_t j) { return read(j, out); });
+  };
+  decide(claim, jackknife(study.groups(), exponent), within(expected, 0.03));
+  return claim;
+}
+
+Claim zone1FrictionClaim(const Study& study) {
+  return zone1Claim({"zone_1_power", "p. 3, Eqs. (5) and (7)",
+                     "In zone 1 the coefficient of friction is a power of the force, "
+                     "mu ~ F_N^(-H/(1+H))",
+                     "exponent of mu over F_N at the lowest velocity, F_N / G h L up to 0.1"},
+                    study, -forceExponent(study.scene().surface.hurst),
+                    [&](std::size_t j, int out) { return study.mu(j, 0, out); });
+}
+
+Claim contactLengthClaim(const Study& study) {
+  Claim claim =
+      zone1Claim({"contact_length_power", "p. 3, before Eq. (7)",
+                  "At small forces the contact length is a power of the force, "
+                  "L_cont ~ F_N^(1/(1+H))",
+                  "exponent of L_cont over F_N at the lowest velocity, F_N / G h L up to 0.1"},
+                 study, 1 / (1 + study.scene().surface.hurst),
+                 [&](std::size_t j, int out) { return study.contactFraction(j, 0, out); });
+  claim.note =
+      "The slope in contact rises with the force, too, so that mu and L_cont need not have the "
+      "same exponent up to 1.";
+  return claim;
+}
+
+/// Eq. (6) holds on each line and for averages of mu against the pooled contact.
+Claim contactLawClaim(const Study& study) {
+  Claim claim{"equation_6", "p. 3, Eq. (6)",
+              "At low velocities mu = 4 L_cont eta grad_cont^2 v / F_N",
+              "largest |mu / Eq. (6) - 1| at the lowest velocity, all forces"};
+  const auto deviation = [&](std::size_t j, int out) {
+    const double predicted = contactFriction(
+        study.lawInput(j, 0), study.contactFraction(j, 0, out) * study.scene().surface.length,
+        study.rmsSlopeContact(j, 0, out));
+    return std::abs(study.mu(j, 0, out) / predicted - 1);
+  };
+  std::vector<Estimate> deviations;
+  for (std::size_t j = 0; j < study.forces(); ++j)
+    deviations.push_back(jackknife(study.groups(), [&](int out) { return deviation(j, out); }));
+  claim.expected = 0;
+  claim.criterion = "below 0.02";
+  decideByAll(claim, deviations, below(0.02));
+  return claim;
+}
+
+/// rms slope in contact at force j over that at force k, at the lowest velocity.
+Estimate slopeRatio(const Study& study, std::size_t j, std::size_t k) {
+  return jackknife(study.groups(), [&](int out) {
+    return study.rmsSlopeContact(j, 0, out) / study.rmsSlopeContact(k, 0, out);
+  });
+}
+
+Claim slopeTrendClaim(const Study& study) {
+  const std::size_t last = study.forces() - 1;
+  Claim claim{"slope_in_contact_rises", "p. 4, Eq. (15)",
+              "The rms slope in contact increases with the indentation, weakly",
+              "rms slope in contact at the smallest force over that at the largest"};
+  claim.criterion = "below 1";
+  decide(claim, slopeRatio(study, 0, last), below(1));
+  // Eq. (15) as printed has the wrong sign of the exponent; with q^(2(1-H)) it is the sum of modes
+  // shorter than the contact.
+  const double hurst = study.scene().surface.hurst;
+  const double shortest =
+      2 * study.scene().surface.length / static_cast<double>(study.scene().surface.elements);
+  const auto squared = [&](double contact) {
+    return 1 - std::pow(shortest / contact, 2 * (1 - hurst));
+  };
+  const double length = study.scene().surface.length;
+  const double predicted =
+      hurst < 1 ? std::sqrt(squared(study.contactFraction(0, 0) * length) / squared(length))
+                : kNotApplicable;
+  claim.expected = predicted;
+  claim.note =
+      "Eq. (15)'s exponents must read +2(1 - H). With them, and q_cont = 2 pi / L_cont for the "
+      "whole contact taken as one piece, it gives the expected value; the real contact is in many "
+      "pieces, which are shorter.";
+  return claim;
+}
+
+/// A line that is made rougher on its summits than elsewhere.
+Claim roughSummitsClaim(const Study& study, FigureWork& work) {
+  constexpr double kCorrelation = 2;
+  Scene scene = study.scene();
+  scene.surface.summitCorrelation = kCorrelation;
+  const std::size_t last = study.forces() - 1;
+  const Study rough = work.study(scene, {study.normalForce(0), study.normalForce(last)},
+                                 {study.velocities()[0]}, 1);
+  Claim claim{"slope_in_contact_falls_for_rough_summits", "p. 4, after Eq. (15)",
+              "For a surface that is rougher on the summits than on the slopes the rms slope would "
+              "decrease with indentation",
+              "rms slope in contact at the smallest force over that at the largest, with "
+              "surface.summit_correlation = 2"};
+  claim.criterion = "above 1";
+  decide(claim, slopeRatio(rough, 0, 1), above(1));
+  claim.note =
+      fmt::format("With surface.summit_correlation = {:g} it is {:.3f}.",
+                  study.scene().surface.summitCorrelation, slopeRatio(study, 0, last).value);
+  return claim;
+}
+
+/// The velocity (m/s) at which the trailing sides of the summits still carry this part of the load,
+/// straight in logarithms between the velocities of case j; NaN: none of them.
+double velocityOfTrailing(const LoadShares& shares, std::size_t j, double part, int out) {
+  const std::vector<double>& v = shares.loadCase(j).velocities;
+  for (std::size_t i = 0; i + 1 < v.size(); ++i) {
+    const double here = shares.trailing(j, i, out), next = shares.trailing(j, i + 1, out);
+    if (here >= part && next < part && next > 0)
+      return v[i] * std::pow(v[i + 1] / v[i], std::log(here / part) / std::log(here / next));
+  }
+  return kNotApplicable;
+}
+
+Claim oneSidedClaim(const Study& study, FigureWork& work) {
+  constexpr double kPart = 0.1;
+  constexpr std::array kForces{0.01, 0.1, 1.0, 10.0, 100.0};  // F_N / G h L
+  constexpr std::size_t kPartial = 3;                         // of them, in partial contact
+  const Scene& scene = study.scene();
+  const double unit = velocityAt(1, scene, study.line().rmsSlope);
+  std::vector<LoadCase> cases;
+  for (const double force : kForces) {
+    const double meeting = meetingVelocity(force, scene.surface.hurst) * unit;
+    cases.push_back(
+        {{LoadKind::Force, forceAt(scene, force), 0}, logSpaced(0.1 * meeting, 20 * meeting, 9)});
+  }
+  const LoadShares shares(scene, std::move(cases), std::min<std::int64_t>(study.realizations(), 40),
+                          work.next(2));
+  std::vector<Estimate> velocities;
+  for (std::size_t j = 0; j < kForces.size(); ++j)
+    velocities.push_back(jackknife(shares.groups(), [&](int out) {
+      return velocityOfTrailing(shares, j, kPart, out) / unit;
+    }));
+  Claim claim{"contacts_one_sided_at_1", "p. 3, after Eq. (14)",
+              "Dimensionless velocity of about 1 gives the order of magnitude of the velocity at "
+              "which the elastomer is detached on the trailing side of any asperity and all the "
+              "contacts become one-sided",
+              "dimensionless velocity at which trailing sides carry a tenth of the load, F_N / G h "
+              "L = 0.01, 0.1 and 1: the most distant"};
+  claim.expected = 1;
+  claim.criterion = "between 0.1 and 10";
+  decideByAll(claim, {velocities.data(), kPartial}, {0.1, 10});
+  std::string each;
+  for (std::size_t j = 0; j < kForces.size(); ++j)
+    each += fmt::format("{}F_N / G h L = {:g}: {:.2g}", each.empty() ? "" : ", ", kForces[j],
+                        velocities[j].value);
+  claim.note = each +
+               ". In complete contact it grows as the force. The detachment condition of the paper "
+               "lacks a factor G: G (d - z) + eta v z' = 0.";
+  return claim;
+}
+
+Claim plateauSpreadClaim(const Study& study) {
+  std::vector<double> tops;
+  for (std::size_t j = 0; j < study.forces(); ++j) tops.push_back(plateauOf(study, j).normalizedMu);
+  Claim claim{"plateau_depends_weakly_on_force", "p. 1, abstract",
+              "The coefficient of friction on the plateau depends only weakly on the normal force",
+              "smallest over largest plateau, over five decades of force"};
+  const auto [low, high] = std::minmax_element(tops.begin(), tops.end());
+  const auto lowest = static_cast<std::size_t>(low - tops.begin());
+  const auto highest = static_cast<std::size_t>(high - tops.begin());
+  claim.expected = 1;
+  claim.criterion = "above 0.8";
+  const auto ratio = [&](int out) {
+    return plateauOf(study, lowest, out).normalizedMu / plateauOf(study, highest, out).normalizedMu;
+  };
+  decide(claim, jackknife(study.groups(), ratio), above(0.8));
+  return claim;
+}
+
+/// What is left between the curves up to their plateaus (decades of mu) after each has been shifted
+/// along ln v so that its region I lies on that of the first.
+double distanceOfShifted(const Study& study, int out) {
+  const double reference = study.mu(0, 0, out);
+  const double end = plateauOf(study, 0, out).velocity;
+  double worst = 0;
+  for (std::size_t j = 1; j < study.forces(); ++j) {
+    const double shift = reference / study.mu(j, 0, out);
+    for (const double velocity : logSpaced(study.velocities()[0], end, 40)) {
+      const double moved = velocity * shift;
+      if (moved > study.velocities().back()) break;
+      worst = std::max(worst, std::abs(std::log10(normalizedMuAt(study, j, moved, out) /
+                                                  normalizedMuAt(study, 0, velocity, out))));
+    }
+  }
+  return worst;
+}
+
+Claim shiftClaim(const Study& study) {
+  Claim claim{"curves_shift", "p. 2, Fig. 4",
+              "The form of the dependence is approximately the same for different forces, only "
+              "shifted along the axis of log v",
+              "largest distance of two curves (decades of mu), shifted together in region I, up to "
+              "the plateau"};
+  claim.expected = 0;
+  claim.criterion = "below 0.1 (26 %)";
+  decide(claim, jackknife(study.groups(), [&](int out) { return distanceOfShifted(study, out); }),
+         below(0.1));
+  return claim;
+}
+
+Claim ratioClaim(const Study& study, FigureWork& work) {
+  Scene scene = study.scene();
+  scene.elastomer.shearModulus *= 3;
+  scene.ensemble.realizations = std::min<std::int64_t>(study.realizations(), 10);
+  const std::vector<double> velocities{1e-3, 1e-1, 10};
+  std::vector<double> forces;
+  for (std::size_t j = 0; j < study.forces(); j += 6) forces.push_back(study.normalForce(j));
+  std::vector<double> larger = forces;
+  for (double& force : larger) force *= 3;
+  Scene plain = study.scene();
+  plain.ensemble.realizations = scene.ensemble.realizations;
+  const Study one = work.study(plain, forces, velocities, 1);
+  const Study three = work.study(scene, larger, velocities, 1);
+  double worst = 0;
+  for (std::size_t j = 0; j < forces.size(); ++j)
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+      worst = std::max(worst, std::abs(three.mu(j, i) / one.mu(j, i) - 1));
+  Claim claim{"force_over_modulus", "p. 2, before Eq. (5)",
+              "The coefficient of friction depends on force and shear modulus only over F_N / G",
+              "largest change of mu where both are tripled"};
+  claim.expected = 0;
+  claim.criterion = "below 1e-9";
+  decideExactly(claim, worst, below(1e-9));
+  return claim;
+}
+
+/// mu ~ grad^n at fixed h, by the spacing.
+Claim slopeSquaredClaim(const Study& study, FigureWork& work) {
+  std::vector<Study> studies;
+  for (const double factor : {0.5, 1.0, 2.0, 4.0}) {
+    Scene scene = study.scene();
+    scene.surface.elements = std::max<std::int64_t>(
+        3, std::llround(factor * static_cast<double>(scene.surface.elements)));
+    studies.push_back(work.study(scene, {forceAt(scene, 0.1)}, {study.velocities()[0]}, 2));
+  }
+  Claim claim{
+      "slope_squared", "p. 2, before Eq. (5)",
+      "At low velocities the coefficient of friction is very accurately proportional to the "
+      "squared rms gradient, varied by the spacing",
+      "exponent n of mu ~ grad^n at F_N / G h L = 0.1"};
+  claim.expected = 2;
+  claim.criterion = "within 0.1 of 2";
+  const auto exponent = [&](int out) {
+    std::vector<double> slopes, mu;
+    for (const Study& one : studies) {
+      slopes.push_back(one.line().rmsSlope);
+      mu.push_back(one.mu(0, 0, out));
+    }
+    return fitPower(slopes, mu).slope;
+  };
+  decide(claim, jackknife(study.groups(), exponent), within(2, 0.1));
+  return claim;
+}
+
+/// F_N / G h L at which this part of the line is in contact at the lowest velocity, straight in the
+/// logarithm of the force; NaN: at none of the forces.
+double forceOfContact(const Study& study, double part, int out) {
+  for (std::size_t j = 0; j + 1 < study.forces(); ++j) {
+    const double here = study.contactFraction(j, 0, out),
+                 next = study.contactFraction(j + 1, 0, out);
+    if (here > part || next <= part) continue;
+    return dimensionlessForce(study.lawInput(j, 0)) *
+           std::pow(study.normalForce(j + 1) / study.normalForce(j), (part - here) / (next - here));
+  }
+  return kNotApplicable;
+}
+
+Claim completeContactClaim(const Study& study) {
+  Claim claim{
+      "complete_contact_near_1", "p. 3, after Eq. (14)",
+      "F_N / G h L of about 1 gives the order of magnitude of the force of complete contact",
+      "F_N / G h L at which 90 % of the line are in contact, at the lowest velocity"};
+  claim.expected = 1;
+  claim.criterion = "between 0.1 and 10";
+  decide(claim, jackknife(study.groups(), [&](int out) { return forceOfContact(study, 0.9, out); }),
+         {0.1, 10});
+  return claim;
+}
+
+}  // namespace
+
+std::vector<Claim> zoneClaims(const Study& study, FigureWork& work) {
+  return {
+      shiftClaim(study),          zone1FrictionClaim(study),      fullContactClaim({&study, 1}),
+      ratioClaim(study, work),    slopeSquaredClaim(study, work), contactLawClaim(study),
+      contactLengthClaim(study),  slopeTrendClaim(study),         roughSummitsClaim(study, work),
+      oneSidedClaim(study, work), plateauSpreadClaim(study),      completeContactClaim(study)};
+}
+
+}  // namespace asperity

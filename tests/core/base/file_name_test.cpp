@@ -1,0 +1,16 @@
+#include "core/base/file_name.h"
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+TEST(FileName, HasNoSignThatAFolderOrAShellCouldTake) {
+  EXPECT_EQ(fileNameOf("paper_2-a"), "paper_2-a");
+  EXPECT_EQ(fileNameOf("../a b/$c"), "___a_b__c");
+  EXPECT_EQ(fileNameOf(""), "");
+  EXPECT_EQ(fileNameOf(std::string(1000, 'x')).size(), 60U);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,86 @@
+// Regions I to IV on curves whose regions are known: the law of Eq. (11), whole and cut.
+#include "core/chart/curve_regions.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "core/friction/ensemble.h"
+#include "core/friction/law.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+
+/// mu = [1 + 1/v^2]^(-1/2), Eq. (12) in units of its meeting point, times a fall beyond `fall`.
+std::vector<CurvePoint> lawBetween(double from, double to, double fall = INFINITY) {
+  std::vector<CurvePoint> points;
+  for (const double velocity : logSpaced(from, to, 61)) {
+    CurvePoint point;
+    point.velocity = velocity;
+    point.mu = 1 / std::hypot(1.0, 1 / velocity) / std::hypot(1.0, velocity / fall);
+    point.realizations = 1;
+    points.push_back(point);
+  }
+  return points;
+}
+
+std::vector<std::string> namesOf(const std::vector<CurveRegion>& regions) {
+  std::vector<std::string> names;
+  for (const CurveRegion& region : regions) names.push_back(region.name);
+  return names;
+}
+
+TEST(CurveRegions, AreWhereTheLawOfEq12HasItsBorders) {
+  const auto regions = regionsOfCurve({}, lawBetween(1e-4, 1e6, 1e4));
+  ASSERT_THAT(namesOf(regions), ElementsAre("I", "II", "III", "IV"));
+  EXPECT_EQ(regions.front().from, 1e-4);
+  // 1 / sqrt(1 + v^2) = 0.8 at v = 0.75; v / sqrt(1 + v^2) = 0.95 at 3.04.
+  EXPECT_NEAR(regions[0].to, 0.75, 0.02);
+  EXPECT_NEAR(regions[1].to, 0.95 / std::sqrt(1 - 0.95 * 0.95), 0.1);
+  // 1 / sqrt(1 + x^2) = 0.95 at x = 0.329
+  EXPECT_NEAR(regions[2].to, 0.329e4, 0.1e4);
+  EXPECT_EQ(regions[3].to, 1e6);
+  for (std::size_t i = 1; i < regions.size(); ++i) EXPECT_EQ(regions[i].from, regions[i - 1].to);
+}
+
+TEST(CurveRegions, ACurveThatIsCutHasOnlyThoseItShows) {
+  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(1e-6, 1e-2))), ElementsAre("I"));
+  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(1e-4, 1.2))), ElementsAre("I", "II"));
+  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(1e-4, 1e3))), ElementsAre("I", "II", "III"));
+  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(0.9, 1e3))), ElementsAre("II", "III"));
+  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(30, 1e3))), ElementsAre("III"));
+  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(30, 1e6, 1e4))), ElementsAre("III", "IV"));
+  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(1e5, 1e6, 1e4))), ElementsAre("IV"));
+}
+
+TEST(CurveRegions, NeedAKelvinBodyAndFriction) {
+  const auto points = lawBetween(1e-4, 1e6, 1e4);
+  Scene solid;
+  solid.elastomer.rheology = Rheology::StandardSolid;
+  EXPECT_TRUE(regionsOfCurve(solid, points).empty());
+  auto unknown = points;
+  for (CurvePoint& point : unknown) point.realizations = 0;
+  EXPECT_TRUE(regionsOfCurve({}, unknown).empty());
+  auto frictionless = points;
+  for (CurvePoint& point : frictionless) point.mu = 0;
+  EXPECT_TRUE(regionsOfCurve({}, frictionless).empty());
+}
+
+TEST(CurveRegions, TheSceneOfFigure2ShowsAllFour) {
+  Scene scene;
+  scene.ensemble.realizations = 4;
+  scene.surface.elements = 1000;
+  EXPECT_THAT(namesOf(regionsOfCurve(scene, frictionCurve(scene).points)),
+              ElementsAre("I", "II", "III", "IV"));
+}
+
+TEST(CurveRegions, EachHasItsWordAndSentence) {
+  EXPECT_EQ(wordOfRegion("III"), "plateau");
+  for (const char* name : {"I", "II", "III", "IV"}) EXPECT_FALSE(sentenceOfRegion(name).empty());
+  EXPECT_TRUE(wordOfRegion("V").empty());
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,73 @@
+#include "core/chart/curve_set.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace asperity {
+namespace {
+
+CurvePoint point(double velocity, double mu) {
+  CurvePoint made;
+  made.velocity = velocity;
+  made.mu = mu;
+  made.muStandardError = mu / 8;
+  made.dimensionlessVelocity = 4 * velocity;
+  made.normalizedMu = 2 * mu;
+  made.realizations = 3;
+  return made;
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(CurveSet, FactorsLeadToTheAxes) {
+  const std::vector<CurvePoint> points{point(1, 0), point(2, 0.5)};
+  const AxesFactors plain = factorsOf(points, CurveAxes::Physical);
+  EXPECT_EQ(plain.velocity, 1);
+  EXPECT_EQ(plain.friction, 1);
+  const AxesFactors factors = factorsOf(points, CurveAxes::Dimensionless);
+  EXPECT_EQ(factors.velocity, 4);
+  EXPECT_EQ(factors.friction, 2);
+  EXPECT_TRUE(std::isnan(factorsOf({}, CurveAxes::Dimensionless).velocity));
+}
+
+TEST(CurveSet, TheTableHasOneRowForEachPointOfEachSeries) {
+  CurveSet set;
+  set.present = {"", {}, {point(1, 0.5), point(2, 1)}};
+  set.present.points[0].muLaw = 0.25;
+  set.present.points[1].realizations = 0;  // not known yet
+  set.pinned = {{"G = 20 MPa, h = 5 \u00B5m", {}, {point(1, 2)}}};
+  EXPECT_THAT(linesOf(curveSetCsv(set)),
+              testing::ElementsAre("series,velocity,mu,mu_standard_error,dimensionless_velocity,"
+                                   "normalized_mu,realizations",
+                                   "present,1,0.5,0.0625,4,1,3", "Eq. (11),1,0.25,,4,0.5,",
+                                   "\"pinned 1: G = 20 MPa, h = 5 \u00B5m\",1,2,0.25,4,4,3"));
+}
+
+TEST(CurveSet, ADifferenceHasColumnsOfItsOwn) {
+  CurveSet set;
+  set.present = {"", {}, {point(1, 0.5)}};
+  set.difference =
+      CurveDifference{nullptr, {Scheme::Linear, 2, 3}, {{1, 0.75, 0.125, 0.5, 0.25}}, 6, 6};
+  EXPECT_THAT(
+      linesOf(curveSetCsv(set)),
+      testing::ElementsAre(
+          testing::EndsWith("realizations,relative_difference,relative_difference_standard_error"),
+          "present,1,0.5,0.0625,4,1,3,,",
+          "\"compared: linear x2, 3 lines\",1,0.75,0.125,4,1.5,3,0.5,0.25"));
+}
+
+TEST(CurveSet, PinsOfDifferentPlacesHaveDifferentColours) {
+  for (int a = 0; a < kPinColours; ++a)
+    for (int b = 0; b < a; ++b) EXPECT_NE(colourOfPin(a), colourOfPin(b));
+  EXPECT_EQ(colourOfPin(kPinColours), colourOfPin(0));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,64 @@
+#include "core/chart/curve_words.h"
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+TEST(CurveWords, SayWhatASceneSets) {
+  const std::string words = parametersInWords({});
+  EXPECT_NE(words.find("H = 0.7"), words.npos);
+  EXPECT_NE(words.find("G = 10 MPa"), words.npos);
+  EXPECT_NE(words.find("F\u2099 = 3.4 mN"), words.npos);
+  EXPECT_EQ(words.find("T\u1D63"), words.npos) << "a temperature that shifts nothing is not said";
+}
+
+TEST(CurveWords, SayOnlyWhatDiffers) {
+  Scene scene, other;
+  EXPECT_EQ(differencesInWords(other, scene), "");
+  other.elastomer.shearModulus = 2e7;
+  other.surface.rmsHeight = 5e-6;
+  EXPECT_EQ(differencesInWords(other, scene), "h = 5 \u00B5m, G = 20 MPa");
+  EXPECT_EQ(differencesInWords(scene, other), "h = 500 nm, G = 10 MPa");
+}
+
+TEST(CurveWords, LeaveOutWhatACurveDoesNotDependOn) {
+  Scene scene, other;
+  other.title = "another";
+  other.description = "to be seen";
+  other.sliding.velocity = 3;
+  EXPECT_EQ(differencesInWords(other, scene), "");
+}
+
+TEST(CurveWords, NameRowsWithoutSymbolAndChoices) {
+  Scene scene, other;
+  other.accuracy.scheme = Scheme::Linear;
+  other.accuracy.oversampling = 4;
+  other.ensemble.realizations = 20;
+  EXPECT_EQ(differencesInWords(other, scene), "realizations 20, linear, oversampling 4");
+  other = {};
+  other.elastomer.rheology = Rheology::StandardSolid;
+  const std::string words = differencesInWords(other, scene);
+  EXPECT_NE(words.find("standard-solid"), words.npos) << words;
+  EXPECT_EQ(words.find("G = "), words.npos) << "what does not apply is not said: " << words;
+}
+
+TEST(CurveWords, SayATemperatureThatShifts) {
+  Scene scene, other;
+  other.elastomer.temperature = 320;
+  EXPECT_EQ(differencesInWords(other, scene).substr(0, 9), "T = 320 K");
+}
+
+TEST(CurveWords, OneParameterHasItsSymbolOrItsName) {
+  Scene scene;
+  scene.surface.hurst = 0.25;
+  scene.accuracy.scheme = Scheme::Linear;
+  EXPECT_EQ(parameterInWords("surface.hurst", scene), "H = 0.25");
+  EXPECT_EQ(parameterInWords("surface.seed", scene), "seed 1");
+  EXPECT_EQ(parameterInWords("accuracy.scheme", scene), "linear");
+  EXPECT_EQ(parameterInWords("elastomer.arms", scene), "");
+  EXPECT_EQ(parameterInWords("surface.hurts", scene), "");
+}
+
+}  // namespace
+}  // namespace asperity

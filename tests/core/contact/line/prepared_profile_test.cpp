@@ -1,0 +1,112 @@
+#include "core/contact/line/prepared_profile.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "tests/core/contact/lines.h"
+
+namespace asperity {
+namespace {
+
+TEST(TravelLine, StartsAndEndsAtTheLowestPoint) {
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
+    for (const Direction direction : {Direction::Forward, Direction::Backward}) {
+      const TravelLine line = prepareTravel(roughLine(300), scheme, direction);
+      EXPECT_EQ(line.rise.front(), 0);
+      EXPECT_EQ(line.rise.back(), 0);
+      EXPECT_GE(*std::min_element(line.rise.begin(), line.rise.end()), 0);
+      EXPECT_EQ(line.position(0), 0);
+      EXPECT_EQ(line.position(line.segments()), line.length);
+      for (std::size_t i = 0; i < line.segments(); ++i)
+        EXPECT_GT(line.position(i + 1), line.position(i));
+      EXPECT_EQ(line.rise.size(), line.segments() + 1);
+    }
+}
+
+/// The lowest point of a smooth line lies between nodes; only `cubic` knows it.
+TEST(TravelLine, CubicStartsInsideASegment) {
+  const Line line = roughLine(300);
+  const TravelLine cubic = prepareTravel(line, Scheme::Cubic);
+  const TravelLine linear = prepareTravel(line, Scheme::Linear);
+  EXPECT_TRUE(cubic.startsInsideSegment);
+  EXPECT_FALSE(linear.startsInsideSegment);
+  EXPECT_LT(cubic.lowestHeight, linear.lowestHeight);
+  EXPECT_EQ(cubic.segments(), linear.segments() + 1);
+}
+
+TEST(TravelLine, BoundsHoldEverywhereInTheirSegment) {
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
+    const TravelLine line = prepareTravel(roughLine(300, 2), scheme);
+    for (std::size_t i = 0; i < line.segments(); ++i) {
+      const Cubic rise = line.segment(i);
+      const SegmentBounds bounds = line.bounds(i);
+      for (int k = 0; k <= 20; ++k) {
+        const double t = k / 20.0;
+        EXPECT_GE(rise(t), bounds.lowest - 1e-21);
+        EXPECT_LE(rise(t), bounds.highest + 1e-21);
+        EXPECT_LE(rise.derivative(t) / line.segmentLength(i), bounds.steepest + 1e-15);
+      }
+    }
+  }
+}
+
+/// Blocks of every size, those at the end of a vector too.
+TEST(TravelLine, BlocksAreTheirSegmentsTogether) {
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
+    for (const std::int64_t elements : {3, 5, 6, 38, 99, 1000}) {
+      const TravelLine line = prepareTravel(roughLine(elements), scheme);
+      for (std::size_t level = 0; level < line.blocks.size(); ++level)
+        for (std::size_t i = 0; i < line.blockCount(level); ++i) {
+          const SegmentBounds block = line.block(level, i);
+          const std::size_t size = std::size_t{1} << (2 * level);
+          SegmentBounds all{1, 0, -1, 0, 0};
+          for (std::size_t k = 0; k < size; ++k) {
+            const SegmentBounds one = line.bounds(1 + i * size + k);
+            all.lowest = std::min(all.lowest, one.lowest);
+            all.highest = std::max(all.highest, one.highest);
+            all.steepest = std::max(all.steepest, one.steepest);
+            all.riseIntegral += one.riseIntegral;
+            all.slopeSquared += one.slopeSquared;
+          }
+          EXPECT_EQ(block.lowest, all.lowest);
+          EXPECT_EQ(block.highest, all.highest);
+          EXPECT_EQ(block.steepest, all.steepest);
+          EXPECT_NEAR(block.riseIntegral, all.riseIntegral, 1e-14 * all.riseIntegral);
+          EXPECT_NEAR(block.slopeSquared, all.slopeSquared, 1e-14 * all.slopeSquared);
+        }
+      EXPECT_EQ(line.blockCount(0), line.segments() - 2);
+    }
+}
+
+TEST(TravelLine, ValuesReturnToTheNodesTheyCameFrom) {
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
+    for (const Direction direction : {Direction::Forward, Direction::Backward}) {
+      const Line line = roughLine(101);
+      const TravelLine travel = prepareTravel(line, scheme, direction);
+      const std::vector<double> rises(travel.rise.begin(), travel.rise.end() - 1);
+      const std::vector<double> ordered = inLineOrder(travel, rises, direction);
+      ASSERT_EQ(ordered.size(), line.nodes());
+      for (std::size_t i = 0; i < line.nodes(); ++i)
+        // Beside the lowest point rises are told apart better than heights are.
+        EXPECT_NEAR(ordered[i], line.height[i] - travel.lowestHeight, 1e-15 * line.rmsHeight);
+    }
+}
+
+/// Nothing but the search for the lowest point is done after it is told to stop.
+TEST(TravelLine, StopsWhenAsked) {
+  std::stop_source stop;
+  stop.request_stop();
+  for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
+    TravelLine travel;
+    EXPECT_FALSE(
+        prepareTravelInto(travel, roughLine(100), scheme, Direction::Forward, stop.get_token()));
+    EXPECT_TRUE(travel.rise.empty());
+    EXPECT_TRUE(prepareTravelInto(travel, roughLine(100), scheme));
+    EXPECT_FALSE(travel.rise.empty());
+  }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,103 @@
+// Strips over time do not magnify the ripple of the march.
+#include "core/run/minimum_span.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/run/transient.h"
+#include "core/run/transient_diagram.h"
+
+namespace asperity {
+namespace {
+
+/// A parabola that slides on and on at one velocity: nothing changes but the ripple.
+Scene slowParabola() {
+  Scene scene;
+  scene.surface.kind = SurfaceKind::Parabola;
+  scene.surface.length = 0.04;
+  scene.surface.elements = 4000;
+  scene.surface.radius = 1;
+  scene.accuracy.oversampling = 1;
+  scene.load.normalForce = 0.1;
+  scene.sliding.kind = SlidingKind::Step;
+  scene.sliding.velocity = scene.sliding.velocityAfter = 0.005;
+  scene.sliding.duration = 0.02;
+  return scene;
+}
+
+struct Extent {
+  double low = INFINITY, high = -INFINITY;
+};
+
+Extent extentOf(const std::vector<TransientSample>& samples, double TransientSample::*member) {
+  Extent extent;
+  for (const TransientSample& sample : samples) {
+    extent.low = std::min(extent.low, sample.*member);
+    extent.high = std::max(extent.high, sample.*member);
+  }
+  return extent;
+}
+
+TEST(StripRange, ARippleOfOneNodeStaysSmall) {
+  const auto samples = transientOf(slowParabola(), 200);
+  const StripFloors floors = stripFloors(*samples, 1e-5, 0.04);
+  for (const auto& [member, floor] :
+       {std::pair{&TransientSample::mu, floors.friction},
+        std::pair{&TransientSample::indentation, floors.indentation},
+        std::pair{&TransientSample::contactLength, floors.contactLength}}) {
+    const Extent ripple = extentOf(*samples, member);
+    const AxisEnds ends = axisEnds(ripple.low, ripple.high, floor);
+    EXPECT_LT(ripple.high - ripple.low, 0.4 * (ends.to - ends.from)) << floor;
+    EXPECT_LT(ends.to - ends.from, 0.1 * ripple.high) << "still close to the value";
+  }
+}
+
+TEST(StripRange, WhatIsMoreThanARippleFillsItsStrip) {
+  Scene scene = slowParabola();
+  scene.sliding.velocity = 0.5;
+  scene.sliding.velocityAfter = 0.55;
+  const auto samples = transientOf(scene, 200);
+  const StripFloors floors = stripFloors(*samples, 1e-5, 0.04);
+  for (const auto& [member, floor] :
+       {std::pair{&TransientSample::mu, floors.friction},
+        std::pair{&TransientSample::indentation, floors.indentation}}) {
+    const Extent change = extentOf(*samples, member);
+    const AxisEnds ends = axisEnds(change.low, change.high, floor);
+    EXPECT_NEAR((change.high - change.low) / (ends.to - ends.from), 1 / 1.24, 1e-9);
+  }
+}
+
+TEST(StripRange, ManyContactsRippleLess) {
+  TransientSample sample;
+  sample.contactLength = 1e-4;
+  sample.contactFraction = 0.005;  // one of them
+  const std::vector<TransientSample> one(3, sample);
+  sample.contactFraction = 0.5;  // a hundred
+  const std::vector<TransientSample> many(3, sample);
+  const double single = stripFloors(one, 1e-6, 0.02).indentation;
+  EXPECT_NEAR(single, 0.01, 1e-12);
+  EXPECT_NEAR(stripFloors(many, 1e-6, 0.02).indentation, 0.1 * single, 1e-12);
+}
+
+TEST(StripRange, WithoutKnowledgeTheValuesDecide) {
+  EXPECT_EQ(stripFloors({}, 1e-6, 0.02).friction, 0);
+  const AxisEnds ends = axisEnds(2, 3, 0);
+  EXPECT_NEAR(ends.from, 1.88, 1e-12);
+  EXPECT_NEAR(ends.to, 3.12, 1e-12);
+  EXPECT_LT(axisEnds(5, 5, 0).from, axisEnds(5, 5, 0).to);
+  EXPECT_LT(axisEnds(0, 0, 0.1).from, axisEnds(0, 0, 0.1).to);
+}
+
+TEST(StripRange, SheetsHoldItToo) {
+  const Scene scene = slowParabola();
+  const auto samples = transientOf(scene, 200);
+  const DiagramSheet sheet = transientSheet(scene, *samples, 1e-5, 0.04);
+  const DiagramAxis& friction = sheet.diagrams[1].y;
+  const Extent ripple = extentOf(*samples, &TransientSample::mu);
+  EXPECT_LT(ripple.high - ripple.low, 0.4 * (friction.to - friction.from));
+}
+
+}  // namespace
+}  // namespace asperity

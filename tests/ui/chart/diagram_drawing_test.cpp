@@ -1,0 +1,235 @@
+// What is drawn of a diagram, and where: against the labels of its own axes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/base/printed_number.h"
+#include "tests/ui/chart/sample_sheets.h"
+#include "ui/chart/diagram_colours.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/draw/log_ticks.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+bool same(const Rgba& a, const Rgba& b) {
+  return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
+}
+
+/// Dots (lines of one vertex) of a colour, from left to right.
+std::vector<DrawVertex> dotsOf(const DrawList& list, const Rgba& colour) {
+  std::vector<DrawVertex> dots;
+  for (const DrawLayer& layer : list.layers)
+    for (const DrawLine& line : layer.lines)
+      if (line.vertices.size() == 1 && same(line.vertices[0].colour, colour))
+        dots.push_back(line.vertices[0]);
+  std::sort(dots.begin(), dots.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  return dots;
+}
+
+/// Lines of at least two vertices and a colour.
+std::vector<DrawLine> linesOf(const DrawList& list, const Rgba& colour) {
+  std::vector<DrawLine> lines;
+  for (const DrawLayer& layer : list.layers)
+    for (const DrawLine& line : layer.lines)
+      if (line.vertices.size() > 1 && same(line.vertices[0].colour, colour)) lines.push_back(line);
+  return lines;
+}
+
+const DrawText* textOf(const DrawList& list, const std::string& words) {
+  const auto text = std::find_if(list.texts.begin(), list.texts.end(),
+                                 [&](const DrawText& t) { return t.utf8 == words; });
+  return text == list.texts.end() ? nullptr : &*text;
+}
+
+/// Of the label of a tick: the column where it is centred.
+float columnOf(const DrawList& list, const std::string& words) {
+  const DrawText* text = textOf(list, words);
+  EXPECT_NE(text, nullptr) << words;
+  return text ? text->x : 0;
+}
+
+/// A sheet without a legend, so that its dots are the points.
+DiagramSheet unnamed(DiagramSheet sheet) {
+  for (Diagram& diagram : sheet.diagrams)
+    for (DiagramSeries& series : diagram.series) series.name.clear();
+  return sheet;
+}
+
+TEST(DiagramDrawing, PointsLieWhereALogarithmicAxisSays) {
+  std::vector<DiagramPoint> points;
+  for (int exponent = -3; exponent <= 3; ++exponent) {
+    const double v = std::pow(10, exponent);
+    points.push_back({v, v});
+  }
+  DiagramSheet sheet = unnamed(sheetOf(points));
+  sheet.diagrams[0].x = {"v", "m/s", AxisScale::Logarithmic, 1e-4, 1e4};
+  sheet.diagrams[0].y = {"mu", "", AxisScale::Logarithmic, 1e-4, 1e4};
+  const DrawList list = composeDiagrams(sheet, {});
+  const std::vector<DrawVertex> dots = dotsOf(list, seriesColour(0, lightTheme()));
+  ASSERT_EQ(dots.size(), points.size());
+  const float left = columnOf(list, powerOfTen(-3)), right = columnOf(list, powerOfTen(3));
+  for (std::size_t i = 0; i < dots.size(); ++i) {
+    const std::string label = powerOfTen(static_cast<int>(i) - 3);
+    EXPECT_NEAR(dots[i].x, columnOf(list, label), 0.01) << label;
+    EXPECT_NEAR(dots[i].x, left + (right - left) * static_cast<float>(i) / 6, 0.01) << label;
+  }
+  for (std::size_t i = 0; i + 1 < dots.size(); ++i)  // a power law is a straight line
+    EXPECT_NEAR(dots[i].y - dots[i + 1].y, (dots.front().y - dots.back().y) / 6, 0.01);
+}
+
+TEST(DiagramDrawing, PointsLieWhereALinearAxisSays) {
+  DiagramSheet sheet = unnamed(sheetOf({{0, 0.25}, {2, 0.75}, {4, 0.5}}));
+  sheet.diagrams[0].x.from = -1;
+  sheet.diagrams[0].x.to = 5;
+  sheet.diagrams[0].y.from = 0;
+  sheet.diagrams[0].y.to = 1;
+  const DrawList list = composeDiagrams(sheet, {});
+  const std::vector<DrawVertex> dots = dotsOf(list, seriesColour(0, lightTheme()));
+  ASSERT_EQ(dots.size(), 3U);
+  EXPECT_NEAR(dots[1].x, columnOf(list, "2"), 0.01);
+  EXPECT_NEAR(dots[2].x - dots[1].x, dots[1].x - dots[0].x, 0.01);
+  const DrawText *bottom = textOf(list, "0.0"), *top = textOf(list, "1.0");
+  ASSERT_TRUE(bottom && top);
+  EXPECT_NEAR(dots[0].y - dots[1].y, (bottom->y - top->y) / 2, 0.01);
+  EXPECT_NEAR(dots[0].y - dots[2].y, (bottom->y - top->y) / 4, 0.01);
+}
+
+TEST(DiagramDrawing, WhatHasNoPlaceBreaksTheLine) {
+  DiagramSheet sheet =
+      unnamed(sheetOf({{1, 1}, {2, 2}, {3, 0}, {4, 2}, {5, kNaN}, {6, 3}, {7, 1}}));
+  sheet.diagrams[0].series[0].mark = SeriesMark::None;
+  const Rgba colour = seriesColour(0, lightTheme());
+  EXPECT_EQ(linesOf(composeDiagrams(sheet, {}), colour).size(), 2U);  // broken at NaN alone
+  sheet.diagrams[0].y.scale = AxisScale::Logarithmic;
+  const std::vector<DrawLine> lines = linesOf(composeDiagrams(sheet, {}), colour);
+  ASSERT_EQ(lines.size(), 2U);  // and at zero; the point between them is alone
+  EXPECT_EQ(lines[0].vertices.size(), 2U);
+  EXPECT_EQ(lines[1].vertices.size(), 2U);
+}
+
+/// Whatever leaves the range ends at the frame.
+TEST(DiagramDrawing, CurvesEndAtTheFrame) {
+  DiagramSheet sheet = unnamed(sheetOf({{-100, -50}, {1, 0.5}, {100, 2000}}));
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.x.from = diagram.y.from = 0;
+  diagram.x.to = 2;
+  diagram.y.to = 1;
+  const DrawList list = composeDiagrams(sheet, {});
+  const std::vector<DrawLine> frames = linesOf(list, seriesColour(0, lightTheme()));
+  ASSERT_EQ(frames.size(), 1U);
+  const float left = columnOf(list, "0.0"), right = columnOf(list, "2.0");
+  for (const DrawVertex& v : frames[0].vertices) {
+    EXPECT_GE(v.x, left - 0.01);
+    EXPECT_LE(v.x, right + 0.01);
+    EXPECT_GE(v.y, 0);
+    EXPECT_LE(v.y, static_cast<float>(list.height));
+  }
+  EXPECT_EQ(dotsOf(list, seriesColour(0, lightTheme())).size(), 1U);  // marks outside are left out
+}
+
+TEST(DiagramDrawing, BandsAndBarsReachFromLowToHigh) {
+  DiagramSheet sheet = unnamed(sheetOf({{1, 5, 4, 7}, {3, 5, 4, 7}}));
+  DiagramSeries& series = sheet.diagrams[0].series[0];
+  sheet.diagrams[0].y.from = 0;
+  sheet.diagrams[0].y.to = 10;
+  const auto rows = [](const DrawList& list) {  // of the labels "4" and the point itself
+    return std::pair{textOf(list, "4"), textOf(list, "8")};
+  };
+  const Rgba colour = seriesColour(0, lightTheme());
+  const DrawList bars = composeDiagrams(sheet, {});
+  const auto [four, eight] = rows(bars);
+  ASSERT_TRUE(four && eight);
+  const float unit = (four->y - eight->y) / 4, point = dotsOf(bars, colour)[0].y;
+  int upright = 0;
+  for (const DrawLine& line : linesOf(bars, colour)) {
+    if (line.vertices.size() != 2 || line.vertices[0].x != line.vertices[1].x) continue;
+    ++upright;
+    EXPECT_NEAR(line.vertices[0].y, point + unit, 0.02);
+    EXPECT_NEAR(line.vertices[1].y, point - 2 * unit, 0.02);
+  }
+  EXPECT_EQ(upright, 2);
+
+  series.isBand = true;
+  const DrawList bands = composeDiagrams(sheet, {});
+  float low = 0, high = 1e9F;
+  for (const DrawLayer& layer : bands.layers)
+    for (const DrawVertex& v : layer.triangles)
+      if (v.colour.r == colour.r && v.colour.b == colour.b && v.colour.a < 1) {
+        low = std::max(low, v.y);
+        high = std::min(high, v.y);
+      }
+  EXPECT_NEAR(low, point + unit, 0.02);
+  EXPECT_NEAR(high, point - 2 * unit, 0.02);
+}
+
+TEST(DiagramDrawing, TheoryHasTheColourOfTextAndLiesUnderTheData) {
+  DiagramSheet sheet = unnamed(sheetOf({{0, 0}, {1, 1}}));
+  DiagramSeries theory = sheet.diagrams[0].series[0];
+  theory.isTheory = true;
+  theory.mark = SeriesMark::None;
+  sheet.diagrams[0].series.push_back(theory);
+  const DrawList list = composeDiagrams(sheet, {});
+  const auto layerWith = [&](const Rgba& colour) -> std::optional<std::size_t> {
+    for (std::size_t i = 0; i < list.layers.size(); ++i)
+      for (const DrawLine& line : list.layers[i].lines)
+        if (same(line.vertices[0].colour, colour) && list.layers[i].clip.width > 0) return i;
+    return std::nullopt;
+  };
+  const auto under = layerWith(lightTheme().text), over = layerWith(seriesColour(0, lightTheme()));
+  ASSERT_TRUE(under && over);
+  EXPECT_LT(*under, *over);
+}
+
+/// Dash and gap along the curve: their sum is the same everywhere.
+TEST(DiagramDrawing, DashesRepeatAlongTheCurve) {
+  DiagramSheet sheet = unnamed(sheetOf({{0, 1}, {10, 1}}));
+  sheet.diagrams[0].series[0].mark = SeriesMark::None;
+  sheet.diagrams[0].series[0].stroke = SeriesStroke::Dashed;
+  const std::vector<DrawLine> dashes =
+      linesOf(composeDiagrams(sheet, {}), seriesColour(0, lightTheme()));
+  ASSERT_GT(dashes.size(), 10U);
+  const auto from = [&](std::size_t i) { return dashes[i].vertices[0].x; };
+  const float period = from(1) - from(0);
+  for (std::size_t i = 0; i + 2 < dashes.size(); ++i) {
+    EXPECT_NEAR(from(i + 1) - from(i), period, 0.02);
+    EXPECT_NEAR(dashes[i].vertices.back().x - from(i), dashes[0].vertices.back().x - from(0), 0.02);
+  }
+}
+
+TEST(DiagramDrawing, DiagramsOfASheetAreEquallyHigh) {
+  const DrawList list = composeDiagrams(figureSheets()[3].sheet, {2400, 1100, 2, lightTheme()});
+  std::vector<float> tops, bottoms;
+  for (const DrawLayer& layer : list.layers)
+    if (layer.clip.width > 0) {
+      tops.push_back(layer.clip.y);
+      bottoms.push_back(layer.clip.y + layer.clip.height);
+    }
+  ASSERT_GE(tops.size(), 4U);
+  EXPECT_EQ(*std::min_element(tops.begin(), tops.end()),
+            *std::max_element(tops.begin(), tops.end()));
+  EXPECT_EQ(*std::min_element(bottoms.begin(), bottoms.end()),
+            *std::max_element(bottoms.begin(), bottoms.end()));
+}
+
+/// Long curves are thinned to the pixels, so the cost does not grow with the points.
+TEST(DiagramDrawing, LongCurvesAreThinned) {
+  std::vector<DiagramPoint> points;
+  for (int i = 0; i < 200000; ++i) points.push_back({i * 1e-5, std::sin(i * 0.01)});
+  DiagramSheet sheet = unnamed(sheetOf(points));
+  sheet.diagrams[0].series[0].mark = SeriesMark::None;
+  std::size_t vertices = 0;
+  const DrawList list = composeDiagrams(sheet, {});
+  for (const DrawLine& line : linesOf(list, seriesColour(0, lightTheme())))
+    vertices += line.vertices.size();
+  EXPECT_LE(vertices, 2U * 1200 + 4);
+  EXPECT_GT(vertices, 1000U);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,253 @@
+// Texts of composed diagrams: all on the picture, none over another, over many sizes and sheets.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/run/line_diagrams.h"
+#include "core/run/steady_frames.h"
+#include "core/run/transient_diagram.h"
+#include "tests/ui/chart/sample_sheets.h"
+#include "tests/ui/contact/tidy_texts.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/chart/diagram_picture.h"
+
+namespace asperity {
+namespace {
+
+struct Size {
+  int width, height;
+  float scale;
+};
+constexpr Size kSizes[] = {{320, 200, 1},   {320, 568, 1},    {640, 400, 1},   {640, 400, 2},
+                           {640, 400, 3},   {800, 600, 1.5F}, {1200, 800, 1},  {1200, 800, 2},
+                           {1200, 800, 3},  {1920, 1080, 1},  {2400, 1600, 2}, {3840, 2160, 1},
+                           {3840, 2160, 2}, {3840, 2160, 3},  {3000, 500, 1},  {500, 1500, 1}};
+
+void expectTidySheets(const std::vector<NamedSheet>& sheets) {
+  for (const NamedSheet& named : sheets)
+    for (const Size& size : kSizes) {
+      const DrawList list =
+          composeDiagrams(named.sheet, {size.width, size.height, size.scale, lightTheme()});
+      EXPECT_EQ(list.width, size.width);
+      EXPECT_EQ(list.height, size.height);
+      expectTidy(list, named.name + " " + std::to_string(size.width) + "x" +
+                           std::to_string(size.height) + " scale " + std::to_string(size.scale));
+    }
+}
+
+std::string allTexts(const DrawList& list) {
+  std::string words;
+  for (const DrawText& text : list.texts) words += text.utf8 + "|";
+  return words;
+}
+
+bool says(const DrawList& list, const std::string& words) {
+  return ("|" + allTexts(list)).find("|" + words + "|") != std::string::npos;
+}
+
+TEST(DiagramTexts, OfTheFiguresNeverCollideNorLeaveThePicture) {
+  expectTidySheets(figureSheets());
+}
+
+TEST(DiagramTexts, OfAwkwardSheetsNeverCollideNorLeaveThePicture) {
+  expectTidySheets(awkwardSheets());
+}
+
+/// Nothing that was asked for is missing at the usual sizes.
+TEST(DiagramTexts, AreAllThereAtUsualSizes) {
+  for (const Size& size : {Size{1200, 800, 1}, {2400, 1600, 2}, {1600, 1000, 1}}) {
+    for (const NamedSheet& named : figureSheets()) {
+      const DrawList list =
+          composeDiagrams(named.sheet, {size.width, size.height, size.scale, darkTheme()});
+      std::vector<std::string> wanted{named.sheet.title};
+      for (const Diagram& diagram : named.sheet.diagrams) {
+        if (!diagram.ramp)
+          for (const DiagramSeries& series : diagram.series) wanted.push_back(series.name);
+        else
+          wanted.insert(wanted.end(), {diagram.ramp->title, diagram.ramp->from, diagram.ramp->to});
+        for (const DiagramSpan& span : diagram.spans) wanted.push_back(span.label);
+        for (const DiagramLabel& label : diagram.labels) wanted.push_back(label.text);
+      }
+      std::erase(wanted, "");
+      for (const std::string& words : wanted)
+        EXPECT_TRUE(says(list, words)) << named.name << ": " << words;
+    }
+  }
+}
+
+/// A shade's name stands in it, in lines; where it has no room there is none, and never a part.
+TEST(DiagramTexts, ShadesAreNamedWhereTheyHaveRoom) {
+  DiagramSheet sheet = sheetOf({{1e-5, 1e-3}, {1e-2, 1}, {1e3, 1}});
+  sheet.diagrams[0].x = {"v", "m/s", AxisScale::Logarithmic, 1e-5, 1e3};
+  const auto shown = [&](double from) {
+    sheet.diagrams[0].shades = {{from, 1e3, "few summits carry the load"}};
+    return composeDiagrams(sheet, {900, 600, 1, lightTheme()});
+  };
+  EXPECT_TRUE(says(shown(1e-4), "few summits carry the load"));
+  const DrawList narrow = shown(30);
+  EXPECT_FALSE(says(narrow, "few summits carry the load"));
+  EXPECT_NE(allTexts(narrow).find("few"), std::string::npos) << "in lines";
+  EXPECT_EQ(allTexts(shown(900)).find("few"), std::string::npos);
+}
+
+/// As in the window's low views, where names would not fit into the frame.
+TEST(DiagramTexts, ALegendThatFitsBesideTheFrameIsWhole) {
+  DiagramSheet sheet = sheetOf({{1e-5, 1e-2}, {1e-3, 1e-6}});
+  sheet.title.clear();
+  const DiagramSeries series = sheet.diagrams[0].series[0];
+  sheet.diagrams[0].series.clear();
+  for (const char* name : {"literal march (difference)", "nodal (difference)", "linear", "cubic",
+                           "best for the time", "this scene: cubic \u00D72"}) {
+    sheet.diagrams[0].series.push_back(series);
+    sheet.diagrams[0].series.back().name = name;
+  }
+  const DrawList list = composeDiagrams(sheet, {573, 178, 1, lightTheme(), 0.9F});
+  for (const DiagramSeries& each : sheet.diagrams[0].series)
+    EXPECT_TRUE(says(list, each.name)) << each.name;
+  expectTidy(list, "low view");
+}
+
+/// The tabs of a window of 1280 x 720, in each language: nothing is shortened.
+TEST(DiagramTexts, TheWindowsLowViewsSayAllTheirAxesAreOf) {
+  Scene scene;
+  scene.surface.elements = 400;
+  const auto frame = SteadyFrames(std::make_shared<const Scene>(scene)).frame(0, 1, 25);
+  for (const char* code : {"en", "de"}) {
+    useLanguage(code);
+    for (const DiagramSheet& sheet : {spectrumSheet(scene), statisticsSheet(frame)}) {
+      const DrawList list = composeDiagrams(sheet, {899, 209, 1, lightTheme(), 0.85F});
+      EXPECT_EQ(allTexts(list).find("…"), std::string::npos) << allTexts(list);
+      for (const Diagram& diagram : translated(sheet).diagrams)
+        for (const DiagramAxis* axis : {&diagram.x, &diagram.y})
+          EXPECT_NE(allTexts(list).find(axis->title), std::string::npos) << axis->title;
+      expectTidy(list, code);
+    }
+  }
+  useLanguage("en");
+}
+
+TEST(DiagramTexts, AxesCarryTheirUnits) {
+  EXPECT_TRUE(says(composeDiagrams(figureSheets()[0].sheet, {}), "sliding velocity (m/s)"));
+  EXPECT_TRUE(says(composeDiagrams(figureSheets()[1].sheet, {}), "coefficient of friction μ"));
+  EXPECT_TRUE(says(composeDiagrams(sheetOf({{0.001, 1}, {0.004, 2}}), {}), "x (mm)"));
+  const DrawList small = composeDiagrams(sheetOf({{1, 1e-6}, {2, 3e-6}}), {});
+  EXPECT_TRUE(says(small, "y (10⁻⁶)")) << allTexts(small);
+}
+
+TEST(DiagramTexts, SeriesOnARampAreNotInTheLegend) {
+  const std::string words = allTexts(composeDiagrams(figureSheets()[2].sheet, {}));
+  EXPECT_EQ(words.find("force 1"), std::string::npos);
+}
+
+TEST(DiagramTexts, EntriesWithoutRoomAreCounted) {
+  const std::vector<NamedSheet> sheets = awkwardSheets();
+  const auto crowd = std::find_if(sheets.begin(), sheets.end(),
+                                  [](const auto& named) { return named.name == "thirty curves"; });
+  ASSERT_NE(crowd, sheets.end());
+  const std::string words = allTexts(composeDiagrams(crowd->sheet, {800, 500, 1, lightTheme()}));
+  EXPECT_NE(words.find(" more|"), std::string::npos) << words;
+}
+
+/// Low as a tab under the contact, with texts that can be read.
+TEST(DiagramTexts, StayReadableInLowTabs) {
+  Scene scene;
+  scene.surface.elements = 400;
+  const Frame frame = SteadyFrames(std::make_shared<const Scene>(scene)).frame(0, 1, 25);
+  for (const DiagramSheet& sheet : {spectrumSheet(scene), statisticsSheet(frame)})
+    for (const Size& size : {Size{850, 210, 1}, {640, 200, 1}, {1700, 420, 2}, {2100, 600, 1}}) {
+      DiagramOptions options{size.width, size.height, size.scale, darkTheme()};
+      options.leastText = 0.85F;
+      const DrawList list = composeDiagrams(sheet, options);
+      expectTidy(list, sheet.note + std::to_string(size.width));
+      for (const DrawText& text : list.texts)  // exponents are smaller
+        EXPECT_GE(text.size, 7 * size.scale) << text.utf8;
+      EXPECT_GE(list.texts.front().size, 9 * size.scale);
+    }
+}
+
+int timesSaid(const DrawList& list) {
+  return static_cast<int>(std::ranges::count_if(
+      list.texts, [](const DrawText& text) { return text.utf8.find("time t") == 0; }));
+}
+
+/// Of strips over time: the symbol and the unit are left of a name, and more than one tick.
+TEST(DiagramTexts, OfLowStripsSayWhatAndHowMuch) {
+  DiagramSheet sheet;
+  sheet.columns = 1;
+  for (const char* name : {"velocity v", "friction \u03BC", "indentation d"}) {
+    Diagram strip;
+    strip.x = {"time t", "s", AxisScale::Linear};
+    strip.y = {name, "m/s", AxisScale::Linear};
+    DiagramSeries series;
+    series.points = {{0, -0.31}, {0.01, 0.29}, {0.02, -0.3}};
+    strip.series = {series};
+    sheet.diagrams.push_back(strip);
+  }
+  DiagramOptions options;
+  options.width = 1280;
+  options.height = 331;
+  options.leastText = 0.8F;
+  const DrawList list = composeDiagrams(sheet, options);
+  std::string texts;
+  int marks = 0;
+  for (const DrawText& text : list.texts) {
+    texts += text.utf8 + "|";
+    marks += text.utf8 == "200" || text.utf8 == "\u2212200";
+  }
+  EXPECT_EQ(timesSaid(list), 3);
+  sheet.sharesAxis = true;
+  EXPECT_EQ(timesSaid(composeDiagrams(sheet, options)), 1);
+  for (const char* title : {"|v (mm/s)|", "|\u03BC (mm/s)|", "|d (mm/s)|"})
+    EXPECT_NE(texts.find(title), texts.npos) << texts;
+  EXPECT_EQ(marks, 6) << texts;
+}
+
+/// Without the power of ten a number on the axis is wrong by it.
+TEST(DiagramTexts, OfStripsKeepUnitsAndPowersOfTenAtAnySize) {
+  Scene scene;
+  scene.sliding.kind = SlidingKind::Step;
+  scene.sliding.duration = 0.008;
+  std::vector<TransientSample> samples;
+  for (int i = 0; i <= 40; ++i) {
+    TransientSample sample;
+    sample.time = i * 2e-4;
+    sample.velocity = i < 20 ? 0.3 : 0.6;
+    sample.mu = 1e-3 * (1.2 + 0.3 * std::exp(-0.2 * std::abs(i - 20)));
+    sample.indentation = 2.9e-7 - 1e-9 * i;
+    samples.push_back(sample);
+  }
+  for (const char* code : {"en", "de"}) {
+    useLanguage(code);
+    int shown = 0;
+    for (const float scale : {1.0F, 3.125F})
+      for (const int width : {300, 320, 420, 500, 640, 1016, 1280})
+        for (const int height : {150, 161, 184, 240, 331, 460, 700})
+          for (const float text : {0.5F, 0.6F, 0.8F}) {
+            const DiagramSheet sheet = transientSheet(scene, samples, 4e-6, 0.02);
+            DiagramOptions options{static_cast<int>(static_cast<float>(width) * scale),
+                                   static_cast<int>(static_cast<float>(height) * scale), scale,
+                                   lightTheme(), text};
+            if (lowestFrame(sheet, options) < 2) continue;
+            ++shown;
+            const DrawList list = composeDiagrams(sheet, options);
+            const std::string where = fmt::format("{}x{} scale {} text {} {}: {}", width, height,
+                                                  scale, text, code, allTexts(list));
+            for (const char* unit : {"(mm/s)|", "(10\u207B\u00B3)|", "(nm)|", "(ms)|"})
+              EXPECT_NE(allTexts(list).find(unit), std::string::npos) << unit << " " << where;
+            if (text > 0.5F) continue;  // with smaller texts there is room for names as well
+            for (const char* name : {"v (mm/s)", "\u03BC (10", "d (nm)", "t (ms)"})
+              EXPECT_NE(allTexts(list).find(name), std::string::npos) << name << " " << where;
+            EXPECT_EQ(allTexts(list).find("\u2026"), std::string::npos) << where;
+            expectTidy(list, where);
+          }
+    EXPECT_GT(shown, 150) << code;
+  }
+  useLanguage("en");
+}
+
+}  // namespace
+}  // namespace asperity

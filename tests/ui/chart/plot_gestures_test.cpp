@@ -1,0 +1,350 @@
+// What a person does with the plot's widget: pointer, wheel and keys.
+#include <gtest/gtest.h>
+
+#include <QFontMetricsF>
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+#include <cmath>
+#include <memory>
+
+#include "tests/ui/window/qt_application.h"
+#include "ui/chart/plot_geometry.h"
+#include "ui/chart/plot_legend.h"
+#include "ui/chart/plot_view.h"
+
+namespace asperity {
+namespace {
+
+Plot samplePlot() {
+  Plot plot;
+  plot.x = {"x", "", {-3, 3}};
+  plot.y = {"y", "", {-4, 0}};
+  PlotSeries points{"points", PlotStyle::Points, false, {}};
+  for (int i = 0; i < 5; ++i) points.points.push_back({std::pow(10, i - 2), 0.02, 0.001, 10 + i});
+  PlotSeries pinned = points;
+  pinned.name = "G = 20 MPa";
+  pinned.id = 7;
+  pinned.place = 0;
+  for (PlotPoint& point : pinned.points) point.y = 0.002;
+  plot.series = {pinned, points};
+  plot.marker = PlotMarker{"now", "v = 3 m/s", 3, 0.05};
+  plot.spans = {{"III", "plateau", "told of III", 1e-3, 1e3, false}};
+  return plot;
+}
+
+class PlotGestures : public testing::Test {
+ protected:
+  PlotGestures() : view_(makePlotView()) {
+    view_->resize(800, 400);
+    view_->setPlot(samplePlot());
+    view_->setDescribe([](int id, int row) { return QString("%1:%2").arg(id).arg(row); });
+    view_->show();
+    QTest::qWait(1);  // the layout is made with the first events
+  }
+
+  QPoint at(double x, double y) const { return view_->positionOf(x, y).toPoint(); }
+  void drag(QPoint from, QPoint to) {
+    QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 8; ++i) QTest::mouseMove(view_.get(), from + (to - from) * i / 8);
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, to);
+  }
+  double pixelsPerDecade() const {
+    return view_->positionOf(10, 0.1).x() - view_->positionOf(1, 0.1).x();
+  }
+  void turnWheel(QPoint place, int delta) {
+    QWheelEvent event(place, view_->mapToGlobal(place), {}, {0, delta}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(view_.get(), &event);
+  }
+
+  std::unique_ptr<PlotView> view_;
+};
+
+TEST_F(PlotGestures, DraggingTheMarkerTellsEveryPlaceWithoutSnapping) {
+  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+  const QPoint from = at(3, 0.3), to = at(0.047, 0.3);
+  drag(from, to);
+  ASSERT_GE(moved.count(), 7);
+  for (int i = 1; i < moved.count(); ++i)
+    EXPECT_LT(moved[i][0].toDouble(), moved[i - 1][0].toDouble());
+  EXPECT_NEAR(moved.last()[0].toDouble() / 0.047, 1, 0.02) << "a pixel";
+  EXPECT_FALSE(view_->isZoomed()) << "the view stays";
+}
+
+TEST_F(PlotGestures, AMarkerIsHeldWhereItIsGripped) {
+  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+  drag(at(3, 0.3) + QPoint(4, 0), at(0.1, 0.3) + QPoint(4, 0));
+  EXPECT_NEAR(moved.last()[0].toDouble() / 0.1, 1, 0.02);
+}
+
+TEST_F(PlotGestures, AMarkerStaysInsideTheAxes) {
+  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+  drag(at(3, 0.3), QPoint(-200, at(3, 0.3).y()));
+  EXPECT_NEAR(moved.last()[0].toDouble() / 1e-3, 1, 1e-9);
+}
+
+/// With Shift the marker goes a tenth of the pointer's way, from where it is.
+TEST_F(PlotGestures, ShiftDragsFinely) {
+  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+  const QPoint from = at(3, 0.3), coarse = from - QPoint(50, 0), fine = coarse - QPoint(50, 0);
+  QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
+  QTest::mouseMove(view_.get(), coarse);
+  EXPECT_FALSE(moved.last()[1].toBool());
+  const double there = std::log10(moved.last()[0].toDouble());
+  EXPECT_NEAR(there, std::log10(3) - 50 / pixelsPerDecade(), 0.01);
+  const auto moveFinely = [&](QPoint to) {
+    QMouseEvent event(QEvent::MouseMove, to, view_->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                      Qt::ShiftModifier);
+    QCoreApplication::sendEvent(view_.get(), &event);
+  };
+  moveFinely(coarse);  // the key goes down: nothing jumps
+  EXPECT_TRUE(moved.last()[1].toBool());
+  EXPECT_NEAR(std::log10(moved.last()[0].toDouble()), there, 1e-9);
+  moveFinely(fine);
+  EXPECT_NEAR(std::log10(moved.last()[0].toDouble()), there - 5 / pixelsPerDecade(), 1e-9);
+  QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, fine);
+}
+
+/// An axis that follows the marker would run away from under the pointer.
+TEST_F(PlotGestures, TheAxisStandsStillWhileTheMarkerIsDragged) {
+  const QPoint from = at(3, 0.3);
+  QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
+  QTest::mouseMove(view_.get(), from - QPoint(60, 0));
+  Plot plot = samplePlot();
+  plot.x.range = {-3, 1};
+  view_->setPlot(plot);
+  EXPECT_EQ(view_->window().x, (DecadeRange{-3, 3}));
+  QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, from - QPoint(60, 0));
+  EXPECT_EQ(view_->window().x, (DecadeRange{-3, 1}));
+}
+
+TEST_F(PlotGestures, AMotionsMarkerIsNotDragged) {
+  Plot plot = samplePlot();
+  plot.marker->isFixed = true;
+  plot.marker->trace = {{0.01, 0.01}, {1, 0.1}, {3, 0.05}};
+  view_->setPlot(plot);
+  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+  drag(at(3, 0.3), at(0.1, 0.3));
+  view_->setFocus();
+  QTest::keyClick(view_.get(), Qt::Key_Right);
+  EXPECT_EQ(moved.count(), 0);
+  // Its trace is drawn: the pixels in the middle of a stretch have the marker's colour.
+  PlotColours colours;
+  colours.background = Qt::white;
+  colours.marker = Qt::red;
+  view_->setColours(colours);
+  view_->fit();
+  const QImage image = view_->grab().toImage();
+  const QPoint middle = at(0.1, std::sqrt(0.01 * 0.1));
+  bool drawn = false;
+  for (int dy = -2; dy <= 2; ++dy) {
+    const QColor pixel = image.pixelColor(middle + QPoint(0, dy));
+    drawn = drawn || (pixel.red() > 150 && pixel.green() < 60);
+  }
+  EXPECT_TRUE(drawn);
+}
+
+TEST_F(PlotGestures, ThePointerShowsWhatCanBeDone) {
+  QTest::mouseMove(view_.get(), at(3, 0.3));
+  EXPECT_EQ(view_->cursor().shape(), Qt::SizeHorCursor);
+  QTest::mouseMove(view_.get(), at(0.01, 0.02));
+  EXPECT_EQ(view_->cursor().shape(), Qt::PointingHandCursor);
+  QTest::mouseMove(view_.get(), at(0.03, 0.3));
+  EXPECT_EQ(view_->cursor().shape(), Qt::ArrowCursor);
+}
+
+TEST_F(PlotGestures, HoveringReadsPointsAndRegions) {
+  QTest::mouseMove(view_.get(), at(0.1, 0.02));
+  EXPECT_EQ(view_->reading(), "0:11");
+  QTest::mouseMove(view_.get(), at(0.1, 0.002));
+  EXPECT_EQ(view_->reading(), "7:11");
+  QTest::mouseMove(view_.get(), at(0.03, 1) - QPoint(0, 9));
+  EXPECT_EQ(view_->reading(), "told of III");
+  QTest::mouseMove(view_.get(), at(0.03, 0.3));
+  EXPECT_EQ(view_->reading(), "");
+}
+
+TEST_F(PlotGestures, AReadingOutlivesARefinementAndFollowsIt) {
+  QTest::mouseMove(view_.get(), at(0.1, 0.02));
+  Plot plot = samplePlot();
+  plot.series[1].points[1].row = 33;
+  view_->setPlot(plot);
+  EXPECT_EQ(view_->reading(), "0:33");
+  plot.series[1].points[1].y = 0.9;
+  view_->setPlot(plot);
+  EXPECT_EQ(view_->reading(), "");
+}
+
+TEST_F(PlotGestures, AClickTakesThePointUnderIt) {
+  QSignalSpy chosen(view_.get(), &PlotView::pointChosen);
+  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+  QTest::mouseClick(view_.get(), Qt::LeftButton, {}, at(10, 0.002) + QPoint(3, 2));
+  ASSERT_EQ(chosen.count(), 1);
+  EXPECT_EQ(chosen[0][0].toInt(), 7);
+  EXPECT_EQ(chosen[0][1].toInt(), 13);
+  QTest::mouseClick(view_.get(), Qt::LeftButton, {}, at(0.03, 0.3));
+  EXPECT_EQ(chosen.count(), 1);
+  EXPECT_EQ(moved.count(), 0);
+}
+
+TEST_F(PlotGestures, APointUnderTheMarkerCanBeTakenToo) {
+  Plot plot = samplePlot();
+  plot.marker->x = 1;
+  view_->setPlot(plot);
+  QSignalSpy chosen(view_.get(), &PlotView::pointChosen);
+  QTest::mouseClick(view_.get(), Qt::LeftButton, {}, at(1, 0.02));
+  EXPECT_EQ(chosen.count(), 1);
+}
+
+TEST_F(PlotGestures, ArrowKeysMoveTheMarker) {
+  view_->setFocus();
+  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+  QTest::keyClick(view_.get(), Qt::Key_Right);
+  QTest::keyClick(view_.get(), Qt::Key_Right);
+  ASSERT_EQ(moved.count(), 2);
+  EXPECT_NEAR(moved[1][0].toDouble() / (3 * std::pow(10, 0.1)), 1, 1e-9)
+      << "also before the first one has arrived";
+  QTest::keyClick(view_.get(), Qt::Key_Left, Qt::ShiftModifier);
+  EXPECT_NEAR(moved[2][0].toDouble() / (3 * std::pow(10, 0.095)), 1, 1e-9);
+}
+
+TEST_F(PlotGestures, WithControlArrowKeysGoFromPointToPoint) {
+  QSignalSpy chosen(view_.get(), &PlotView::pointChosen);
+  QTest::keyClick(view_.get(), Qt::Key_Right, Qt::ControlModifier);
+  QTest::keyClick(view_.get(), Qt::Key_Right, Qt::ControlModifier);
+  QTest::keyClick(view_.get(), Qt::Key_Left, Qt::ControlModifier);
+  ASSERT_EQ(chosen.count(), 3);
+  EXPECT_EQ(chosen[0][1].toInt(), 13);
+  EXPECT_EQ(chosen[1][1].toInt(), 14);
+  EXPECT_EQ(chosen[2][1].toInt(), 13);
+}
+
+TEST_F(PlotGestures, TheWheelZoomsAboutThePointerAndADoubleClickFits) {
+  QSignalSpy zoom(view_.get(), &PlotView::zoomChanged);
+  const QPointF before = view_->positionOf(0.1, 0.02);
+  turnWheel(before.toPoint(), 240);
+  EXPECT_TRUE(view_->isZoomed());
+  EXPECT_LT((view_->positionOf(0.1, 0.02) - before).manhattanLength(), 2);
+  EXPECT_GT(view_->positionOf(1, 0.02).x() - view_->positionOf(0.1, 0.02).x(), 150);
+  QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, at(0.4, 0.1));
+  EXPECT_FALSE(view_->isZoomed());
+  EXPECT_EQ(zoom.count(), 2);
+}
+
+TEST_F(PlotGestures, DraggingBesideTheMarkerPans) {
+  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+  const QPoint from = at(0.03, 0.3), by(60, 25);
+  const QPointF before = view_->positionOf(0.1, 0.02);
+  drag(from, from + by);
+  EXPECT_EQ(moved.count(), 0);
+  EXPECT_LT((view_->positionOf(0.1, 0.02) - before - by).manhattanLength(), 2);
+}
+
+/// However far and often it is dragged, at any zoom.
+TEST_F(PlotGestures, PanningNeverEndsInEmptiness) {
+  for (const double factor : {1.5, 1.0, 0.5, 0.1})
+    for (const QPoint way :
+         {QPoint(700, 0), {-700, 0}, {0, 350}, {0, -350}, {500, 300}, {-500, 300}}) {
+      view_->fit();
+      if (factor != 1)
+        view_->setZoom(
+            PlotWindow{{-3 * factor, 3 * factor}, {-2.7 - 2 * factor, -2.7 + 2 * factor}});
+      for (int i = 0; i < 6; ++i) {
+        const QPoint from = view_->rect().center() + QPoint(60, 20);
+        drag(from, from + way);
+      }
+      EXPECT_TRUE(showsCurves(view_->window(), view_->plot()))
+          << factor << ' ' << way.x() << ' ' << way.y();
+    }
+}
+
+TEST_F(PlotGestures, AZoomedViewGoesWithTheRangesOfAnotherCurve) {
+  view_->setZoom(PlotWindow{{-3, -2}, {-4, -3}});
+  Plot plot = samplePlot();
+  plot.x.range = {5, 9};
+  view_->setPlot(plot);
+  EXPECT_NEAR(view_->window().x.from, 4.5, 1e-9);
+}
+
+TEST_F(PlotGestures, AZoomedViewStaysWhileTheCurveIsRefined) {
+  view_->zoom(0.5);
+  const PlotWindow window = view_->window();
+  Plot plot = samplePlot();
+  plot.y.range = {-5, 0};
+  view_->setPlot(plot);
+  EXPECT_EQ(view_->window(), window);
+  QTest::keyClick(view_.get(), Qt::Key_Home);
+  EXPECT_EQ(view_->window().y, plot.y.range);
+}
+
+TEST_F(PlotGestures, ClickingItsEntryUnpinsACurve) {
+  QSignalSpy unpin(view_.get(), &PlotView::unpinWanted);
+  auto* legend = view_->findChild<PlotLegend*>("plotLegend");
+  ASSERT_TRUE(legend);
+  ASSERT_FALSE(legend->placeOf(7).isEmpty());
+  QTest::mouseClick(legend, Qt::LeftButton, {}, legend->placeOf(kPresentCurve).center().toPoint());
+  EXPECT_EQ(unpin.count(), 0);
+  QTest::mouseClick(legend, Qt::LeftButton, {}, legend->placeOf(7).center().toPoint());
+  ASSERT_EQ(unpin.count(), 1);
+  EXPECT_EQ(unpin[0][0].toInt(), 7);
+}
+
+TEST_F(PlotGestures, TheLegendTakesMoreRowsAndCountsWhatHasNoRoom) {
+  auto* legend = view_->findChild<PlotLegend*>("plotLegend");
+  const int one = legend->height();
+  Plot plot = samplePlot();
+  for (int id = 10; id < 40; ++id) {
+    plot.series.push_back(plot.series[0]);
+    plot.series.back().id = id;
+  }
+  view_->setPlot(plot);
+  QTest::qWait(1);
+  EXPECT_GT(legend->height(), one);
+  EXPECT_LT(legend->height(), 4 * one);
+  EXPECT_FALSE(legend->placeOf(10).isEmpty());
+  EXPECT_TRUE(legend->placeOf(39).isEmpty());
+}
+
+/// Rows that come and go with pinned curves leave room for the axis' labels and title below.
+TEST_F(PlotGestures, TheChartGivesTheLegendItsRoomAtOnce) {
+  Plot plot = samplePlot();
+  for (int id = 10; id < 20; ++id) {
+    plot.series.push_back(plot.series[0]);
+    plot.series.back().id = id;
+  }
+  const double line = QFontMetricsF(view_->font()).height();
+  const auto bottom = [&] { return view_->positionOf(1, 1e-4).y(); };
+  const double before = bottom();
+  view_->setPlot(plot);
+  QTest::qWait(1);
+  EXPECT_LE(bottom() + 2 * line, view_->height());
+  view_->setPlot(samplePlot());
+  QTest::qWait(1);
+  EXPECT_NEAR(bottom(), before, 1);
+}
+
+/// A name that says in much what a curve differs is broken into lines; its tooltip has all of it.
+TEST_F(PlotGestures, LongNamesAreBrokenAndWholeInTheirTooltip) {
+  Plot plot = samplePlot();
+  QStringList parts;
+  for (int i = 0; i < 14; ++i) parts += QStringLiteral("parameter %1 = %2 MPa").arg(i).arg(10 * i);
+  plot.series[0].name = parts.mid(0, 6).join(", ");
+  view_->setPlot(plot);
+  auto* legend = view_->findChild<PlotLegend*>();
+  ASSERT_TRUE(legend);
+  EXPECT_GE(legend->linesOf(7).size(), 2);
+  EXPECT_EQ(legend->linesOf(7).join(' '), plot.series[0].name);  // nothing is lost
+  const QFontMetricsF metrics(legend->font());
+  for (const QString& line : legend->linesOf(7))
+    EXPECT_LE(metrics.horizontalAdvance(line), legend->width());
+  plot.series[0].name = parts.join(", ");
+  view_->setPlot(plot);
+  EXPECT_NE(legend->linesOf(7).join(' '), plot.series[0].name);
+  QTest::mouseMove(legend, legend->placeOf(7).center().toPoint());
+  EXPECT_TRUE(legend->toolTip().contains(plot.series[0].name));
+}
+
+}  // namespace
+}  // namespace asperity

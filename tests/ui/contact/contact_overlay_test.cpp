@@ -1,0 +1,283 @@
+// Colour scales of the contact picture and its force arrows.
+#include "ui/contact/contact_overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/ui/contact/sample_frame.h"
+#include "ui/draw/colours.h"
+#include "ui/contact/contact_forces.h"
+#include "ui/draw/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+double luminance(const Rgba& colour) {
+  return 0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b;
+}
+
+/// Readable with any colour vision: lightness alone orders the values.
+TEST(Overlay, MapsAreOrderedByLightness) {
+  for (int i = 0; i < 100; ++i) {
+    const float a = static_cast<float>(i) / 100, b = static_cast<float>(i + 1) / 100;
+    EXPECT_LT(luminance(pressureColour(a)), luminance(pressureColour(b))) << i;
+    EXPECT_GT(luminance(ageColour(a)), luminance(ageColour(b))) << i;
+  }
+}
+
+TEST(Overlay, ScalesAreLinearButForPower) {
+  const ColourScale pressure{ContactOverlay::Pressure, 200}, power{ContactOverlay::Power, 5};
+  EXPECT_FLOAT_EQ(pressure.share(50), 0.25F);
+  EXPECT_FLOAT_EQ(pressure.share(1000), 1);
+  EXPECT_FLOAT_EQ(power.share(5), 1);
+  EXPECT_FLOAT_EQ(power.share(5e-3), 0);
+  EXPECT_NEAR(power.share(0.05), 1.0 / 3, 1e-6);
+  EXPECT_EQ(power.share(0), 0);
+  EXPECT_EQ(pressure.share(NAN), 0);
+}
+
+/// Each tick stands where its value's colour is.
+TEST(Overlay, LegendSpansTheBar) {
+  for (const ContactOverlay overlay :
+       {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power}) {
+    const ColourScale scale{overlay, 4e-3};
+    const std::vector<LegendTick> ticks = scale.ticks(6);
+    ASSERT_GE(ticks.size(), 3U);
+    EXPECT_EQ(ticks.front().share, 0);
+    EXPECT_EQ(ticks.back().share, 1);
+    for (std::size_t i = 1; i < ticks.size(); ++i) EXPECT_GT(ticks[i].share, ticks[i - 1].share);
+  }
+  EXPECT_EQ((ColourScale{ContactOverlay::Relaxation, 4e-3}).ticks(6).back().label, "4 ms");
+}
+
+/// Numbers in one unit, which the last one says: short enough for a label at every decade.
+TEST(Overlay, DecadesOfPowerAreLabelledInOneUnit) {
+  const auto labels = [](double end) {
+    std::string all;
+    for (const LegendTick& tick : (ColourScale{ContactOverlay::Power, end}).ticks(6))
+      all += tick.label + "|";
+    return all;
+  };
+  EXPECT_EQ(labels(5), "0.005|0.05|0.5|5 W/m|");
+  EXPECT_EQ(labels(2e-3), "0.002|0.02|0.2|2 mW/m|");
+  Frame frame = *sampleFrame({});
+  frame.power.assign(frame.pressure.size(), 1.2e-3);
+  ContactPictureOptions options;
+  options.overlay = ContactOverlay::Power;
+  for (const int width : {900, 1280, 1920}) {
+    options.width = width;
+    int found = 0;
+    for (const DrawText& text : composeContact(frame, options).texts)
+      for (const char* label : {"0.0015", "0.015", "0.15", "1.5 mW/m"})
+        found += text.utf8 == label ? 1 : 0;
+    EXPECT_EQ(found, 4) << width;
+  }
+}
+
+/// Where a colour is asked for and none is seen, a few words say why.
+TEST(Overlay, SaysWhyNothingIsColoured) {
+  SampleOptions sample;
+  sample.velocity = 0;
+  Frame resting = *sampleFrame(sample), sliding = *sampleFrame({});
+  for (Frame* frame : {&resting, &sliding}) {
+    frame->sinceContact.assign(frame->pressure.size(), std::numeric_limits<double>::infinity());
+    frame->power.assign(frame->pressure.size(), 0.0);
+  }
+  EXPECT_EQ(reasonUncoloured(resting, ContactOverlay::Relaxation),
+            "no colours: at rest nothing leaves contact");
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Relaxation),
+            "no colours: nothing has left contact yet");
+  EXPECT_EQ(reasonUncoloured(resting, ContactOverlay::Power),
+            "no colours: nothing is dissipated at rest");
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Power), "no colours: nothing is dissipated");
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Pressure), "");
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::None), "");
+  sliding.contactFraction = 1;
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Relaxation),
+            "no colours: all of the surface is in contact");
+  sliding.pressure.assign(sliding.pressure.size(), 0.0);
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Pressure), "no colours: nothing touches");
+  sliding.power.clear();  // not asked for: nothing is known
+  EXPECT_EQ(reasonUncoloured(sliding, ContactOverlay::Power), "");
+  for (const int height : {260, 720}) {
+    ContactPictureOptions options;
+    options.height = height;
+    options.overlay = ContactOverlay::Relaxation;
+    bool said = false;
+    for (const DrawText& text : composeContact(resting, options).texts)
+      said = said || text.utf8 == "no colours: at rest nothing leaves contact";
+    EXPECT_TRUE(said) << height;
+  }
+}
+
+TEST(Overlay, ScaleFitsTheFrameAndKeepsStill) {
+  Frame frame = *sampleFrame({});
+  frame.power.assign(frame.pressure.size(), 0.7);
+  const double end = scaleEnd(frame, ContactOverlay::Power, 0);
+  EXPECT_GE(end, 0.7);
+  EXPECT_LE(end, 1.5);
+  frame.power.assign(frame.pressure.size(), 0.6);
+  EXPECT_EQ(scaleEnd(frame, ContactOverlay::Power, end), end);
+  frame.power.assign(frame.pressure.size(), 70);
+  EXPECT_GE(scaleEnd(frame, ContactOverlay::Power, end), 70);
+  frame.power.clear();
+  EXPECT_EQ(scaleEnd(frame, ContactOverlay::Power, 0), 0);
+}
+
+/// After a few relaxation times nothing is to be seen; infinite ages have no say.
+TEST(Overlay, AgesEndWithTheRelaxation) {
+  Frame frame = *sampleFrame({});
+  frame.sinceContact.assign(frame.pressure.size(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(scaleEnd(frame, ContactOverlay::Relaxation, 0), 0);
+  frame.sinceContact[3] = 2e-3;
+  EXPECT_NEAR(scaleEnd(frame, ContactOverlay::Relaxation, 0), 2e-3, 1e-12);
+  frame.sinceContact[4] = 1;
+  EXPECT_NEAR(scaleEnd(frame, ContactOverlay::Relaxation, 0),
+              4 * frame.scene->elastomer.relaxationTime, 1e-12);
+}
+
+/// Whatever was shown before, and however the march ripples.
+TEST(Overlay, ThePressureScaleIsThatOfTheSteadyState) {
+  Frame frame = *sampleFrame({});
+  frame.steadyPressure = 170;
+  for (const double last : {0.0, 300.0, 1e35})
+    for (const double drawn : {1e-3, 1.0, 100.0}) {
+      Frame moving = frame;
+      for (double& pressure : moving.pressure) pressure *= drawn;
+      EXPECT_EQ(scaleEnd(moving, ContactOverlay::Pressure, last), 200);
+    }
+}
+
+/// All numbers of a bar count in the unit of its last one, and none of them is long.
+TEST(Overlay, NumbersOfTheBarAreShortAtAnySize) {
+  for (const ContactOverlay overlay :
+       {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power})
+    for (int power = -40; power <= 40; ++power)
+      for (const double digit : {1.0, 1.5, 2.5, 5.0}) {
+        const double end = digit * std::pow(10.0, power);
+        const std::vector<LegendTick> ticks = (ColourScale{overlay, end}).ticks(6);
+        ASSERT_GE(ticks.size(), 2U) << end;
+        for (const LegendTick& tick : ticks)
+          EXPECT_LT(textWidth(tick.label, 12), 110) << tick.label;
+        for (std::size_t i = 0; i + 1 < ticks.size(); ++i)
+          EXPECT_LE(ticks[i].label.size(), 8U) << ticks[i].label << " of " << end;
+      }
+  std::string labels;
+  for (const LegendTick& tick : (ColourScale{ContactOverlay::Pressure, 5e-29}).ticks(6))
+    labels += tick.label + "|";
+  EXPECT_EQ(labels, "0|1|2|3|4|5\u00D710\u207B\u00B2\u2079 N/m|");
+}
+
+TEST(Overlay, AsksOnlyForWhatItShows) {
+  EXPECT_EQ(fieldsFor(ContactOverlay::Pressure), FrameFields{});
+  EXPECT_EQ(fieldsFor(ContactOverlay::None), FrameFields{});
+  EXPECT_TRUE(fieldsFor(ContactOverlay::Relaxation).sinceContact);
+  EXPECT_TRUE(fieldsFor(ContactOverlay::Power).power);
+}
+
+TEST(Overlay, WithoutItsFieldThereIsNoLegend) {
+  ContactPictureOptions options;
+  options.overlay = ContactOverlay::Power;
+  for (const DrawText& text : composeContact(*sampleFrame({}), options).texts)
+    EXPECT_EQ(text.utf8.find("power"), std::string::npos);
+}
+
+/// At most two vertices a pixel column and curve, whatever is coloured.
+TEST(Overlay, CostDoesNotGrowWithThePoints) {
+  for (const ContactOverlay overlay :
+       {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power}) {
+    SampleOptions sample;
+    sample.points = 200000;
+    sample.hurst = 2;  // few modes to sum up
+    Frame frame;
+    frame.length = 0.02;
+    frame.spacing = 1e-7;
+    for (int i = 0; i < 200000; ++i) {
+      frame.lineHeight.push_back(1e-6 * std::sin(0.01 * i) + 1e-7 * std::sin(3.0 * i));
+      frame.surfaceHeight.push_back(std::min(0.0, frame.lineHeight.back()));
+      frame.pressure.push_back(frame.lineHeight.back() < 0 ? 1 + (i % 7) : 0);
+      frame.sinceContact.push_back(i % 100 * 1e-6);
+      frame.power.push_back(0.1 * (i % 13));
+    }
+    ContactPictureOptions options;
+    options.overlay = overlay;
+    const Clip plot = contactPlotArea(frame, options);
+    for (const DrawLayer& layer : composeContact(frame, options).layers)
+      for (const DrawLine& line : layer.lines)
+        EXPECT_LE(line.vertices.size(), 2 * static_cast<std::size_t>(plot.width) + 8);
+  }
+}
+
+ForceArrows arrowsOf(const Frame& frame) {
+  return forceArrows(frame, layoutContact(frame, {}, 60));
+}
+
+/// One scale and a stated factor: their lengths are in the ratio of the forces times that.
+TEST(ForceArrows, AreInScale) {
+  Frame frame = *sampleFrame({});
+  const ForceArrows usual = arrowsOf(frame);
+  ASSERT_GT(usual.down, 20);
+  EXPECT_NEAR(usual.sideways / usual.down, usual.enlarged * frame.muSteady, 1e-5);
+  EXPECT_FALSE(usual.pointsRight);
+  frame.muSteady *= 0.5;  // slower: the arrow shrinks with its force, by the same factor
+  EXPECT_EQ(arrowsOf(frame).enlarged, usual.enlarged);
+  EXPECT_NEAR(arrowsOf(frame).sideways, 0.5F * usual.sideways, 1e-4);
+}
+
+TEST(ForceArrows, ShowFrictionInTotal) {
+  Frame frame = *sampleFrame({});
+  const double deformation = arrowsOf(frame).sideways;
+  frame.muInterface = frame.muSteady;
+  EXPECT_NEAR(arrowsOf(frame).sideways, 2 * deformation, 1e-3);
+}
+
+TEST(ForceArrows, StayInThePlotWhateverTheForces) {
+  Frame frame = *sampleFrame({});
+  for (const double mu : {1e-9, 1e-3, 0.1, 7.0, 1e4}) {
+    frame.muSteady = mu;
+    const ForceArrows arrows = arrowsOf(frame);
+    EXPECT_LE(arrows.sideways, 0.31 * 1280);
+    const double wanted = arrows.down * mu * arrows.enlarged;
+    if (wanted >= 5)  // pixels; what is shorter is no arrow
+      EXPECT_NEAR(arrows.sideways, wanted, 1e-3 * wanted);
+    else
+      EXPECT_EQ(arrows.sideways, 0);
+    EXPECT_GE(arrows.enlarged, 1);
+  }
+}
+
+/// "arrow 500x" stands only where there is one; otherwise a small one in the text says which way.
+TEST(ForceArrows, AreOnlySpokenOfWhereTheyAreDrawn) {
+  Frame frame = *sampleFrame({});
+  for (const double part : {1.0, 0.3, 0.1, 0.03, 0.01, 1e-6}) {
+    Frame slower = frame;
+    slower.muSteady *= part;
+    slower.tangentialForce *= part;
+    const DrawList list = composeContact(slower, {});
+    std::string texts;
+    for (const DrawText& text : list.texts) texts += text.utf8 + "|";
+    const ForceArrows arrows = arrowsOf(slower);
+    EXPECT_NE(texts.find("friction F"), std::string::npos) << part;
+    EXPECT_EQ(texts.find(", arrow ") != std::string::npos, arrows.sideways > 0) << part;
+    if (part >= 0.3) {
+      EXPECT_GT(arrows.sideways, 0) << part;
+    }
+    if (part <= 0.01) {
+      EXPECT_EQ(arrows.sideways, 0) << part;
+    }
+  }
+}
+
+TEST(ForceArrows, NoForceNoArrow) {
+  Frame frame = *sampleFrame({});
+  frame.muSteady = kNotApplicable;
+  EXPECT_EQ(arrowsOf(frame).sideways, 0);
+  frame.normalForce = 0;
+  EXPECT_EQ(arrowsOf(frame).down, 0);
+}
+
+}  // namespace
+}  // namespace asperity

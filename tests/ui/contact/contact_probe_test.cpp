@@ -1,0 +1,210 @@
+// What the crosshair reads, and that its readout and the magnifier hide nothing they should not.
+#include "ui/contact/contact_probe.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/ui/contact/sample_frame.h"
+#include "tests/ui/contact/tidy_texts.h"
+#include "ui/contact/contact_insets.h"
+#include "ui/contact/contact_picture.h"
+
+namespace asperity {
+namespace {
+
+Frame smallFrame() {
+  Frame frame;
+  frame.length = 4e-3;
+  frame.spacing = 1e-3;
+  frame.lineHeight = {2e-6, -1e-6, 1e-6, 3e-6};
+  frame.surfaceHeight = {0, -1e-6, -0.4e-6, -0.1e-6};
+  frame.pressure = {0, 12, 0, 0};
+  return frame;
+}
+
+TEST(Probe, ReadsTheNearestElementInAnyPeriod) {
+  const Frame frame = smallFrame();
+  for (const double x : {1.1e-3, 0.6e-3, 1.4e-3 + 3 * 4e-3, 1e-3 - 7 * 4e-3}) {
+    const auto reading = probeReading(frame, x);
+    ASSERT_TRUE(reading);
+    EXPECT_EQ(reading->point, 1U) << x;
+    EXPECT_EQ(reading->line, -1e-6);
+    EXPECT_EQ(reading->surface, -1e-6);
+    EXPECT_EQ(reading->pressure, 12);
+    EXPECT_EQ(reading->gap, 0);
+  }
+  EXPECT_EQ(probeReading(frame, 3.6e-3)->point, 0U);  // the next period's first
+  EXPECT_NEAR(probeReading(frame, 2e-3)->gap, 1.4e-6, 1e-18);
+}
+
+TEST(Probe, SlopeIsTheFramesOwnWhereItHasOne) {
+  Frame frame = smallFrame();
+  EXPECT_NEAR(probeReading(frame, 1e-3)->slope, -0.5e-3, 1e-12);
+  EXPECT_NEAR(probeReading(frame, 0)->slope, -2e-3, 1e-12);  // over the end of the period
+  frame.lineSlope = {0.1, 0.2, 0.3, 0.4};
+  EXPECT_EQ(probeReading(frame, 1e-3)->slope, 0.2);
+}
+
+TEST(Probe, AgeAndPowerWhereTheyAreKnown) {
+  Frame frame = smallFrame();
+  EXPECT_FALSE(probeReading(frame, 0)->age);
+  frame.sinceContact = {1e-3, 0, std::numeric_limits<double>::infinity(), 2e-3};
+  frame.power = {0, 3, 0.5, 0};
+  EXPECT_EQ(*probeReading(frame, 0)->age, 1e-3);
+  EXPECT_FALSE(probeReading(frame, 2e-3)->age);
+  EXPECT_EQ(*probeReading(frame, 2e-3)->power, 0.5);
+}
+
+TEST(Probe, NothingToReadWhereNothingIsDrawn) {
+  EXPECT_FALSE(probeReading(Frame{}, 0));
+  EXPECT_FALSE(probeReading(smallFrame(), NAN));
+}
+
+TEST(Probe, SaysItInEngineeringUnits) {
+  Frame frame = smallFrame();
+  frame.lineSlope = {0.1, -1.5e-3, 0.3, 0.4};
+  std::string all;
+  for (const ProbeLine& line : probeLines(*probeReading(frame, 1e-3)))
+    all += line.label + " = " + line.value + "; ";
+  EXPECT_EQ(all,
+            "position x = 1.000 mm; rigid line z = \u22121.00 \u00B5m; elastomer u = \u22121.00 "
+            "\u00B5m; pressure p = 12.0 N/m; slope z\u2032 = \u22120.00150; ");
+}
+
+struct Size {
+  int width, height;
+  float scale;
+};
+constexpr Size kSizes[] = {{320, 200, 1}, {480, 300, 1}, {640, 360, 1},  {880, 300, 1},
+                           {880, 300, 2}, {600, 900, 1}, {1280, 720, 1}, {2560, 1440, 2}};
+
+/// Every text on the picture, none over another: what lies under an inset is left out.
+TEST(Probe, TextsStayTidyUnderTheCrosshairAndTheMagnifier) {
+  SampleOptions sample;
+  sample.points = 400;
+  Frame frame = *sampleFrame(sample);
+  frame.sinceContact.assign(400, 1.234e-3);
+  frame.power.assign(400, 0.123);
+  for (const Size& size : kSizes)
+    for (const double share : {0.0, 0.02, 0.3, 0.5, 0.77, 0.99})
+      for (const int what : {1, 2, 3}) {
+        ContactPictureOptions options;
+        options.width = size.width;
+        options.height = size.height;
+        options.scale = size.scale;
+        if (what & 1) options.probe = share * frame.length;
+        if (what & 2) options.magnifier = Magnifier{share * frame.length, 8};
+        expectTidy(composeContact(frame, options),
+                   std::to_string(size.width) + "x" + std::to_string(size.height) + " " +
+                       std::to_string(share) + " " + std::to_string(what));
+      }
+}
+
+/// The dots on line and surface are the last lines that are single points; no readout covers them:
+/// its box is the last layer's.
+TEST(Probe, ReadoutNeverCoversThePoint) {
+  SampleOptions sample;
+  sample.points = 400;
+  const Frame frame = *sampleFrame(sample);
+  int shown = 0;
+  for (const Size& size : kSizes)
+    for (int i = 0; i <= 40; ++i) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      options.probe = i / 40.0 * frame.length;
+      const DrawList list = composeContact(frame, options);
+      const DrawLayer& box = list.layers.back();
+      if (!box.lines.empty() || box.triangles.size() != 12) continue;  // no room for a readout
+      ++shown;
+      float left = 1e9F, right = 0, top = 1e9F, bottom = 0;
+      for (const DrawVertex& v : box.triangles) {
+        left = std::min(left, v.x);
+        right = std::max(right, v.x);
+        top = std::min(top, v.y);
+        bottom = std::max(bottom, v.y);
+      }
+      for (const DrawLine& line : list.layers[list.layers.size() - 2].lines)
+        if (line.vertices.size() == 1) {
+          const DrawVertex& dot = line.vertices.front();
+          EXPECT_FALSE(dot.x > left && dot.x < right && dot.y > top && dot.y < bottom)
+              << size.width << " " << i;
+        }
+      EXPECT_GE(left, 0);
+      EXPECT_LE(right, static_cast<float>(size.width));
+    }
+  EXPECT_GT(shown, 200);
+}
+
+/// The plate under the scale's bars is the second but last rectangle of the top layer's triangles.
+TEST(Magnifier, ItsScaleHidesNoContact) {
+  int shown = 0;
+  for (const double depth : {2e-7, 1e-6, 3e-6}) {
+    SampleOptions sample;
+    sample.depth = depth;
+    const Frame frame = *sampleFrame(sample);
+    for (const Size& size : {Size{1016, 900, 3.125F}, {500, 350, 1}, {640, 360, 1}, {1280, 720, 1}})
+      for (int i = 0; i < 40; ++i) {
+        ContactPictureOptions options;
+        options.width = size.width;
+        options.height = size.height;
+        options.scale = size.scale;
+        options.magnifier = Magnifier{i / 40.0 * frame.length, 8};
+        const DrawList list = composeContact(frame, options);
+        const DrawLayer& top = list.layers.back();
+        if (top.triangles.size() != 6) continue;  // no room for a scale
+        ++shown;
+        float left = 1e9F, right = 0, above = 1e9F, bottom = 0;
+        for (const DrawVertex& v : top.triangles) {
+          left = std::min(left, v.x);
+          right = std::max(right, v.x);
+          above = std::min(above, v.y);
+          bottom = std::max(bottom, v.y);
+        }
+        // The curves and contacts of the inset are in the layer below.
+        const DrawLayer& curves = list.layers[list.layers.size() - 2];
+        for (const DrawLine& line : curves.lines) {
+          if (line.vertices.size() == 2 && line.vertices[0].y == line.vertices[1].y) continue;
+          for (const DrawVertex& v : line.vertices)
+            EXPECT_FALSE(v.x > left && v.x < right && v.y > above && v.y < bottom)
+                << size.width << " " << i << " " << depth;
+        }
+      }
+  }
+  EXPECT_GT(shown, 300);
+}
+
+/// At journal width, too, where it takes more of the plot.
+TEST(Magnifier, IsThereInSmallPictures) {
+  const Frame frame = *sampleFrame({});
+  for (const Size& size : {Size{1016, 900, 3.125F}, {400, 350, 1}}) {
+    ContactPictureOptions options;
+    options.width = size.width;
+    options.height = size.height;
+    options.scale = size.scale;
+    const std::size_t without = composeContact(frame, options).layers.size();
+    options.magnifier = Magnifier{0.2 * frame.length, 8};
+    EXPECT_GT(composeContact(frame, options).layers.size(), without) << size.width;
+  }
+}
+
+TEST(Magnifier, LiesOnTheOtherSideOfThePlot) {
+  const Frame frame = *sampleFrame({});
+  const ContactPictureOptions options;
+  const ContactLayout layout = layoutContact(frame, options, 60);
+  const Box right = magnifierBox(frame, {0.2 * frame.length, 8}, layout);
+  const Box left = magnifierBox(frame, {0.8 * frame.length, 8}, layout);
+  EXPECT_GT(right.x, layout.px(0.5 * frame.length));
+  EXPECT_LT(left.right(), layout.px(0.5 * frame.length));
+  for (const Box& box : {left, right}) {
+    EXPECT_GE(box.y, layout.plot.y);
+    EXPECT_LE(box.bottom(), layout.plot.bottom());
+  }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,521 @@
+// Texts of the composed picture: all on the picture, none over another, over many sizes and frames.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "tests/ui/contact/sample_frame.h"
+#include "tests/ui/contact/tidy_texts.h"
+#include "ui/contact/contact_forces.h"
+#include "ui/contact/contact_overlay.h"
+#include "ui/contact/contact_picture.h"
+#include "ui/draw/ticks.h"
+
+namespace asperity {
+namespace {
+
+struct Size {
+  int width, height;
+  float scale;
+};
+constexpr Size kSizes[] = {{320, 200, 1},   {320, 240, 1},  {320, 568, 1},   {400, 300, 1},
+                           {480, 854, 1},   {640, 360, 1},  {800, 600, 1},   {1000, 600, 1.25F},
+                           {1280, 720, 1},  {1280, 720, 2}, {1920, 1080, 1}, {2560, 1440, 2},
+                           {4000, 2250, 1}, {4000, 600, 1}, {600, 2000, 1}};
+
+void expectTidyTexts(const Frame& frame, const ContactView& view, const char* what) {
+  for (const Size& size : kSizes) {
+    ContactPictureOptions options;
+    options.width = size.width;
+    options.height = size.height;
+    options.scale = size.scale;
+    options.view = view;
+    const DrawList list = composeContact(frame, options);
+    const std::string where =
+        what + (" " + std::to_string(size.width) + "x" + std::to_string(size.height));
+    expectTidy(list, where);
+  }
+}
+
+TEST(ContactTexts, NeverCollideNorLeaveThePicture) {
+  SampleOptions options;
+  options.points = 300;
+  options.distance = 0.0012;
+  expectTidyTexts(*sampleFrame(options), {}, "usual");
+  options.depth = 5e-5;
+  expectTidyTexts(*sampleFrame(options), {}, "deep");
+  options.depth = 1e-9;
+  options.velocity = -3.21e-5;
+  options.title =
+      "A title so long that it has to be cut somewhere, because no picture is as wide as this";
+  expectTidyTexts(*sampleFrame(options), {}, "light");
+  options.rmsHeight = 0;
+  options.velocity = 0;
+  options.title = "";
+  expectTidyTexts(*sampleFrame(options), {}, "flat, at rest");
+}
+
+TEST(ContactTexts, StayTidyInAnyView) {
+  SampleOptions options;
+  options.points = 300;
+  const auto frame = sampleFrame(options);
+  expectTidyTexts(*frame, {0.0195, 0.0011, 0, 0, 0}, "zoomed");
+  expectTidyTexts(*frame, {-0.31, 0.00001, -1.0e-6, -0.99e-6, 3333}, "magnified");
+  expectTidyTexts(*frame, {7, 0.3, -1e-3, 1e-3, 1e7}, "far away");
+}
+
+TEST(ContactTexts, StayTidyWithEveryReading) {
+  SampleOptions options;
+  options.points = 300;
+  options.distance = 1.234567;
+  options.timeScale = 1.234e-7;
+  Frame frame = *sampleFrame(options);
+  frame.muMarch = 1.2345e-7;
+  frame.muSteady = 123.456;
+  frame.normalForce = 999.4e-9;
+  expectTidyTexts(frame, {}, "every reading");
+  frame.scene.reset();
+  frame.muSteady = kNotApplicable;
+  expectTidyTexts(frame, {}, "no scene");
+  expectTidyTexts(Frame{}, {}, "nothing");
+}
+
+std::string allTexts(const Frame& frame) {
+  std::string words;
+  for (const DrawText& text : composeContact(frame, {}).texts) words += text.utf8 + "|";
+  return words;
+}
+
+TEST(ContactTexts, SayWhatIsShown) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  frame.muSteady = 0.0123;
+  std::string words = allTexts(frame);
+  for (const char* part :
+       {"Figure 1", "0.0123", "rigid body", "elastomer", "rigid line slides", "v = 1 m/s",
+        "position (mm)", "undeformed surface (\u00B5m)", "vertical exaggeration",
+        "contact pressure (line load)", "N/m", "1 s on screen", "= 2 ms"})
+    EXPECT_NE(words.find(part), std::string::npos) << part;
+  EXPECT_EQ(words.find("moving picture"), std::string::npos);
+  frame.muMarch = 0.5;
+  frame.timeScale = 0;
+  words = allTexts(frame);
+  EXPECT_EQ(words.find("0.500"), std::string::npos) << "one friction, that of the steady state";
+  EXPECT_EQ(words.find("settled"), std::string::npos);
+  EXPECT_EQ(words.find("on screen"), std::string::npos);
+}
+
+/// The facts are of the picture, and what they come to has a name of its own.
+TEST(ContactTexts, WhileItSettlesWhatIsDrawnIsTold) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  frame.isSettling = true;
+  frame.drawn = {3.21e-6, 0.0456, 0.0456 * 0.0789, 0.123, 0.0789, 0};
+  frame.muSteady = 0.0123;
+  const std::string words = allTexts(frame);
+  for (const char* part : {"friction coefficient \u03BC|0.0789|", "\u03BC when settled|0.0123|",
+                           "3.21 \u00B5m|", "12.3 %|", "45.6 mN|", "= 3.6 mN"})
+    EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
+  expectTidyTexts(frame, {}, "settling");
+  frame.drawn.mu = frame.drawn.tangentialForce = kNotApplicable;  // steps too coarse to read it
+  EXPECT_NE(allTexts(frame).find("friction coefficient \u03BC|\u2013|"), std::string::npos);
+  EXPECT_EQ(allTexts(frame).find("friction F|"), std::string::npos);
+}
+
+/// Zoomed to one of the two, the other one has no name there; and the arrow of sliding stays.
+TEST(ContactTexts, BodiesAreNamedOnlyWhereTheyAre) {
+  SampleOptions options;
+  options.points = 300;
+  const auto frame = sampleFrame(options);
+  const auto words = [&](double bottom, double top) {
+    ContactPictureOptions picture;
+    picture.view.bottom = bottom;
+    picture.view.top = top;
+    std::string all;
+    for (const DrawText& text : composeContact(*frame, picture).texts) all += text.utf8 + "|";
+    return all;
+  };
+  const double low = *std::ranges::min_element(frame->surfaceHeight);
+  const double high = *std::ranges::max_element(frame->lineHeight);
+  const double size = high - low;
+  const std::string both = words(low - 0.5 * size, high + 0.5 * size);
+  const std::string rubber = words(low - 2 * size, low - 0.1 * size);
+  const std::string rigid = words(high + 0.1 * size, high + 2 * size);
+  const auto names = [](const std::string& text, const char* name) {
+    return text.find(name) != std::string::npos;
+  };
+  EXPECT_TRUE(names(both, "rigid body|") && names(both, "elastomer"));
+  EXPECT_FALSE(names(rubber, "rigid body|"));
+  EXPECT_TRUE(names(rubber, "elastomer|"));
+  EXPECT_TRUE(names(rubber, "rigid line slides"));
+  EXPECT_TRUE(names(rigid, "rigid body|"));
+  EXPECT_FALSE(names(rigid, "elastomer|"));
+}
+
+/// Local friction is a part of its own: each part and their sum are named, and F_x is the sum's.
+TEST(ContactTexts, SayWhichPartOfTheFriction) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  EXPECT_EQ(allTexts(frame).find("interface"), std::string::npos);
+  Scene scene = *frame.scene;
+  scene.interface.frictionCoefficient = 0.25;
+  frame.scene = std::make_shared<const Scene>(scene);
+  frame.muSteady = 0.125;
+  frame.muInterface = 0.25;
+  frame.normalForce = 2;
+  frame.tangentialForce = 0.25;
+  const std::string words = allTexts(frame);
+  for (const char* part : {"\u03BC of the deformation|0.125|", "\u03BC of the interface|0.250|",
+                           "\u03BC in total|0.375|", "friction in total F|x| = 750 mN"})
+    EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
+}
+
+/// All power is that of the friction force, to the last digit shown, whatever the points add up to.
+TEST(ContactTexts, PowerIsFrictionTimesVelocity) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  frame.power.assign(frame.pressure.size(), 1);
+  frame.normalForce = 2;
+  frame.muSteady = 0.125;
+  frame.tangentialForce = 0.25;
+  ContactPictureOptions picture;
+  picture.overlay = ContactOverlay::Power;
+  const auto textsOf = [&] {
+    std::string words;
+    for (const DrawText& text : composeContact(frame, picture).texts) words += text.utf8 + "|";
+    return words;
+  };
+  EXPECT_NE(textsOf().find("250 mW in all, "), std::string::npos) << textsOf();  // at 1 m/s
+  Scene scene = *frame.scene;
+  scene.interface.frictionCoefficient = 0.25;
+  frame.scene = std::make_shared<const Scene>(scene);
+  frame.muInterface = 0.25;
+  EXPECT_NE(textsOf().find("750 mW in all, "), std::string::npos) << textsOf();
+}
+
+/// A motion states the error of its discretization beside its friction; the force points to where
+/// contact pushes, at rest too.
+TEST(ContactTexts, AMotionSaysItsErrorAndWhereItsForcePoints) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  TransientSample sample;
+  sample.tangentialForce = -0.1;
+  frame.transient = std::make_shared<const std::vector<TransientSample>>(1, sample);
+  frame.velocity = 0;
+  frame.muMarch = 0.0512;
+  EXPECT_NE(allTexts(frame).find("|0.0512|"), std::string::npos);
+  frame.muError = 0.00213;
+  EXPECT_NE(allTexts(frame).find("|0.0512 \u00B1 0.002|"), std::string::npos) << allTexts(frame);
+  EXPECT_TRUE(pushesRight(frame));
+  sample.tangentialForce = 0.1;
+  frame.transient = std::make_shared<const std::vector<TransientSample>>(1, sample);
+  EXPECT_FALSE(pushesRight(frame));
+}
+
+TEST(ContactTexts, DefaultTitleFitsTheKindOfLine) {
+  SampleOptions options;
+  options.points = 100;
+  options.title = "";
+  Frame frame = *sampleFrame(options);
+  auto scene = std::make_shared<Scene>(*frame.scene);
+  frame.scene = scene;
+  const std::pair<SurfaceKind, const char*> titles[] = {
+      {SurfaceKind::SelfAffine, "A rough rigid line slides over an elastomer|"},
+      {SurfaceKind::Sine, "A rigid sine slides over an elastomer|"},
+      {SurfaceKind::Wedge, "A rigid wedge slides over an elastomer|"},
+      {SurfaceKind::Parabola, "A rigid parabola slides over an elastomer|"},
+      {SurfaceKind::Profile, "A measured rigid line slides over an elastomer|"}};
+  for (const auto& [kind, title] : titles) {
+    scene->surface.kind = kind;
+    EXPECT_EQ(allTexts(frame).find(title), 0U) << allTexts(frame);
+  }
+  scene->surface.kind = SurfaceKind::Wedge;
+  scene->sliding.velocity = 0;
+  EXPECT_EQ(allTexts(frame).find("A rigid wedge rests on an elastomer|"), 0U);
+  scene->surface.kind = SurfaceKind::SelfAffine;
+  scene->surface.rmsHeight = 0;
+  EXPECT_EQ(allTexts(frame).find("A flat rigid line rests on an elastomer|"), 0U);
+}
+
+TEST(ContactTexts, FrictionIsShownOnlyWhereThereIsSome) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  EXPECT_NE(allTexts(frame).find("friction F|"), std::string::npos);
+  for (const double mu : {0.0, kNotApplicable}) {
+    frame.muSteady = mu;
+    frame.tangentialForce = 1e-20;  // what rounding leaves
+    EXPECT_EQ(allTexts(frame).find("friction F|"), std::string::npos) << mu;
+  }
+}
+
+/// Numbers of the colour bar lie below it or, in a low picture, beside it.
+TEST(ContactTexts, ColourBarHasItsZeroAndItsMaximum) {
+  SampleOptions options;
+  options.points = 300;
+  const auto frame = sampleFrame(options);
+  for (const double pressure : {0.05, 1.0, 60.0, 150.0, 200.0, 3333.0, 8e7}) {
+    for (const Size& size : kSizes) {
+      ContactPictureOptions picture;
+      picture.width = size.width;
+      picture.height = size.height;
+      picture.scale = size.scale;
+      picture.view = resolvedView(*frame, {});
+      picture.view.pressure = pressure;
+      const DrawList list = composeContact(*frame, picture);
+      const Clip plot = contactPlotArea(*frame, picture);
+      const auto title = std::find_if(list.texts.begin(), list.texts.end(), [](const auto& text) {
+        return text.utf8.starts_with("contact pressure");
+      });
+      if (title == list.texts.end()) continue;  // no room for a bar
+      bool zero = false, most = false;
+      for (const DrawText& text : list.texts) {
+        if (text.y < title->y - 0.5F) continue;
+        zero = zero || text.utf8 == "0";
+        if (!text.utf8.ends_with("N/m")) continue;
+        EXPECT_EQ(text.utf8, quantity(pressure, "N/m"));
+        EXPECT_LE(inkOf(text).right(), plot.x + plot.width + 0.5);
+        most = true;
+      }
+      EXPECT_TRUE(zero && most) << pressure << " N/m " << size.width << "x" << size.height;
+    }
+  }
+}
+
+/// However low the view is: under a comparison, or with the large texts of a presentation.
+TEST(ContactTexts, LowPicturesKeepTheirLegend) {
+  SampleOptions sample;
+  sample.points = 300;
+  Frame frame = *sampleFrame(sample);
+  frame.power = frame.pressure;
+  frame.sinceContact.assign(frame.pressure.size(), 1e-3);
+  for (const ContactOverlay overlay :
+       {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power})
+    for (const Size& size : {Size{960, 330, 1},
+                             {960, 260, 1},
+                             {960, 200, 1},
+                             {640, 200, 1},
+                             {480, 170, 1},
+                             {1280, 300, 1.6F},
+                             {1280, 420, 1.6F}}) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      options.overlay = overlay;
+      const DrawList list = composeContact(frame, options);
+      const Clip plot = contactPlotArea(frame, options);
+      const bool hasEnd = std::ranges::any_of(list.texts, [&](const DrawText& text) {
+        return (text.utf8.ends_with("N/m") || text.utf8.ends_with("W/m") ||
+                text.utf8.ends_with("ms")) &&
+               text.y > plot.y + plot.height;
+      });
+      const std::string where = std::to_string(size.width) + "x" + std::to_string(size.height);
+      EXPECT_TRUE(hasEnd) << where;
+      EXPECT_GT(plot.height, 40 * size.scale) << where;
+      expectTidy(list, where);
+    }
+}
+
+/// What the readings above the axes mean is told where they stand.
+TEST(ContactTexts, EveryReadingHasItsSentence) {
+  SampleOptions sample;
+  sample.points = 300;
+  Frame frame = *sampleFrame(sample);
+  frame.isSettling = true;
+  frame.drawn = {1e-6, 1, 0.5, 0.1, 0.5, 0};
+  const std::vector<ContactReading> readings = contactReadings(frame, {});
+  ASSERT_EQ(readings.size(), 7U);
+  const DrawList list = composeContact(frame, {});
+  for (const ContactReading& reading : readings) {
+    EXPECT_GT(reading.tip.size(), 20U) << reading.name;
+    const Clip& place = reading.place;
+    int texts = 0;  // the label and the value
+    for (const DrawText& text : list.texts)
+      if (text.x >= place.x - 1 && text.x < place.x + place.width && text.y > place.y &&
+          text.y <= place.y + place.height)
+        ++texts;
+    EXPECT_GE(texts, 2) << reading.name;
+  }
+  EXPECT_EQ(readings[1].name, "\u03BC when settled");
+  EXPECT_NE(readings[1].tip.find("steady state"), std::string::npos);
+  ContactPictureOptions plain;
+  plain.title = false;
+  EXPECT_TRUE(contactReadings(frame, plain).empty());
+}
+
+/// At the large texts of a presentation, too.
+TEST(ContactTexts, ATitleThatIsTooLongIsToldWhereItStands) {
+  SampleOptions sample;
+  sample.points = 300;
+  Frame frame = *sampleFrame(sample);
+  Scene scene = *frame.scene;
+  scene.title = "A title that is a good deal longer than what a picture of this width can show";
+  frame.scene = std::make_shared<const Scene>(scene);
+  ContactPictureOptions options;
+  EXPECT_NE(contactReadings(frame, options).front().tip, scene.title);  // as a whole it is there
+  options.width = 700;
+  options.scale = 1.5F;
+  const ContactReading title = contactReadings(frame, options).front();
+  EXPECT_EQ(title.tip, scene.title);
+  const DrawList list = composeContact(frame, options);
+  const auto shown = std::ranges::find_if(
+      list.texts, [&](const DrawText& text) { return text.utf8 == title.name; });
+  ASSERT_NE(shown, list.texts.end());
+  EXPECT_TRUE(shown->utf8.ends_with("\u2026"));
+  EXPECT_GT(shown->y, title.place.y);
+  EXPECT_LT(shown->y, title.place.y + title.place.height);
+}
+
+TEST(ContactTexts, NoColourBarWithoutAPressure) {
+  SampleOptions options;
+  options.points = 300;
+  Frame frame = *sampleFrame(options);
+  frame.pressure.assign(frame.pressure.size(), 0);
+  std::string words = allTexts(frame);
+  EXPECT_EQ(words.find("contact pressure"), std::string::npos);
+  EXPECT_EQ(words.find("glow"), std::string::npos);
+  EXPECT_NE(words.find("dot: contact between two points"), std::string::npos) << words;
+  expectTidyTexts(frame, {}, "no pressure");
+  frame.normalForce = frame.contactFraction = 0;
+  EXPECT_EQ(allTexts(frame).find("dot:"), std::string::npos);
+}
+
+/// A flat line in contact from end to end, shown so that it comes to the very bottom.
+TEST(ContactTexts, ElastomerIsNamedWhereNoContactIs) {
+  SampleOptions options;
+  options.points = 200;
+  options.rmsHeight = 0;
+  Frame frame = *sampleFrame(options);
+  const auto named = [&](int width, int height) {
+    ContactPictureOptions picture;
+    picture.width = width;
+    picture.height = height;
+    picture.view = {0, 0.02, -1.1e-6, 0.2e-6, 0};
+    const DrawList list = composeContact(frame, picture);
+    const auto it = std::find_if(list.texts.begin(), list.texts.end(), [](const auto& text) {
+      return text.utf8.find("elastomer") == 0 || text.utf8.find("elastomer:") != std::string::npos;
+    });
+    return it == list.texts.end() ? std::optional<DrawText>() : *it;
+  };
+  const auto footer = named(1280, 720);
+  ASSERT_TRUE(footer);
+  EXPECT_GT(footer->y, 650);                // below the axes
+  EXPECT_FALSE(named(400, 260));            // no footer there: no clear place
+  for (std::size_t i = 81; i < 200; ++i) {  // contact at the left alone
+    frame.pressure[i] = frame.surfaceHeight[i] = 0;
+    frame.lineHeight[i] = 1e-7;
+  }
+  const auto right = named(400, 260);
+  ASSERT_TRUE(right);
+  EXPECT_GT(right->x, 200);
+}
+
+/// Contact between two points of the frame is contact, whatever was asked to be coloured.
+TEST(ContactTexts, NoColoursDoNotMeanNoContact) {
+  SampleOptions sample;
+  sample.points = 300;
+  Frame frame = *sampleFrame(sample);
+  frame.pressure.assign(300, 0);
+  frame.sinceContact.assign(300, std::numeric_limits<double>::infinity());
+  frame.power.assign(300, 0);
+  for (const ContactOverlay overlay :
+       {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power}) {
+    frame.normalForce = 1e-9;
+    frame.contactFraction = 1e-6;
+    EXPECT_EQ(reasonUncoloured(frame, overlay), "no colours: contact lies between two points");
+    frame.normalForce = frame.contactFraction = 0;
+    EXPECT_NE(reasonUncoloured(frame, overlay), "no colours: contact lies between two points");
+  }
+  EXPECT_EQ(reasonUncoloured(frame, ContactOverlay::Pressure), "no colours: nothing touches");
+}
+
+// From 300 pixels on, at the densities of a screen and of a journal (86 mm at 300 per inch).
+constexpr Size kNarrow[] = {
+    {300, 220, 1},       {320, 240, 1},       {400, 260, 1},        {500, 350, 1},  {500, 170, 1},
+    {1016, 500, 3.125F}, {1016, 760, 3.125F}, {1016, 1200, 3.125F}, {1280, 200, 1}, {1280, 720, 1}};
+
+/// One number says nothing of the scale, and none without a unit says how much.
+TEST(ContactTexts, BothAxesHaveTwoNumbersAndAUnit) {
+  for (const double depth : {1e-7, 1e-6, 4e-6}) {
+    SampleOptions sample;
+    sample.points = 300;
+    sample.depth = depth;
+    const Frame frame = *sampleFrame(sample);
+    for (const Size& size : kNarrow) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      const Clip plot = contactPlotArea(frame, options);
+      const DrawList list = composeContact(frame, options);
+      int up = 0, along = 0, units = 0;
+      for (const DrawText& text : list.texts) {
+        const bool isBeside = text.x < plot.x && text.anchor == TextAnchor::Right;
+        up += isBeside ? 1 : 0;
+        const float below = text.y - plot.y - plot.height;
+        along += text.anchor == TextAnchor::Centre && below > 0 && below < 2 * text.size &&
+                         text.angle == 0 && text.utf8.find('(') == std::string::npos
+                     ? 1
+                     : 0;
+        for (const char* unit : {"(mm)", "(\u00B5m)", "(nm)", " mm", " \u00B5m", " nm"})
+          units += text.utf8.ends_with(unit) && (text.x < plot.x + 1 || below > 0) ? 1 : 0;
+      }
+      const std::string where = std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                " depth " + std::to_string(1e6 * depth);
+      // A frame that is lower than two numbers cannot have them.
+      if (plot.height > 3 * list.texts.back().size) {
+        EXPECT_GE(up, 2) << where;
+      }
+      EXPECT_GE(along, 2) << where;
+      EXPECT_GE(units, 2) << where;
+      expectTidy(list, where);
+    }
+  }
+}
+
+/// Rows that the line crosses have no label, wherever it has slid to.
+TEST(ContactTexts, NoLabelIsCrossedByTheLine) {
+  int labels = 0;
+  for (int slid = 0; slid < 8; ++slid) {
+    SampleOptions sample;
+    sample.points = 500;
+    sample.distance = slid * 0.0025;
+    const Frame frame = *sampleFrame(sample);
+    for (const Size& size : kNarrow) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      const Clip plot = contactPlotArea(frame, options);
+      const ContactView view = resolvedView(frame, options.view);
+      const DrawList list = composeContact(frame, options);
+      for (const DrawText& text : list.texts) {
+        if (text.x <= plot.x || text.y <= plot.y || text.y > plot.y + 0.45F * plot.height ||
+            text.x >= plot.x + plot.width)
+          continue;
+        ++labels;
+        const QRectF ink = inkOf(text);
+        for (std::size_t i = 0; i < frame.lineHeight.size(); ++i) {
+          const double x = plot.x + (static_cast<double>(i) * frame.spacing - view.left) /
+                                        view.width * plot.width;
+          const double y =
+              plot.y + (view.top - frame.lineHeight[i]) / (view.top - view.bottom) * plot.height;
+          if (x < ink.left() || x > ink.right()) continue;
+          ASSERT_GT(y, ink.bottom())
+              << text.utf8 << " " << size.width << "x" << size.height << " slid " << slid;
+        }
+      }
+    }
+  }
+  EXPECT_GT(labels, 150);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,66 @@
+#include "ui/draw/text_metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <QFontMetricsF>
+
+#include "ui/draw/text_painter.h"
+
+namespace asperity {
+namespace {
+
+TEST(TextMetrics, AgreeWithThePaintedFont) {
+  for (const char* words :
+       {"rigid line slides", "v = \u2212100 mm/s", "2.3\u00D710\u207B\u2075 \u00B5m",
+        "friction coefficient \u03BC", "\u03C4 = 1 ms, 13.1 %", "\u2013 \u2026",
+        "\u03B1 \u03B2 \u0394 \u2207z \u221D \u221A2 \u2264 \u221E",
+        "\u00B1 \u00BD m\u00B2 \u00B0 \u00FC"}) {
+    for (const float size : {9.0F, 12.0F, 31.0F}) {
+      for (const bool bold : {false, true}) {
+        DrawText text;
+        text.utf8 = words;
+        text.size = size;
+        text.bold = bold;
+        const double painted =
+            QFontMetricsF(fontOf(text)).horizontalAdvance(QString::fromUtf8(words));
+        EXPECT_GT(textWidth(words, size, bold), painted - 0.02 * size) << words << " " << size;
+        // Ligatures ("ffi") are a little narrower than their letters.
+        EXPECT_LT(textWidth(words, size, bold), painted + 0.15 * size) << words << " " << size;
+      }
+    }
+  }
+}
+
+TEST(TextMetrics, ElisionFitsAndKeepsCharactersWhole) {
+  const std::string title = "Gr\u00FCne Stra\u00DFe \u2013 a very long title";
+  EXPECT_EQ(elided(title, 12, true, 1000), title);
+  for (float width = 0; width < 200; width += 3) {
+    const std::string shorter = elided(title, 12, true, width);
+    EXPECT_LE(textWidth(shorter, 12, true), width);
+    EXPECT_FALSE(QString::fromStdString(shorter).contains(QChar::ReplacementCharacter));
+  }
+  EXPECT_EQ(elided(title, 12, true, 5), "");
+}
+
+TEST(TextMetrics, WrappingKeepsEveryWordWhereThereIsRoom) {
+  const std::string words = "one two three four five six seven eight nine ten";
+  for (float width = 60; width < 400; width += 7) {
+    std::string together;
+    for (const std::string& line : wrapped(words, 12, false, width)) {
+      EXPECT_LE(textWidth(line, 12), width);
+      together += (together.empty() ? "" : " ") + line;
+    }
+    EXPECT_EQ(together, words);
+  }
+  EXPECT_EQ(wrapped("a\nb", 12, false, 500).size(), 2U);
+  EXPECT_TRUE(wrapped("", 12, false, 500).empty());
+}
+
+TEST(TextMetrics, DamagedTextIsMeasuredAllTheSame) {
+  EXPECT_GT(textWidth("\xFF\xC3", 10), 0);
+  EXPECT_GT(textWidth("\xF0\x9F", 10), 0);
+  EXPECT_EQ(textWidth("", 10), 0);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,133 @@
+#include "ui/draw/ticks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::string labels(const AxisTicks& axis) {
+  std::string text;
+  for (const Tick& tick : axis.ticks) text += (text.empty() ? "" : " ") + tick.label;
+  return text + " " + axis.unit;
+}
+
+TEST(Ticks, RoundPlacesInThePrefixedUnit) {
+  EXPECT_EQ(labels(linearTicks(0, 0.02, 5, "m")), "0 5 10 15 20 mm");
+  EXPECT_EQ(labels(linearTicks(-1.2e-6, 0.9e-6, 5, "m")), "\u22121.0 \u22120.5 0.0 0.5 \u00B5m");
+  EXPECT_EQ(labels(linearTicks(0, 4.5e-7, 5, "m")), "0 100 200 300 400 nm");
+  EXPECT_EQ(labels(linearTicks(0.0195, 0.0205, 3, "m")), "19.5 20.0 20.5 mm");
+  EXPECT_EQ(labels(linearTicks(0, 3900, 4, "N/m")), "0 1 2 3 kN/m");
+  EXPECT_EQ(labels(linearTicks(-50.6e-6, -49.4e-6, 3, "m")),
+            "\u221250.5 \u221250.0 \u221249.5 \u00B5m");
+}
+
+/// Beyond the smallest and the largest prefix.
+TEST(Ticks, WithoutAPrefixAUnitCountsInPowersOfTen) {
+  EXPECT_EQ(labels(linearTicks(0, 5e-29, 6, "N/m")), "0 1 2 3 4 5 10\u207B\u00B2\u2079 N/m");
+  EXPECT_EQ(labels(linearTicks(0, 4e20, 5, "N/m")), "0 1 2 3 4 10\u00B2\u2070 N/m");
+  EXPECT_EQ(labels(linearTicks(0, 4e-15, 5, "m")), "0 1 2 3 4 fm");
+  EXPECT_EQ(labels(linearTicks(0, 400e15, 5, "Pa")), "0 100 200 300 400 PPa");
+}
+
+TEST(Ticks, StepsAreOneTwoOrFiveAndNeverTooMany) {
+  for (double from : {-3.3e-7, 0.0, 0.012, -5e3}) {
+    for (double size = 1e-9; size < 1e6; size *= 3.7) {
+      for (int most = 1; most < 13; ++most) {
+        const AxisTicks axis = linearTicks(from, from + size, most, "m");
+        ASSERT_LE(static_cast<int>(axis.ticks.size()), std::max(most, 1)) << from << " " << size;
+        if (axis.ticks.size() < 2) continue;
+        const double step = axis.ticks[1].value - axis.ticks[0].value;
+        const double mantissa = step / std::pow(10, std::floor(std::log10(step) + 1e-4));
+        const double nearest = std::round(mantissa);
+        EXPECT_TRUE(nearest == 1 || nearest == 2 || nearest == 5) << step;
+        EXPECT_GE(axis.ticks.front().value, from - 1e-6 * size);
+        EXPECT_LE(axis.ticks.back().value, from + size * (1 + 1e-6));
+        for (std::size_t i = 1; i < axis.ticks.size(); ++i)
+          EXPECT_NE(axis.ticks[i].label, axis.ticks[i - 1].label);
+      }
+    }
+  }
+}
+
+TEST(Ticks, NoneWhereThereIsNoAxis) {
+  EXPECT_TRUE(linearTicks(1, 1, 5, "m").ticks.empty());
+  EXPECT_TRUE(linearTicks(2, 1, 5, "m").ticks.empty());
+  EXPECT_TRUE(linearTicks(0, 1, 0, "m").ticks.empty());
+  EXPECT_TRUE(linearTicks(0, kInfinity, 5, "m").ticks.empty());
+  EXPECT_TRUE(linearTicks(0, std::nan(""), 5, "m").ticks.empty());
+  EXPECT_TRUE(linearTicks(1e9, 1e9 + 1e-6, 5, "m").ticks.empty());
+}
+
+TEST(Ticks, RoundUpFindsTheNextRoundNumber) {
+  EXPECT_DOUBLE_EQ(roundUp125(0.011), 0.02);
+  EXPECT_DOUBLE_EQ(roundUp125(0.01), 0.01);
+  EXPECT_DOUBLE_EQ(roundUp125(51), 100);
+  EXPECT_DOUBLE_EQ(roundUp(21), 25);
+  EXPECT_DOUBLE_EQ(roundUp(8.1e-4), 1e-3);
+}
+
+TEST(ShortNumber, KeepsThreeDigits) {
+  EXPECT_EQ(shortNumber(0), "0");
+  EXPECT_EQ(shortNumber(0.0123456), "0.0123");
+  EXPECT_EQ(shortNumber(0.012), "0.012");
+  EXPECT_EQ(shortNumber(0.012, 3, Zeros::Keep), "0.0120");
+  EXPECT_EQ(shortNumber(-1.5), "\u22121.5");
+  EXPECT_EQ(shortNumber(1), "1");
+  EXPECT_EQ(shortNumber(100), "100");
+  EXPECT_EQ(shortNumber(0.9999), "1");
+  EXPECT_EQ(shortNumber(2944, 2), "2900");
+  EXPECT_EQ(shortNumber(2.3e-5), "2.3\u00D710\u207B\u2075");
+  EXPECT_EQ(shortNumber(-4e12), "\u22124\u00D710\u00B9\u00B2");
+  EXPECT_EQ(shortNumber(kInfinity), "\u2013");
+  EXPECT_EQ(shortNumber(std::nan("")), "\u2013");
+}
+
+TEST(Quantity, ChoosesThePrefix) {
+  EXPECT_EQ(quantity(0.0034, "N"), "3.4 mN");
+  EXPECT_EQ(quantity(0, "N"), "0 N");
+  EXPECT_EQ(quantity(1.05e-6, "m"), "1.05 \u00B5m");
+  EXPECT_EQ(quantity(0.001, "s"), "1 ms");
+  EXPECT_EQ(quantity(1e-6, "m"), "1 \u00B5m");
+  EXPECT_EQ(quantity(1e7, "Pa"), "10 MPa");
+  EXPECT_EQ(quantity(0.9999, "m"), "1 m");
+  EXPECT_EQ(quantity(-0.1, "m/s"), "\u2212100 mm/s");
+  EXPECT_EQ(quantity(std::nan(""), "m"), "\u2013");
+  EXPECT_EQ(quantity(3e-20, "N"), "3\u00D710\u207B\u00B2\u2070 N");
+}
+
+TEST(Ticks, UnitsThatTakeNoPrefixCountInPowersOfTen) {
+  EXPECT_EQ(labels(linearTicks(0, 0.8, 5, "")), "0.0 0.2 0.4 0.6 0.8 ");
+  EXPECT_EQ(labels(linearTicks(0, 0.02, 3, "")), "0.00 0.01 0.02 ");
+  EXPECT_EQ(labels(linearTicks(0, 3e-6, 4, "")), "0 1 2 3 10\u207B\u2076");
+  EXPECT_EQ(labels(linearTicks(0, 4e6, 3, "1/m")), "0 2 4 10\u2076 1/m");
+  EXPECT_EQ(labels(linearTicks(0, 9e-4, 5, "")), "0 2 4 6 8 10\u207B\u2074");
+  EXPECT_EQ(labels(linearTicks(4e-4, 1.1e-3, 4, "")), "0.4 0.6 0.8 1.0 10\u207B\u00B3");
+  EXPECT_EQ(labels(linearTicks(-6e-5, 2e-5, 5, "")), "\u22126 \u22124 \u22122 0 2 10\u207B\u2075");
+  EXPECT_EQ(labels(linearTicks(0, 6e7, 4, "1/m")), "0 2 4 6 10\u2077 1/m");
+  EXPECT_EQ(labels(linearTicks(0, 60, 4, "%")), "0 20 40 60 %");
+  EXPECT_EQ(labels(linearTicks(0, 0.04, 3, "m\u00B2")), "0.00 0.02 0.04 m\u00B2");
+  EXPECT_EQ(labels(linearTicks(0, 4000, 3, "m/s\u00B2")), "0 2 4 km/s\u00B2");
+}
+
+TEST(Ticks, MinorOnesSplitTheStepsIntoRoundParts) {
+  const auto minor = [](double from, double to, int most) {
+    return minorTicks(linearTicks(from, to, most, "m"), from, to);
+  };
+  const std::vector<double> fifths = minor(0, 4, 5);  // step 1
+  ASSERT_EQ(fifths.size(), 16U);
+  EXPECT_NEAR(fifths[0], 0.2, 1e-12);
+  EXPECT_NEAR(fifths[4], 1.2, 1e-12);
+  const std::vector<double> quarters = minor(-0.6, 4.4, 3);  // step 2, and both ends
+  ASSERT_EQ(quarters.size(), 7U);
+  EXPECT_NEAR(quarters.front(), -0.5, 1e-12);
+  EXPECT_NEAR(quarters.back(), 3.5, 1e-12);
+  EXPECT_TRUE(minor(1, 1, 5).empty());
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,209 @@
+#include "ui/chart/diagram_annotations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "ui/draw/colours.h"
+#include "ui/draw/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+constexpr float kLine = 1.3F;  // of the font's size
+constexpr float kTint = 0.1F;  // of a shade
+
+struct SpanBox {
+  Box box;
+  std::string label;
+};
+
+/// A span's part of the frame; ends without a place on the axis are the frame's.
+std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const DiagramAxes& axes) {
+  const Box& box = axes.plot.box;
+  std::vector<SpanBox> boxes;
+  for (const DiagramSpan& span : spans) {
+    const auto column = [&](double value, float otherwise) {
+      const double place = axisPlace(axes.along, value);
+      return std::isfinite(place) ? std::clamp(axes.plot.px(place), box.x, box.right()) : otherwise;
+    };
+    const float left = column(span.from, box.x), right = column(span.to, box.right());
+    boxes.push_back({{left, box.y, right - left, box.height}, span.label});
+  }
+  return boxes;
+}
+
+/// Where the line from the middle of a box to a place outside leaves the box.
+std::optional<Place> exitOf(const Box& box, const Place& to) {
+  const Place middle{box.x + box.width / 2, box.y + box.height / 2};
+  const float dx = to.x - middle.x, dy = to.y - middle.y;
+  const float across = std::abs(dx) / (box.width / 2), up = std::abs(dy) / (box.height / 2);
+  const float reach = std::max(across, up);
+  if (!(reach > 1)) return std::nullopt;
+  return Place{middle.x + dx / reach, middle.y + dy / reach};
+}
+
+Box grown(const Box& box, float by) {
+  return {box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by};
+}
+
+bool isInside(const Box& area, const Box& box) {
+  return box.x >= area.x && box.y >= area.y && box.right() <= area.right() &&
+         box.bottom() <= area.bottom();
+}
+
+/// The best box of this size near a place inside the area: little covered, little moved.
+std::optional<Box> boxNear(const Place& at, float width, float height, const Box& area,
+                           const CoverMap& map, float step, int rings) {
+  constexpr int kAngles = 16;
+  std::optional<Box> best;
+  float least = 0;
+  for (int ring = 0; ring <= rings; ++ring)
+    for (int k = 0; k < (ring == 0 ? 1 : kAngles); ++k) {
+      const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kAngles;
+      const float away = static_cast<float>(ring) * step;
+      const Box box{at.x + away * std::cos(angle) - width / 2,
+                    at.y + away * std::sin(angle) - height / 2, width, height};
+      if (!isInside(area, box) || map.greatestUnder(box) >= kTaken) continue;
+      const float cost = 4 * map.under(box) + 0.05F * static_cast<float>(ring);
+      if (!best || cost < least) {
+        best = box;
+        least = cost;
+      }
+    }
+  return best;
+}
+
+/// The part of the frame that is nearest to where the label wants to be.
+Place heldInside(const Box& area, Place at, float width, float height) {
+  const auto held = [](float value, float from, float to) {
+    return from < to ? std::clamp(value, from, to) : (from + to) / 2;
+  };
+  return {held(at.x, area.x + width / 2, area.right() - width / 2),
+          held(at.y, area.y + height / 2, area.bottom() - height / 2)};
+}
+
+std::vector<std::string> linesOf(const std::string& text, float size, float width) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string line = elided(text.substr(at, end - at), size, false, width);
+    if (!line.empty()) lines.push_back(line);
+    at = end + 1;
+  }
+  return lines;
+}
+
+/// A shade's name at its foot, in as many lines as it needs there; none where it is too slim.
+std::optional<PlacedLabel> placeShade(const SpanBox& shade, CoverMap& map,
+                                      const DiagramSizes& sizes) {
+  const float size = sizes.legend, air = 0.25F * size;
+  PlacedLabel out;
+  out.lines = wrapped(shade.label, size, false, shade.box.width - 4 * air);
+  std::string whole;
+  float width = 0;
+  for (const std::string& line : out.lines) {
+    whole += (whole.empty() ? "" : " ") + line;
+    width = std::max(width, textWidth(line, size));
+  }
+  if (out.lines.empty() || whole != shade.label) return std::nullopt;
+  width += 2 * air;
+  const float height = kLine * size * static_cast<float>(out.lines.size());
+  const Place foot{shade.box.x + shade.box.width / 2, shade.box.bottom() - height / 2 - 2 * air};
+  const auto box = boxNear(foot, width, height, shade.box, map, 0.6F * size, 24);
+  if (!box) return std::nullopt;
+  out.box = *box;
+  out.covers = map.greatestUnder(*box) > 0;
+  map.addBox(grown(*box, air), kTaken);
+  return out;
+}
+
+}  // namespace
+
+float aboveFrame(const Diagram& diagram, const DiagramSizes& sizes) {
+  const bool named = std::any_of(diagram.spans.begin(), diagram.spans.end(),
+                                 [](const DiagramSpan& span) { return !span.label.empty(); });
+  return named ? std::round(1.6F * sizes.tick) : 0;
+}
+
+void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
+              const DiagramSizes& sizes, const Theme& theme) {
+  const float strip = aboveFrame(diagram, sizes), size = sizes.tick;
+  const float gap = 0.4F * size;
+  DrawLayer layer;
+  float taken = axes.plot.box.x;  // names of overlapping regions share the strip
+  bool shaded = true;
+  for (const SpanBox& span : spanBoxes(diagram.spans, axes)) {
+    if (!(span.box.width > 1)) continue;
+    const Box whole{span.box.x, span.box.y - strip, span.box.width, span.box.height + strip};
+    if (shaded) addRectangle(layer, whole, withAlpha(theme.text, 0.055F));
+    shaded = !shaded;
+    const float left = std::max(whole.x, taken) + gap, room = whole.right() - gap - left;
+    const std::string label = elided(span.label, size, false, room);
+    if (label.empty()) continue;
+    const float width = textWidth(label, size);
+    const float centre = std::clamp(whole.x + whole.width / 2, left + width / 2,
+                                    std::max(left + width / 2, whole.right() - gap - width / 2));
+    addLabel(list, label, {centre, std::round(whole.y + strip - 0.45F * size)}, size,
+             TextAnchor::Centre, theme.text);
+    taken = centre + width / 2;
+  }
+  for (const SpanBox& shade : spanBoxes(diagram.shades, axes))
+    addRectangle(layer, shade.box, withAlpha(theme.highlight, kTint));
+  if (!layer.triangles.empty()) list.layers.push_back(std::move(layer));
+}
+
+std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes, CoverMap& map,
+                                     const DiagramSizes& sizes) {
+  const float size = sizes.legend, air = 0.25F * size;
+  std::vector<PlacedLabel> placed;
+  for (const DiagramLabel& label : diagram.labels) {
+    const Place at = axes.place(label.x, label.y);
+    const Place target = axes.place(label.arrowX, label.arrowY);
+    const bool hasArrow = std::isfinite(target.x) && std::isfinite(target.y);
+    if (!std::isfinite(at.x) || !std::isfinite(at.y)) continue;
+    PlacedLabel out;
+    out.lines = linesOf(label.text, size, 0.9F * map.area().width);
+    float width = 0;
+    for (const std::string& line : out.lines) width = std::max(width, textWidth(line, size));
+    if (out.lines.empty()) continue;
+    width += 2 * air;
+    const float height = kLine * size * static_cast<float>(out.lines.size());
+    const auto box = boxNear(heldInside(map.area(), at, width, height), width, height, map.area(),
+                             map, 0.6F * size, hasArrow ? 24 : 14);
+    if (!box) continue;
+    out.box = *box;
+    out.covers = map.greatestUnder(*box) > 0;
+    if (hasArrow)
+      if (const auto start = exitOf(grown(*box, 0.15F * size), target)) {
+        out.arrow = {*start, target};
+        map.addLine(out.arrow, 3);
+      }
+    map.addBox(grown(*box, air), kTaken);
+    placed.push_back(std::move(out));
+  }
+  for (const SpanBox& shade : spanBoxes(diagram.shades, axes))
+    if (auto out = placeShade(shade, map, sizes)) placed.push_back(std::move(*out));
+  return placed;
+}
+
+void addLabels(DrawList& list, const std::vector<PlacedLabel>& labels, const DiagramSizes& sizes,
+               const Theme& theme) {
+  const float size = sizes.legend;
+  DrawLayer layer;
+  for (const PlacedLabel& label : labels) {
+    if (label.covers) addRectangle(layer, label.box, withAlpha(theme.background, 0.75F));
+    if (label.arrow.size() == 2)
+      addArrow(layer, label.arrow[0], label.arrow[1], 7 * sizes.unit, 1.4F * sizes.unit,
+               theme.text);
+    const float x = label.box.x + label.box.width / 2;
+    for (std::size_t i = 0; i < label.lines.size(); ++i)
+      addLabel(list, label.lines[i],
+               {x, std::round(label.box.y + kLine * size * static_cast<float>(i) + 0.98F * size)},
+               size, TextAnchor::Centre, theme.text);
+  }
+  if (!layer.triangles.empty() || !layer.lines.empty()) list.layers.push_back(std::move(layer));
+}
+
+}  // namespace asperity

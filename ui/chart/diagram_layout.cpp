@@ -1,0 +1,186 @@
+#include "ui/chart/diagram_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/chart/diagram_axes.h"
+#include "ui/draw/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+constexpr float kSmallestFont = 7;
+constexpr float kLineHeight = 1.35F;  // of the font's size
+constexpr std::string_view kHardBlank = "\u00A0";
+
+struct Paragraph {
+  std::vector<std::string> lines;
+  float size = 12;
+  float height() const { return static_cast<float>(lines.size()) * kLineHeight * size; }
+};
+
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+/// Blanks that do not follow a comma or semicolon become hard: "G = 10 MPa" stays together.
+std::string heldTogether(const std::string& text) {
+  std::string held;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == ' ' && i > 0 && text[i - 1] != ',' && text[i - 1] != ';')
+      held += kHardBlank;
+    else
+      held += text[i];
+  return held;
+}
+
+bool isCut(const std::vector<std::string>& lines) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [](const std::string& line) { return line.empty() || line.ends_with("…"); });
+}
+
+/// A last line that is not the end: whole words and an ellipsis.
+std::string cutOff(std::string line, float size, bool bold, float width) {
+  while (textWidth(line + " …", size, bold) > width && line.rfind(' ') != line.npos)
+    line.erase(line.rfind(' '));
+  return elided(line.ends_with("…") ? line : line + " …", size, bold, width);
+}
+
+/// Lines at the largest size, down to `least`, that needs at most `most` of them.
+Paragraph paragraph(const std::string& text, float size, float least, bool bold, float width,
+                    std::size_t most) {
+  Paragraph p{{}, size};
+  if (text.empty() || most < 1) return p;
+  for (;; p.size -= 1) {
+    for (const std::string& words : {heldTogether(text), text}) {
+      p.lines = wrapped(words, p.size, bold, width);
+      if (p.lines.size() <= most && !isCut(p.lines)) break;
+    }
+    if ((p.lines.size() <= most && !isCut(p.lines)) || p.size - 1 < least) break;
+  }
+  for (std::string& line : p.lines) line = replaced(std::move(line), kHardBlank, " ");
+  if (p.lines.size() > most) {
+    p.lines.resize(most);
+    p.lines.back() = cutOff(p.lines.back(), p.size, bold, width);
+  }
+  std::erase(p.lines, "");
+  return p;
+}
+
+void addParagraph(DrawList& list, const Paragraph& p, Place at, bool bold, const Rgba& colour) {
+  for (const std::string& line : p.lines) {
+    addText(list, {{line, bold}}, {at.x, std::round(at.y + p.size)}, p.size, colour);
+    at.y += kLineHeight * p.size;
+  }
+}
+
+float fontSize(float size) {
+  return std::max(kSmallestFont, std::round(size));
+}
+
+std::size_t linesIn(float height, float size, std::size_t most) {
+  return std::min(most, static_cast<std::size_t>(std::max(0.0F, height / (kLineHeight * size))));
+}
+
+}  // namespace
+
+SheetGrid gridFor(const DiagramSheet& sheet) {
+  const int count =
+      std::max(1, static_cast<int>(std::min<std::size_t>(sheet.diagrams.size(), 100)));
+  if (count <= 3 && sheet.columns <= 0) return {count, 1};
+  const int columns = sheet.columns > 0 ? std::min(sheet.columns, count)
+                                        : static_cast<int>(std::ceil(std::sqrt(count)));
+  return {columns, (count + columns - 1) / columns};
+}
+
+bool hasCommonAxis(const DiagramSheet& sheet) {
+  return sheet.sharesAxis && gridFor(sheet).columns == 1;
+}
+
+DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) {
+  const float scale = options.scale > 0 ? options.scale : 1;
+  const SheetGrid grid = gridFor(sheet);
+  const float width = static_cast<float>(options.width) / static_cast<float>(grid.columns);
+  const float height = static_cast<float>(options.height) / static_cast<float>(grid.rows);
+  const float room = std::min(width / (900 * scale), height / (620 * scale));
+  float unit = scale * (room > 1 ? std::pow(room, 0.7F) : std::clamp(room, 0.85F, 1.0F));
+  unit = std::max(std::min({unit, width / 350, height / 380}), options.leastText * scale);
+  return {unit,
+          fontSize(19 * unit),
+          fontSize(13 * unit),
+          fontSize(14 * unit),
+          fontSize(14 * unit),
+          fontSize(12.5F * unit),
+          fontSize(12.5F * unit),
+          fontSize(11.5F * unit)};
+}
+
+float sheetMargin(const DiagramSizes& sizes) {
+  return std::round(18 * sizes.unit);
+}
+
+std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& options, float top,
+                          float bottom, const DiagramSizes& sizes, float between) {
+  const SheetGrid grid = gridFor(sheet);
+  const float side = sheetMargin(sizes), gap = std::round(between * sizes.unit);
+  const auto columns = static_cast<float>(grid.columns), rows = static_cast<float>(grid.rows);
+  const float width =
+      (static_cast<float>(options.width) - 2 * side - (columns - 1) * gap) / columns;
+  // A common axis along has its labels under the lowest frame alone.
+  const float under = hasCommonAxis(sheet) ? belowAxes(sizes) : 0;
+  const float room = bottom - top - (rows - 1) * gap - under;
+  std::vector<Box> cells;
+  if (grid.columns == 1) {
+    double all = 0;
+    for (const Diagram& diagram : sheet.diagrams) all += diagram.height;
+    float y = top;
+    for (const Diagram& diagram : sheet.diagrams) {
+      const float height = room * static_cast<float>(diagram.height / all);
+      cells.push_back({std::round(side), std::round(y), std::floor(width), std::floor(height)});
+      y += height + gap;
+    }
+    if (!cells.empty()) cells.back().height += under;
+    return cells;
+  }
+  const float height = room / rows;
+  for (std::size_t i = 0; i < sheet.diagrams.size(); ++i) {
+    const int row = static_cast<int>(i) / grid.columns, column = static_cast<int>(i) % grid.columns;
+    cells.push_back({std::round(side + static_cast<float>(column) * (width + gap)),
+                     std::round(top + static_cast<float>(row) * (height + gap)), std::floor(width),
+                     std::floor(height)});
+  }
+  return cells;
+}
+
+float addHeading(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& sizes,
+                 const Theme& theme) {
+  if (sheet.title.empty() && sheet.subtitle.empty()) return std::round(2 * sizes.unit);
+  const float side = sheetMargin(sizes), width = static_cast<float>(list.width) - 2 * side;
+  float room = 0.3F * static_cast<float>(list.height) - side, top = std::round(0.8F * side);
+  const Paragraph title = paragraph(sheet.title, sizes.title, std::round(0.75F * sizes.title), true,
+                                    width, linesIn(room, sizes.title, 2));
+  addParagraph(list, title, {side, top}, true, theme.text);
+  top += title.height();
+  room -= title.height();
+  const Paragraph subtitle =
+      paragraph(sheet.subtitle, sizes.subtitle, std::round(0.85F * sizes.subtitle), false, width,
+                linesIn(room, sizes.subtitle, 3));
+  addParagraph(list, subtitle, {side, top}, false, theme.faintText);
+  return std::round(top + subtitle.height() + 2 * sizes.unit);
+}
+
+float addNote(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& sizes,
+              const Theme& theme) {
+  const float side = sheetMargin(sizes), width = static_cast<float>(list.width) - 2 * side;
+  const auto bottom = static_cast<float>(list.height);
+  const Paragraph note = paragraph(sheet.note, sizes.note, std::round(0.85F * sizes.note), false,
+                                   width, linesIn(0.2F * bottom, sizes.note, 5));
+  if (note.lines.empty()) return bottom - std::round(8 * sizes.unit);
+  const float top = std::round(bottom - 10 * sizes.unit - note.height());
+  addParagraph(list, note, {side, top}, false, theme.faintText);
+  return top - std::round(5 * sizes.unit);
+}
+
+}  // namespace asperity

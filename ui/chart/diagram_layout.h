@@ -1,0 +1,45 @@
+// Where the parts of a sheet of diagrams go. Private to ui/chart. Plain values; any thread.
+#pragma once
+
+#include <vector>
+
+#include "ui/chart/diagram_picture.h"
+#include "ui/draw/shapes.h"
+
+namespace asperity {
+
+/// Sizes in pixels; whole numbers for fonts, as the painter knows no others.
+struct DiagramSizes {
+  float unit = 1;  // of line widths and distances
+  float title = 19, subtitle = 13, panel = 14, axis = 14, tick = 12, legend = 12, note = 11;
+};
+
+/// Rows and columns of the diagrams on a sheet.
+struct SheetGrid {
+  int columns = 1, rows = 1;
+};
+SheetGrid gridFor(const DiagramSheet& sheet);
+
+/// Whether only the lowest diagram says what its axis along is.
+bool hasCommonAxis(const DiagramSheet& sheet);
+
+/// Fonts grow with the picture, more slowly than it, and never beyond what leaves room for curves.
+DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options);
+
+/// The cells of the sheet's diagrams between `top` and `bottom`, in order, with so many units
+/// between them.
+std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& options, float top,
+                          float bottom, const DiagramSizes& sizes, float between);
+
+/// Title and subtitle; returns the pixels they take from the top.
+float addHeading(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& sizes,
+                 const Theme& theme);
+
+/// The note at the bottom; returns the row where it begins.
+float addNote(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& sizes,
+              const Theme& theme);
+
+/// Of the picture's left and right edges.
+float sheetMargin(const DiagramSizes& sizes);
+
+}  // namespace asperity

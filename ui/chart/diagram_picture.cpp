@@ -1,0 +1,262 @@
+#include "ui/chart/diagram_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/language/translated.h"
+#include "ui/chart/diagram_annotations.h"
+#include "ui/chart/diagram_legend.h"
+#include "ui/draw/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+constexpr float kHidden = 0.015F;  // share of a legend's box that may hide something
+
+/// One diagram of a sheet: first its parts find their places, then they are drawn.
+class Panel {
+ public:
+  /// `above`: pixels for the title and the names of regions, the same for all of a sheet.
+  /// `saysAlong`: with labels and title of the axis along. `titleAbove`: the title of the axis up
+  /// stands over the frame.
+  Panel(const Diagram& diagram, const Box& cell, float above, bool saysAlong, bool titleAbove,
+        const DiagramSizes& sizes, const Theme& theme)
+      : diagram_(diagram), cell_(cell), sizes_(sizes), theme_(theme) {
+    axes_.along = diagram.x.scale;
+    axes_.up = diagram.y.scale;
+    axes_.saysAlong = saysAlong;
+    axes_.titleAbove = titleAbove;
+    axes_.plot.box.y = std::round(cell.y + above + aboveAxes(axes_, sizes));
+    const float below = saysAlong ? belowAxes(sizes) : 0;
+    axes_.plot.box.height = std::max(1.0F, std::floor(cell.bottom() - below - axes_.plot.box.y));
+    along_ = rangeAlong(diagram);
+    axes_.plot.up =
+        diagramAxisUp(diagram.y, rangeUp(diagram, along_), axes_.plot.box.height, sizes);
+    arrange();
+  }
+
+  /// Pixels that labels and title take at the left.
+  float left() const { return axes_.plot.box.x - cell_.x; }
+
+  /// The frame at this place along x, as wide as that of the others; the legend inside.
+  void alignTo(float left) {
+    left_ = left;
+    place(0);
+  }
+
+  float frameHeight() const { return axes_.plot.box.height; }
+
+  /// Whether the title of the axis up can say what the axis is of.
+  bool hasTitle() const {
+    return axes_.titleAbove || axes_.plot.up.title.empty() ||
+           fitsUpright(axes_.plot.up.title, axes_.plot.box.height, sizes_);
+  }
+
+  bool isReadable() const {
+    const Box& box = axes_.plot.box;
+    return box.width >= 4 * sizes_.tick && box.height >= 2 * sizes_.tick;
+  }
+  /// A name stands beside it, upright, and two ticks or more.
+  bool isComfortable() const { return isReadable() && axes_.plot.box.height >= 7 * sizes_.tick; }
+
+  /// Nothing where the frame would be too small to read.
+  void addTo(DrawList& list) const {
+    if (!isReadable()) return;
+    const Box& box = axes_.plot.box;
+    addSpans(list, diagram_, axes_, sizes_, theme_);
+    addDiagramGrid(list, axes_, sizes_, theme_);
+    const float above = aboveFrame(diagram_, sizes_);
+    addDiagramFrame(list, axes_, sizes_, theme_, above);  // marks at its edge lie over it
+    addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
+    addLabels(list, labels_, sizes_, theme_);
+    if (legendBox_.width > 0)
+      addLegend(list, legend_, legendBox_, legendBox_.right() <= box.right(), sizes_, theme_);
+    const float baseline =
+        std::round(box.y - above - aboveAxes(axes_, sizes_) - 0.55F * sizes_.panel);
+    const float size =
+        fittingSize(diagram_.title, sizes_.panel, std::max(7.0F, std::round(0.8F * sizes_.panel)),
+                    true, cell_.right() - box.x);
+    const std::string title = elided(diagram_.title, size, true, cell_.right() - box.x);
+    if (!title.empty()) addText(list, {{title, true}}, {box.x, baseline}, size, theme_.text);
+  }
+
+ private:
+  /// With the legend inside the frame where it hides next to nothing and is whole, otherwise at the
+  /// right of it where the frame can spare the room, otherwise where it hides least.
+  void arrange() {
+    place(0);
+    if (legend_.empty()) return;
+    const float inside = hidden_;
+    if (inside <= kHidden && legend_.isWhole) return;
+    const float gap = std::round(10 * sizes_.unit);
+    const Legend beside =
+        legendFor(diagram_, styles_, sizes_.legend, 0.36F * cell_.width, axes_.plot.box.height);
+    const bool gains = beside.isWhole && !legend_.isWhole;
+    const float least = gains ? 0.45F : 0.55F;  // of the width, for the frame
+    const bool spare = axes_.plot.box.width - beside.width - gap > least * cell_.width;
+    if (!gains && inside <= kHidden) return;
+    if (!spare && inside <= 0.25F) return;
+    place(beside.width + gap);
+    legend_ = beside;
+    legendBox_ = {cell_.right() - beside.width, axes_.plot.box.y, beside.width, beside.height};
+  }
+
+  /// Everything, with so many pixels kept free at the right.
+  void place(float right) {
+    Box& box = axes_.plot.box;
+    box.x = std::round(cell_.x + std::max(left_, leftOfAxes(axes_, sizes_)));
+    const auto fit = [&](float overhang) {
+      box.width = std::max(1.0F, std::floor(cell_.right() - right - overhang - box.x));
+      axes_.plot.along = diagramAxisAlong(diagram_.x, along_, box.width, sizes_);
+    };
+    fit(sizes_.tick);
+    fit(overhang());
+    styles_ = stylesOf(diagram_, sizes_, theme_, box.width);
+    legend_ = legendFor(diagram_, styles_, sizes_.legend, 0.7F * box.width, 0.7F * box.height);
+    CoverMap series(box, 4 * sizes_.unit);
+    coverSeries(series, diagram_, styles_, axes_);
+    CoverMap map = series;
+    labels_ = placeLabels(diagram_, axes_, map, sizes_);
+    placeLegend(map);
+    if (hidden_ <= kHidden || labels_.empty()) return;
+    // Labels can give way to the legend.
+    const Panel before = *this;
+    placeLegend(series);
+    series.addBox(legendBox_, kTaken);
+    labels_ = placeLabels(diagram_, axes_, series, sizes_);
+    if (labels_.size() < before.labels_.size() || hidden_ >= before.hidden_) {
+      labels_ = before.labels_;
+      legendBox_ = before.legendBox_;
+      hidden_ = before.hidden_;
+    }
+  }
+
+  void placeLegend(const CoverMap& map) {
+    const float margin = std::round(9 * sizes_.unit);
+    legendBox_ = legend_.empty() ? Box{} : freestPlace(map, legend_.width, legend_.height, margin);
+    if (map.greatestUnder(legendBox_) >= kTaken) legendBox_ = {};
+    hidden_ = legendBox_.width > 0 ? map.under(legendBox_) : 1;
+  }
+
+  /// Of the last label beyond the frame.
+  float overhang() const {
+    const Box& box = axes_.plot.box;
+    float most = 2 * sizes_.unit;
+    for (const PlotTick& tick : axes_.plot.along.ticks)
+      most = std::max(most, axes_.plot.px(tick.value) + textWidth(tick.label, sizes_.tick) / 2 -
+                                box.right() + 2 * sizes_.unit);
+    return most;
+  }
+
+  const Diagram& diagram_;
+  Box cell_;
+  DiagramSizes sizes_;
+  Theme theme_;
+  AxisRange along_;
+  DiagramAxes axes_;
+  std::vector<SeriesStyle> styles_;
+  std::vector<PlacedLabel> labels_;
+  Legend legend_;
+  float left_ = 0;    // at least so many pixels left of the frame
+  Box legendBox_;     // no width: not shown
+  float hidden_ = 0;  // share of the legend's box that hides something
+};
+
+/// Above the frames: titles and names of regions, the same height for all of the sheet, and some
+/// air, which titles of axes take with them.
+float aboveFrames(const DiagramSheet& sheet, bool titlesAbove, const DiagramSizes& sizes) {
+  float title = 0, names = 0;
+  for (const Diagram& diagram : sheet.diagrams) {
+    if (!diagram.title.empty()) title = 1.6F * sizes.panel;
+    names = std::max(names, aboveFrame(diagram, sizes));
+  }
+  return title + names + std::round((titlesAbove ? 0.1F : 0.8F) * sizes.tick);
+}
+
+DrawList emptyList(const DiagramOptions& options) {
+  DrawList list;
+  list.width = options.width;
+  list.height = options.height;
+  list.background = options.theme.background;
+  return list;
+}
+
+std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sheet,
+                                 const DiagramOptions& options, bool titlesAbove) {
+  constexpr float kBetween = 14, kLittle = 6;  // units
+  const DiagramSizes sizes = sizesFor(sheet, options);
+  const std::vector<Box> cells =
+      cellsFor(sheet, options, top, bottom, sizes, titlesAbove ? kLittle : kBetween);
+  const float above = aboveFrames(sheet, titlesAbove, sizes);
+  std::vector<Panel> panels;
+  const bool isCommon = hasCommonAxis(sheet);
+  for (std::size_t i = 0; i < sheet.diagrams.size(); ++i)
+    panels.emplace_back(sheet.diagrams[i], cells[i], above,
+                        !isCommon || i + 1 == sheet.diagrams.size(), titlesAbove, sizes,
+                        options.theme);
+  if (sheet.sharesAxis) {
+    float left = 0;
+    for (const Panel& panel : panels) left = std::max(left, panel.left());
+    for (Panel& panel : panels) panel.alignTo(left);
+  }
+  return panels;
+}
+
+/// The panels in their places; heading and note are put on `list`. Titles of the axes up stand
+/// upright, or over all frames where they lack the room beside one and the frames can spare it.
+std::vector<Panel> panelsOf(const DiagramSheet& sheet, const DiagramOptions& options,
+                            DrawList& list) {
+  const DiagramSizes sizes = sizesFor(sheet, options);
+  const float top = addHeading(list, sheet, sizes, options.theme);
+  const float bottom = addNote(list, sheet, sizes, options.theme);
+  std::vector<Panel> panels = panelsBetween(top, bottom, sheet, options, false);
+  if (std::ranges::all_of(panels, &Panel::hasTitle)) return panels;
+  std::vector<Panel> others = panelsBetween(top, bottom, sheet, options, true);
+  return std::ranges::all_of(others, &Panel::isReadable) ? others : panels;
+}
+
+}  // namespace
+
+DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
+  const SheetGrid grid = gridFor(sheet);
+  DiagramOptions options;
+  options.width = grid.columns == 1 ? 2400 : 1200 * grid.columns;
+  options.height = sheet.diagrams.size() <= 1 ? 1600 : 1100 * grid.rows;
+  options.scale = sheet.diagrams.size() <= 1 ? 2 : 2.5F;
+  options.theme = theme;
+  return options;
+}
+
+int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
+  constexpr int kHighest = 20000;
+  const DiagramSheet sheet = translated(english);
+  DiagramOptions options = asked;
+  for (; options.height <= kHighest; options.height += 10) {
+    DrawList list = emptyList(options);
+    if (std::ranges::all_of(panelsOf(sheet, options, list), &Panel::isComfortable))
+      return options.height;
+  }
+  return 0;
+}
+
+float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
+  const DiagramSheet sheet = translated(english);
+  DrawList list = emptyList(options);
+  float lowest = std::numeric_limits<float>::infinity();
+  for (const Panel& panel : panelsOf(sheet, options, list))
+    lowest = std::min(lowest, panel.isReadable() ? panel.frameHeight() : 0);
+  return lowest / sizesFor(sheet, options).tick;
+}
+
+DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {
+  const DiagramSheet sheet = translated(english);
+  DiagramOptions options = asked;
+  options.width = std::max(options.width, 1);
+  options.height = std::max(options.height, 1);
+  DrawList list = emptyList(options);
+  for (const Panel& panel : panelsOf(sheet, options, list)) panel.addTo(list);
+  return list;
+}
+
+}  // namespace asperity

@@ -1,0 +1,210 @@
+#include "ui/chart/diagram_series.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/draw/colours.h"
+#include "ui/chart/diagram_colours.h"
+#include "ui/chart/marks.h"
+#include "ui/contact/smooth_line.h"
+#include "ui/draw/stroke_pattern.h"
+
+namespace asperity {
+namespace {
+
+// In units.
+constexpr float kCurve = 2, kRampCurve = 1.7F, kTheory = 1.4F, kBar = 1.2F;
+constexpr float kMark = 7.2F, kSmallestMark = 3.6F, kRim = 0.8F;
+// In line widths.
+constexpr float kDash = 3.6F, kDashGap = 2.6F, kDotGap = 2.3F;
+constexpr float kBandAlpha = 0.2F;
+
+bool isFinite(const Place& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+bool holds(const Box& box, const Place& p) {
+  constexpr float kEdge = 0.5F;  // a point at the very end belongs to the diagram
+  return p.x >= box.x - kEdge && p.x <= box.right() + kEdge && p.y >= box.y - kEdge &&
+         p.y <= box.bottom() + kEdge;
+}
+
+std::vector<Place> placesOf(const DiagramSeries& series, const DiagramAxes& axes) {
+  std::vector<Place> places;
+  places.reserve(series.points.size());
+  for (const DiagramPoint& point : series.points) places.push_back(axes.place(point.x, point.y));
+  return places;
+}
+
+/// Runs without gaps, no denser along x than pixels are.
+std::vector<Polyline> runsOf(const std::vector<Place>& places, const Box& box) {
+  std::vector<Polyline> runs;
+  bool open = false;
+  for (const Place& place : places) {
+    if (isFinite(place)) {
+      if (!open) runs.emplace_back();
+      runs.back().push_back(place);
+    }
+    open = isFinite(place);
+  }
+  const auto byX = [](const Place& a, const Place& b) { return a.x < b.x; };
+  for (Polyline& run : runs)
+    if (static_cast<float>(run.size()) > 2 * box.width &&
+        std::is_sorted(run.begin(), run.end(), byX))
+      run = thinned(run);
+  return runs;
+}
+
+/// The curve of a series inside the frame.
+std::vector<Polyline> curveOf(const DiagramSeries& series, const DiagramAxes& axes) {
+  std::vector<Polyline> parts;
+  for (const Polyline& run : runsOf(placesOf(series, axes), axes.plot.box))
+    for (Polyline& part : clippedTo(axes.plot.box, run)) parts.push_back(std::move(part));
+  return parts;
+}
+
+struct Bar {
+  float x, low, high;  // pixels; low is the larger row
+  bool lowShown, highShown;
+};
+
+/// The error of a point; an end that has no place on a logarithmic axis reaches to its bottom.
+Bar barOf(const DiagramPoint& point, const DiagramAxes& axes) {
+  const Place low = axes.place(point.x, point.low), high = axes.place(point.x, point.high);
+  const bool toZero = !isFinite(low) && std::isfinite(point.low);
+  const float bottom = axes.plot.box.bottom() + 10;
+  return {high.x, toZero ? bottom : low.y, high.y, isFinite(low), isFinite(high)};
+}
+
+bool isDrawable(const Bar& bar) {
+  return bar.highShown && std::isfinite(bar.low) && std::isfinite(bar.x);
+}
+
+void addBand(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& style,
+             const DiagramAxes& axes) {
+  const Rgba fill = withAlpha(style.colour, kBandAlpha);
+  for (std::size_t i = 0; i + 1 < series.points.size(); ++i) {
+    const Bar a = barOf(series.points[i], axes), b = barOf(series.points[i + 1], axes);
+    if (!isDrawable(a) || !isDrawable(b)) continue;
+    addQuad(layer, {a.x, a.high, fill}, {b.x, b.high, fill}, {b.x, b.low, fill},
+            {a.x, a.low, fill});
+  }
+}
+
+void addBars(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& style,
+             const DiagramAxes& axes, float unit) {
+  const Box& box = axes.plot.box;
+  const float width = kBar * unit, cap = std::max(2.2F * unit, 0.5F * style.markSize);
+  for (const DiagramPoint& point : series.points) {
+    const Bar bar = barOf(point, axes);
+    if (!isDrawable(bar)) continue;
+    for (const Polyline& part : clippedTo(box, {{bar.x, bar.low}, {bar.x, bar.high}}))
+      addLine(layer, part, width, style.colour);
+    for (const auto& [y, shown] : {std::pair{bar.low, bar.lowShown}, {bar.high, bar.highShown}})
+      if (shown)
+        for (const Polyline& part : clippedTo(box, {{bar.x - cap, y}, {bar.x + cap, y}}))
+          addLine(layer, part, width, style.colour);
+  }
+}
+
+void addCurve(DrawList& list, const DiagramSeries& series, const SeriesStyle& style,
+              const DiagramAxes& axes, float unit, const Theme& theme) {
+  const Box& box = axes.plot.box;
+  DrawLayer lines, rims, marks;
+  lines.clip = {box.x, box.y, box.width, box.height};
+  if (style.hasBars) addBars(lines, series, style, axes, unit);
+  if (style.stroke != SeriesStroke::None)
+    for (const Polyline& part : curveOf(series, axes)) addStroke(lines, part, style);
+  if (style.mark != SeriesMark::None)
+    for (const Place& place : placesOf(series, axes)) {
+      if (!isFinite(place) || !holds(box, place)) continue;
+      addMarkRim(rims, style.mark, place, style.markSize, kRim * unit, theme.background);
+      addMark(marks, style.mark, place, style.markSize, style.colour);
+    }
+  for (DrawLayer* layer : {&lines, &rims, &marks})
+    if (!layer->lines.empty() || !layer->triangles.empty())
+      list.layers.push_back(std::move(*layer));
+}
+
+}  // namespace
+
+std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& sizes,
+                                  const Theme& theme, float pixels) {
+  std::vector<SeriesStyle> styles;
+  int next = 0;
+  for (const DiagramSeries& series : diagram.series) {
+    SeriesStyle style;
+    const bool onRamp = std::isfinite(series.ramp);
+    if (series.isTheory)
+      style.colour = theme.text;
+    else if (onRamp)
+      style.colour = rampColour(series.ramp, theme);
+    else
+      style.colour = seriesColour(series.colour >= 0 ? series.colour : next++, theme);
+    style.width = (series.isTheory ? kTheory : onRamp ? kRampCurve : kCurve) * sizes.unit;
+    style.stroke = series.stroke;
+    style.mark = series.mark;
+    const float apart = pixels / static_cast<float>(series.points.size() + 1);
+    style.markSize = std::clamp(0.55F * apart, kSmallestMark * sizes.unit, kMark * sizes.unit);
+    style.isBand = series.isBand;
+    style.hasBars = !series.isBand &&
+                    std::any_of(series.points.begin(), series.points.end(),
+                                [](const DiagramPoint& point) { return point.high > point.low; });
+    styles.push_back(style);
+  }
+  return styles;
+}
+
+void addStroke(DrawLayer& layer, const std::vector<Place>& places, const SeriesStyle& style) {
+  const float w = style.width;
+  switch (style.stroke) {
+    case SeriesStroke::None:
+      return;
+    case SeriesStroke::Solid:
+      return addLine(layer, places, w, style.colour);
+    case SeriesStroke::Dashed:
+      // The round ends of a dash make it one width longer, the gap one shorter.
+      for (Polyline& dash : dashed(places, (kDash - 1) * w, (kDashGap + 1) * w))
+        addLine(layer, std::move(dash), w, style.colour);
+      return;
+    case SeriesStroke::Dotted:
+      for (Polyline& dot : dashed(places, 0, kDotGap * w))
+        addLine(layer, std::move(dot), 1.15F * w, style.colour);
+      return;
+  }
+}
+
+void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
+               const DiagramAxes& axes, const DiagramSizes& sizes, const Theme& theme) {
+  const Box& box = axes.plot.box;
+  DrawLayer bands;
+  bands.clip = {box.x, box.y, box.width, box.height};
+  for (std::size_t i = 0; i < diagram.series.size(); ++i)
+    if (styles[i].isBand) addBand(bands, diagram.series[i], styles[i], axes);
+  if (!bands.triangles.empty()) list.layers.push_back(std::move(bands));
+  for (const bool theory : {true, false})
+    for (std::size_t i = 0; i < diagram.series.size(); ++i)
+      if (diagram.series[i].isTheory == theory)
+        addCurve(list, diagram.series[i], styles[i], axes, sizes.unit, theme);
+}
+
+void coverSeries(CoverMap& map, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
+                 const DiagramAxes& axes) {
+  for (std::size_t i = 0; i < diagram.series.size(); ++i) {
+    const DiagramSeries& series = diagram.series[i];
+    for (const DiagramPoint& point : series.points) {
+      const Bar bar = barOf(point, axes);
+      const float half = styles[i].markSize / 2;
+      if (isDrawable(bar))
+        map.addBox({bar.x - half, bar.high, 2 * half, bar.low - bar.high},
+                   styles[i].isBand ? 0.25F : 0.6F);
+      const Place place = axes.place(point.x, point.y);
+      if (styles[i].mark != SeriesMark::None && isFinite(place))
+        map.addBox({place.x - half, place.y - half, 2 * half, 2 * half}, 1);
+    }
+    if (styles[i].stroke != SeriesStroke::None)
+      for (const Polyline& part : curveOf(series, axes)) map.addLine(part, 1);
+  }
+}
+
+}  // namespace asperity

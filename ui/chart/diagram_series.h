@@ -1,0 +1,36 @@
+// The curves, marks, error bars and bands of a diagram. Private to ui/chart. Pure; any thread.
+#pragma once
+
+#include <vector>
+
+#include "ui/draw/occupancy_grid.h"
+#include "ui/chart/diagram_axes.h"
+
+namespace asperity {
+
+/// How a series is drawn, in its diagram and in the legend. Pixels.
+struct SeriesStyle {
+  Rgba colour;
+  float width = 2;
+  SeriesStroke stroke = SeriesStroke::Solid;
+  SeriesMark mark = SeriesMark::None;
+  float markSize = 7;
+  bool isBand = false, hasBars = false;
+};
+
+/// One for each series; marks shrink where points crowd in a frame `pixels` wide.
+std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& sizes,
+                                  const Theme& theme, float pixels);
+
+/// A line in a series' stroke.
+void addStroke(DrawLayer& layer, const std::vector<Place>& places, const SeriesStyle& style);
+
+/// Bands, then theory, then the data in its order.
+void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
+               const DiagramAxes& axes, const DiagramSizes& sizes, const Theme& theme);
+
+/// Where the series are: 1 under curves and marks, less under bars and bands.
+void coverSeries(CoverMap& map, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
+                 const DiagramAxes& axes);
+
+}  // namespace asperity

@@ -1,0 +1,42 @@
+#include "ui/chart/figure_drawing.h"
+
+#include <utility>
+
+#include "core/run/steady_frames.h"
+#include "ui/contact/contact_picture.h"
+#include "ui/language/translated.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kFramesPerSecond = 25;  // of the film whose first frame a contact is
+
+/// Its title is the figure's own, not a person's.
+Frame inPresentLanguage(Frame contact) {
+  Scene scene = *contact.scene;
+  scene.title = translated(scene.title);
+  contact.scene = std::make_shared<const Scene>(std::move(scene));
+  return contact;
+}
+
+}  // namespace
+
+std::shared_ptr<const Frame> contactOf(const Figure& figure) {
+  if (!figure.sheet.diagrams.empty()) return nullptr;
+  Scene scene = figure.scene;
+  scene.title = figure.sheet.title;
+  const SteadyFrames frames(std::make_shared<const Scene>(std::move(scene)));
+  return std::make_shared<const Frame>(frames.frame(0, 1, kFramesPerSecond));
+}
+
+DrawList composeFigure(const Figure& figure, const Frame* contact, const DiagramOptions& options) {
+  if (!contact) return composeDiagrams(figure.sheet, options);
+  ContactPictureOptions picture;
+  picture.width = options.width;
+  picture.height = options.height;
+  picture.scale = options.scale;
+  picture.theme = options.theme;
+  return composeContact(inPresentLanguage(*contact), picture);
+}
+
+}  // namespace asperity

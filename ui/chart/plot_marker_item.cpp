@@ -1,0 +1,151 @@
+// The marker of a plot and the reading at the pointer.
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/chart/plot_items.h"
+#include "ui/chart/plot_marks.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kDot = 6;       // radius of the marker's dot
+constexpr double kTipPad = 7;    // around a reading's text
+constexpr double kTipAway = 14;  // from its place
+constexpr double kRing = 7.5;    // around a point that is read
+
+}  // namespace
+
+void MarkerItem::update(const PlotGeometry& geometry, const std::optional<PlotMarker>& marker,
+                        double lineX, const PlotColours& colours, const QFont& font) {
+  prepareGeometryChange();
+  geometry_ = geometry;
+  marker_ = marker;
+  colours_ = colours;
+  font_ = font;
+  bounds_ = label_ = QRectF();
+  if (!marker_) return;
+  layTrace();
+  if (!isPlottable(marker_->x, 1)) return;
+  lineX_ = geometry.xOf(std::isfinite(lineX) ? lineX : marker_->x);
+  const QRectF& area = geometry.area;
+  const QFontMetricsF metrics(font_);
+  const double width = metrics.horizontalAdvance(marker_->label);
+  const double away = 8 * geometry.scale;
+  const bool left = lineX_ + away + width > area.right();
+  const QPointF baseline(left ? lineX_ - away - width : lineX_ + away, area.bottom() - away);
+  label_ = {baseline.x() - 3, baseline.y() - metrics.ascent(), width + 6, metrics.height()};
+  const double dot = geometry.xOf(marker_->x), around = kDot * geometry.scale + 2;
+  bounds_ |= QRectF(std::min(lineX_, dot), area.top(), std::abs(lineX_ - dot), area.height())
+                 .adjusted(-around, -around, around, around) |
+             label_;
+}
+
+/// The way that the marker came, as far as it has a place.
+void MarkerItem::layTrace() {
+  trace_.clear();
+  bool draws = false;
+  for (const PlotPoint& point : marker_->trace) {
+    const bool hasPlace = isPlottable(point.x, point.y);
+    if (hasPlace) {
+      const QPointF at(geometry_.xOf(point.x), geometry_.yOf(point.y));
+      draws ? trace_.lineTo(at) : trace_.moveTo(at);
+    }
+    draws = hasPlace;
+  }
+  if (!trace_.isEmpty()) bounds_ = geometry_.area;
+}
+
+void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  const QRectF& area = geometry_.area;
+  if (bounds_.isEmpty()) return;
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setOpacity(marker_->faded ? kFadedOpacity : 1);
+  paintTrace(*painter);
+  if (label_.isEmpty() || lineX_ < area.left() - 1 || lineX_ > area.right() + 1) return;
+  painter->setFont(font_);
+  const double sharp = std::floor(lineX_) + 0.5;  // covers whole pixels
+  painter->setPen(QPen(colours_.marker, 1.5 * geometry_.scale));
+  painter->drawLine(QPointF(sharp, area.top()), QPointF(sharp, area.bottom()));
+  QColor halo = colours_.background;
+  halo.setAlphaF(0.85F);
+  painter->fillRect(label_, halo);
+  painter->drawText(label_, Qt::AlignCenter, marker_->label);
+
+  if (!isPlottable(marker_->x, marker_->y)) return;
+  painter->setPen(QPen(colours_.background, 2));
+  painter->setBrush(colours_.marker);
+  const QPointF dot(geometry_.xOf(marker_->x), geometry_.yOf(marker_->y));
+  if (area.adjusted(-1, -1, 1, 1).contains(dot)) {
+    const double radius = kDot * geometry_.scale;
+    painter->drawEllipse(dot, radius, radius);
+  }
+}
+
+void MarkerItem::paintTrace(QPainter& painter) const {
+  if (trace_.isEmpty()) return;
+  QColor colour = colours_.marker;
+  colour.setAlphaF(0.75F);
+  painter.save();
+  painter.setClipRect(geometry_.area);
+  painter.setPen(QPen(colour, 1.6 * geometry_.scale, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(trace_);
+  painter.restore();
+}
+
+/// Beside its place, on the side where there is room.
+void TipItem::show(const QString& text, QPointF place, bool ringed, const QRectF& room,
+                   const PlotColours& colours, const QFont& font) {
+  prepareGeometryChange();
+  text_ = text;
+  place_ = place;
+  isRinged_ = ringed;
+  colours_ = colours;
+  font_ = font;
+  const QFontMetricsF metrics(font_);
+  scale_ = markScale(font);
+  const double most = std::min(360.0 * scale_, room.width() - 4 * kTipPad);
+  const QSizeF size =
+      metrics.boundingRect(QRectF(0, 0, most, 1000), Qt::TextWordWrap, text).size() +
+      QSizeF(2 * kTipPad, 2 * kTipPad);
+  const double away = kTipAway * scale_, ring = kRing * scale_ + 2;
+  const bool left = place.x() + away + size.width() > room.right();
+  const double x = left ? place.x() - away - size.width() : place.x() + away;
+  const double y = place.y() - size.height() / 2;
+  box_ = QRectF(
+      QPointF(std::clamp(x, room.left(), std::max(room.left(), room.right() - size.width())),
+              std::clamp(y, room.top(), std::max(room.top(), room.bottom() - size.height()))),
+      size);
+  bounds_ =
+      box_.adjusted(-2, -2, 2, 2) | QRectF(place.x() - ring, place.y() - ring, 2 * ring, 2 * ring);
+  QGraphicsItem::update();
+}
+
+void TipItem::clear() {
+  if (text_.isEmpty()) return;
+  prepareGeometryChange();
+  text_.clear();
+  bounds_ = QRectF();
+}
+
+void TipItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  if (text_.isEmpty()) return;
+  painter->setFont(font_);
+  painter->setRenderHint(QPainter::Antialiasing);
+  if (isRinged_) {
+    painter->setPen(QPen(colours_.text, 1.6 * scale_));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawEllipse(place_, kRing * scale_, kRing * scale_);
+  }
+  painter->setPen(QPen(colours_.axis, 1));
+  painter->setBrush(colours_.background);
+  painter->drawRoundedRect(box_, 5, 5);
+  painter->setPen(colours_.text);
+  painter->drawText(box_.adjusted(kTipPad, kTipPad, -kTipPad, -kTipPad),
+                    Qt::AlignLeft | Qt::TextWordWrap, text_);
+}
+
+}  // namespace asperity

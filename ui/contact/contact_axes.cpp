@@ -1,0 +1,145 @@
+#include <cmath>
+
+#include "ui/language/words.h"
+#include "ui/draw/colours.h"
+#include "ui/contact/contact_parts.h"
+#include "ui/draw/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+/// A line one or more whole pixels wide, sharp.
+void addRule(DrawLayer& layer, float x, float y, float width, float height, const Rgba& colour) {
+  addRectangle(layer, {std::round(x), std::round(y), std::round(width), std::round(height)},
+               colour);
+}
+
+void addFrame(DrawLayer& layer, const ContactLayout& layout) {
+  const Box& p = layout.plot;
+  const float w = std::max(1.0F, std::round(layout.sizes.unit));
+  const Rgba& colour = layout.theme.axis;
+  addRule(layer, p.x - w, p.y - w, p.width + 2 * w, w, colour);
+  addRule(layer, p.x - w, p.bottom(), p.width + 2 * w, w, colour);
+  addRule(layer, p.x - w, p.y, w, p.height, colour);
+  addRule(layer, p.right(), p.y, w, p.height, colour);
+}
+
+/// Labels near an end are pushed inwards so that they stay on the picture.
+void addAlong(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+  const Sizes& s = layout.sizes;
+  const float w = std::max(1.0F, std::round(s.unit));
+  const float baseline = std::round(layout.plot.bottom() + 8 * s.unit + s.small * 0.9F);
+  for (const Tick& tick : layout.xTicks.ticks) {
+    const float x = std::floor(layout.px(tick.value));
+    addRule(layer, x, layout.plot.bottom() + w, w, 5 * s.unit, layout.theme.axis);
+    const float half = textWidth(tick.label, s.small) / 2;
+    const float centre = std::min(x, static_cast<float>(layout.width) - half - 2);
+    addLabel(list, tick.label, {centre, baseline}, s.small, TextAnchor::Centre,
+             layout.theme.faintText);
+  }
+  if (!layout.axisTitles) return;
+  addLabel(list, axisTitleAlong(layout), layout.axisTitle, s.small, TextAnchor::Centre,
+           layout.theme.text);
+}
+
+void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+  const Sizes& s = layout.sizes;
+  const float w = std::max(1.0F, std::round(s.unit));
+  const float rise = s.small * 0.36F;
+  for (const Tick& tick : layout.heightTicks.ticks) {
+    const float y = std::floor(layout.py(tick.value));
+    addRule(layer, layout.plot.x - w - 5 * s.unit, y, 5 * s.unit, w, layout.theme.axis);
+    const float baseline = std::min(y + rise, layout.plot.bottom());
+    addLabel(list, tick.label, {layout.plot.x - 8 * s.unit, std::round(baseline)}, s.small,
+             TextAnchor::Right, layout.theme.faintText);
+  }
+  if (!layout.axisTitles) return;
+  const std::string unit = " (" + layout.heightTicks.unit + ")";
+  std::string title = Words::tr("height above the undeformed surface") + unit;
+  if (textWidth(title, s.small) > layout.plot.height) title = Words::tr("height") + unit;
+  addLabel(list, title, {std::round(s.small * 1.5F), layout.plot.y + layout.plot.height / 2},
+           s.small, TextAnchor::Centre, layout.theme.text, 1.57079633F);
+}
+
+/// Both ends, on the title's line.
+void addNumbersBeside(DrawList& list, const ContactLayout& layout) {
+  const Sizes& s = layout.sizes;
+  const Box& bar = layout.legend.bar;
+  const std::vector<LegendTick> ticks = layout.scale.ticks(2);
+  const float gap = kNumberGap * s.unit, baseline = layout.legend.titleEnd.y;
+  addLabel(list, ticks.front().label, {bar.x - gap, baseline}, s.small, TextAnchor::Right,
+           layout.theme.faintText);
+  addLabel(list, ticks.back().label, {bar.right() + gap, baseline}, s.small, TextAnchor::Left,
+           layout.theme.faintText);
+}
+
+/// Both ends always, within the bar or nearly so; others where there is room.
+void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+  const Sizes& s = layout.sizes;
+  const Box& bar = layout.legend.bar;
+  const std::vector<LegendTick> ticks = layout.scale.ticks(6);
+  const float baseline = std::round(bar.bottom() + s.small * 1.15F);
+  const float wide = std::max(1.0F, std::round(s.unit));
+  const auto write = [&](const LegendTick& tick, TextAnchor anchor) {
+    addLabel(list, tick.label, {bar.x + tick.share * bar.width, baseline}, s.small, anchor,
+             layout.theme.faintText);
+  };
+  for (const LegendTick& tick : ticks)
+    addRule(layer, std::min(bar.x + tick.share * bar.width, bar.right() - wide), bar.bottom(), wide,
+            3 * s.unit, layout.theme.axis);
+  const auto half = [&](const LegendTick& tick) { return textWidth(tick.label, s.small) / 2; };
+  const LegendTick &first = ticks.front(), &last = ticks.back();
+  const bool isZero = first.label == "0";
+  write(first, isZero ? TextAnchor::Centre : TextAnchor::Left);
+  write(last, TextAnchor::Right);
+  const float gap = 0.6F * s.small;
+  float from = bar.x + (isZero ? 1 : 2) * half(first) + gap;
+  const float to = bar.right() - 2 * half(last) - gap;
+  for (std::size_t i = 1; i + 1 < ticks.size(); ++i) {
+    const float x = bar.x + ticks[i].share * bar.width;
+    if (x - half(ticks[i]) < from || x + half(ticks[i]) > to) continue;
+    write(ticks[i], TextAnchor::Centre);
+    from = x + half(ticks[i]) + gap;
+  }
+}
+
+void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+  const Box& bar = layout.legend.bar;
+  constexpr int kSteps = 20;  // twice the control colours of the maps, or finer
+  const float step = bar.width / kSteps;
+  for (int i = 0; i < kSteps; ++i) {
+    const Box part{bar.x + static_cast<float>(i) * step, bar.y, step, bar.height};
+    addRectangleAcross(layer, part, layout.scale.colourAt(static_cast<float>(i) / kSteps),
+                       layout.scale.colourAt(static_cast<float>(i + 1) / kSteps));
+  }
+  layout.legend.inLine ? addNumbersBeside(list, layout) : addLegendLabels(list, layer, layout);
+}
+
+/// As many of the notes as have room, the more important first.
+void addFooter(DrawList& list, const ContactLayout& layout, const Notes& notes) {
+  const float size = layout.sizes.small;
+  std::string footer;
+  for (const std::string& note : notes) {
+    const std::string longer = footer.empty() ? note : footer + kNoteGap + note;
+    if (footer.empty() || textWidth(longer, size) <= layout.footerWidth) footer = longer;
+  }
+  addLabel(list, footer, {layout.plot.x, layout.footer}, size, TextAnchor::Left,
+           layout.theme.faintText);
+}
+
+}  // namespace
+
+void addAxes(DrawList& list, const ContactLayout& layout, const Notes& notes) {
+  DrawLayer layer;
+  addFrame(layer, layout);
+  addAlong(list, layer, layout);
+  addUp(list, layer, layout);
+  if (layout.legend.bar.width > 0) addLegend(list, layer, layout);
+  if (!layout.legend.title.empty())
+    addLabel(list, layout.legend.title, layout.legend.titleEnd, layout.sizes.small,
+             TextAnchor::Right, layout.theme.text);
+  if (layout.footer > 0) addFooter(list, layout, notes);
+  list.layers.push_back(std::move(layer));
+}
+
+}  // namespace asperity

@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ui/draw/colours.h"
+#include "ui/contact/contact_glow.h"
+#include "ui/contact/contact_parts.h"
+#include "ui/contact/decimate.h"
+
+namespace asperity {
+namespace {
+
+using Curve = std::vector<CurveVertex>;
+
+std::vector<Place> pixelsOf(const Curve& curve, const ContactLayout& layout) {
+  std::vector<Place> places;
+  places.reserve(curve.size());
+  for (const CurveVertex& v : curve) places.push_back({layout.px(v.x), layout.py(v.height)});
+  return places;
+}
+
+/// Everything below the curve, in colours that depend on the row. A few columns at a time go down
+/// to the lowest of them and one rectangle from there: tall slivers are slow to draw.
+template <typename Shade>
+void fillBelow(DrawLayer& layer, const std::vector<Place>& curve, float bottom,
+               const Shade& shade) {
+  constexpr std::size_t kTogether = 24;
+  for (std::size_t first = 0; first + 1 < curve.size(); first += kTogether) {
+    const std::size_t last = std::min(first + kTogether, curve.size() - 1);
+    float low = curve[first].y;
+    for (std::size_t i = first; i <= last; ++i) low = std::max(low, curve[i].y);
+    for (std::size_t i = first; i < last; ++i) {
+      const Place &a = curve[i], &b = curve[i + 1];
+      addQuad(layer, {a.x, a.y, shade(a.y)}, {b.x, b.y, shade(b.y)}, {b.x, low, shade(low)},
+              {a.x, low, shade(low)});
+    }
+    if (low < bottom)
+      addRectangle(layer, {curve[first].x, low, curve[last].x - curve[first].x, bottom - low},
+                   shade(low), shade(bottom));
+  }
+}
+
+/// A band of light along the upper edge of what lies below the curve.
+void addRim(DrawLayer& layer, const std::vector<Place>& curve, float depth) {
+  const Rgba bright{1, 1, 1, 0.14F}, none{1, 1, 1, 0};
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+    const Place &a = curve[i], &b = curve[i + 1];
+    addQuad(layer, {a.x, a.y, bright}, {b.x, b.y, bright}, {b.x, b.y + depth, none},
+            {a.x, a.y + depth, none});
+  }
+}
+
+/// The row below which a curve does not come, within the plot; what lies under other bodies further
+/// down would be drawn for nothing.
+float lowestRow(const std::vector<Place>& curve, const ContactLayout& layout) {
+  float low = layout.plot.y;
+  for (const Place& place : curve) low = std::max(low, place.y);
+  return std::min(std::ceil(low) + 1, layout.plot.bottom());
+}
+
+/// The usual sign for a rigid body; the strokes travel with the line.
+void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layout, float bottom) {
+  const Box& p = layout.plot;
+  const double gap = std::round(13 * layout.sizes.unit);
+  const double velocity = frame.scene ? frame.scene->sliding.velocity : 1;
+  const double slid = velocity < 0 ? -std::abs(frame.distance) : frame.distance;
+  double offset = std::fmod((slid - layout.view.left) * layout.pixelsPerMetreAlong(), gap);
+  if (!std::isfinite(offset)) offset = 0;
+  // Lines of one colour, which vector pictures can keep as such.
+  const Rgba colour = withAlpha(layout.theme.rigidEdge, 0.15F);
+  const float width = std::max(1.0F, layout.sizes.unit);
+  for (double x = p.x + offset - gap; x < p.right() + p.height; x += gap) {
+    const auto top = static_cast<float>(x), end = top - (bottom - p.y);
+    addLine(layer, {{top, p.y}, {end, bottom}}, width, colour);
+  }
+}
+
+DrawLayer rigidLayer(const Frame& frame, const Curve& line, const ContactLayout& layout) {
+  DrawLayer layer;
+  const Theme& t = layout.theme;
+  const Box& p = layout.plot;
+  const float bottom = lowestRow(pixelsOf(line, layout), layout);
+  const Rgba high = mix(t.rigid, {1, 1, 1, 1}, 0.12F), low = mix(t.rigid, {0, 0, 0, 1}, 0.16F);
+  addRectangle(layer, {p.x, p.y, p.width, bottom - p.y}, high,
+               mix(high, low, (bottom - p.y) / p.height));
+  addHatching(layer, frame, layout, bottom);
+  return layer;
+}
+
+DrawLayer elastomerLayer(const Curve& line, const Curve& surface, const ContactLayout& layout) {
+  DrawLayer layer;
+  const Theme& t = layout.theme;
+  const float bottom = layout.plot.bottom();
+  const std::vector<Place> places = pixelsOf(surface, layout);
+  fillBelow(layer, pixelsOf(line, layout), lowestRow(places, layout),
+            [&](float) { return t.panel; });
+  const Rgba light = mix(t.elastomer, {1, 1, 1, 1}, 0.14F);
+  const Rgba dark = mix(t.elastomer, {0, 0, 0, 1}, 0.34F);
+  const auto shade = [&](float y) {
+    return mix(light, dark, std::clamp((y - layout.plot.y) / layout.plot.height, 0.0F, 1.0F));
+  };
+  fillBelow(layer, places, bottom, shade);
+  addRim(layer, places, 26 * layout.sizes.unit);
+  return layer;
+}
+
+void addCurve(DrawLayer& layer, const Curve& curve, const ContactLayout& layout, float width,
+              const Rgba& colour) {
+  DrawLine line;
+  line.width = width;
+  line.vertices.reserve(curve.size());
+  for (const CurveVertex& v : curve)
+    line.vertices.push_back({layout.px(v.x), layout.py(v.height), colour});
+  layer.lines.push_back(std::move(line));
+}
+
+/// Over the bodies, under the curves and contacts, which must keep their colours.
+void addGrid(DrawLayer& layer, const ContactLayout& layout) {
+  const float width = std::max(1.0F, std::round(layout.sizes.unit));
+  for (const Tick& tick : layout.heightTicks.ticks)
+    addRectangle(layer,
+                 {layout.plot.x, std::floor(layout.py(tick.value)), layout.plot.width, width},
+                 layout.theme.grid);
+}
+
+/// The level of the elastomer before it was touched, dashed.
+void addUndeformedLevel(DrawLayer& layer, const ContactLayout& layout) {
+  const float u = layout.sizes.unit, y = layout.py(0);
+  for (float x = layout.plot.x; x < layout.plot.right(); x += 12 * u)
+    addLine(layer, {{x, y}, {x + 5 * u, y}}, std::max(1.0F, u),
+            withAlpha(layout.theme.elastomerEdge, 0.55F));
+}
+
+/// A wide faint line under a narrow bright one; a single point is a dot.
+void addStretch(DrawLayer& layer, const Curve& stretch, const ContactLayout& layout) {
+  const float u = layout.sizes.unit;
+  DrawLine core, halo;
+  core.width = 3.6F * u;
+  halo.width = 9 * u;
+  for (const CurveVertex& v : stretch) {
+    const float x = layout.px(v.x), y = layout.py(v.height);
+    const Rgba colour = layout.scale.colour(v.value);
+    core.vertices.push_back({x, y, colour});
+    halo.vertices.push_back({x, y, withAlpha(colour, 0.22F)});
+  }
+  layer.lines.push_back(std::move(halo));
+  layer.lines.push_back(std::move(core));
+}
+
+/// The free surface in the colours of its age, with a band of them below; nothing in contact and
+/// where contact was never seen.
+void addAge(DrawLayer& below, DrawLayer& curves, const Curve& surface,
+            const ContactLayout& layout) {
+  const float u = layout.sizes.unit, depth = 0.1F * layout.plot.height;
+  DrawLine line;
+  line.width = 3.6F * u;
+  for (const CurveVertex& v : surface) {
+    const bool isFree = v.value > 0 && std::isfinite(v.value);
+    line.vertices.push_back({layout.px(v.x), layout.py(v.height),
+                             withAlpha(layout.scale.colour(v.value), isFree ? 1.0F : 0.0F)});
+  }
+  for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i) {
+    const auto at = [&](const DrawVertex& v, float down, float alpha) {
+      return DrawVertex{v.x, v.y + down, withAlpha(v.colour, v.colour.a * alpha)};
+    };
+    const DrawVertex &a = line.vertices[i], &b = line.vertices[i + 1];
+    if (a.colour.a == 0 && b.colour.a == 0) continue;
+    addQuad(below, at(a, 0, 0.55F), at(b, 0, 0.55F), at(b, depth, 0), at(a, depth, 0));
+  }
+  curves.lines.push_back(std::move(line));
+}
+
+/// A contact that is too narrow for a line, in every period shown: bright on a dark rim.
+void addMark(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) {
+  const std::size_t point = *layout.marked;
+  const float u = layout.sizes.unit, y = layout.py(frame.surfaceHeight[point]);
+  const std::vector<double>& values = valuesOf(frame, layout.scale.overlay);
+  const double value = values.empty() ? 0 : values[point];
+  const Rgba bright = value > 0 ? layout.scale.colour(value) : layout.scale.colourAt(1);
+  const double period = frame.spacing * static_cast<double>(frame.lineHeight.size());
+  const double at = frame.spacing * static_cast<double>(point);
+  for (double k = std::ceil((layout.view.left - at) / period);
+       at + k * period <= layout.view.left + layout.view.width; ++k) {
+    const Place place{layout.px(at + k * period), y};
+    addLine(layer, {place}, 15 * u, withAlpha(bright, 0.3F));
+    addLine(layer, {place}, 9.5F * u, {0.07F, 0.1F, 0.14F, 1});
+    addLine(layer, {place}, 7 * u, bright);
+  }
+}
+
+}  // namespace
+
+void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) {
+  if (!isDrawable(frame)) return;
+  const Clip clip{layout.plot.x, layout.plot.y, layout.plot.width, layout.plot.height};
+  const PointRange range = pointsWithin(frame, layout.view.left, layout.view.width);
+  const Columns columns{layout.view.left, layout.pixelsPerMetreAlong()};
+  const std::vector<double>& values = valuesOf(frame, layout.scale.overlay);
+  const bool coloursAge = layout.scale.overlay == ContactOverlay::Relaxation;
+  const Curve line = decimated(frame, frame.lineHeight, range, columns);
+  const Curve surface = decimated(frame, frame.surfaceHeight, range, columns, values);
+  // Stretches closer than the width of a hairline are one to the eye.
+  const double hairlines = columns.pixelsPerMetre / std::max(1.0F, layout.sizes.unit);
+  std::vector<Curve> stretches;
+  if (layout.scale.isShown() && !coloursAge)
+    stretches =
+        stretchesAbove(frame, range, {columns.left, hairlines}, values, layout.scale.leastShown());
+
+  DrawLayer rigid = rigidLayer(frame, line, layout);
+  DrawLayer elastomer = elastomerLayer(line, surface, layout);
+  addGlow(elastomer, surface, stretches, layout);
+  DrawLayer curves;
+  const float u = layout.sizes.unit;
+  addGrid(curves, layout);
+  addUndeformedLevel(curves, layout);
+  addCurve(curves, surface, layout, 1.7F * u, layout.theme.elastomerEdge);
+  addCurve(curves, line, layout, 1.7F * u, layout.theme.rigidEdge);
+  if (coloursAge && layout.scale.isShown()) addAge(elastomer, curves, surface, layout);
+  for (const Curve& stretch : stretches) addStretch(curves, stretch, layout);
+  if (layout.marked) addMark(curves, frame, layout);
+  for (DrawLayer* layer : {&rigid, &elastomer, &curves}) {
+    layer->clip = clip;
+    list.layers.push_back(std::move(*layer));
+  }
+}
+
+}  // namespace asperity

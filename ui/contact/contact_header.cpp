@@ -1,0 +1,293 @@
+// Title and readings above the axes.
+#include <algorithm>
+#include <cmath>
+
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
+#include "ui/contact/contact_forces.h"
+#include "ui/contact/contact_parts.h"
+#include "ui/draw/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+struct Reading {
+  TextRuns label;
+  std::string value;
+  int rank = 0;  // the highest goes first where there is no room
+  std::string tip;
+};
+
+/// Where it stands: the label's left end, and the baseline of the row before.
+struct PlacedReading {
+  Reading reading;
+  Place at;
+};
+
+float widthOf(const Reading& reading, const Sizes& s) {
+  return std::max(textWidth(reading.label, s.small), textWidth(reading.value, s.body, true));
+}
+
+std::string plainText(const TextRuns& runs) {
+  std::string text;
+  for (const TextRun& run : runs) text += run.utf8;
+  return text;
+}
+
+std::string percent(double fraction) {
+  return std::isfinite(fraction) ? shortNumber(100 * fraction) + " %" : "\u2013";
+}
+
+/// "0.951 \u00B1 0.04" where the error of the discretization is known.
+std::string frictionText(double mu, double error) {
+  const std::string text = shortNumber(mu, 3, Zeros::Keep);
+  return std::isfinite(error) ? text + " \u00B1 " + shortNumber(error, 1) : text;
+}
+
+/// Of the interface and in total, where the scene has local friction.
+void addInterfaceReadings(std::vector<Reading>& readings, const Frame& frame) {
+  if (!hasInterface(frame)) return;
+  const ContactState state = drawnState(frame);
+  readings.push_back({{{Words::tr("\u03BC of the interface")}},
+                      shortNumber(state.muInterface, 3, Zeros::Keep),
+                      2,
+                      Words::tr("Of local friction in contact, beside what the deformation costs; "
+                                "it does not change the contact.")});
+  readings.push_back(
+      {{{Words::tr("\u03BC in total")}},
+       shortNumber(totalFriction(state), 3, Zeros::Keep),
+       1,
+       Words::tr("Of deformation and interface together: friction force over normal force.")});
+}
+
+std::string frictionTip(const Frame& frame) {
+  if (frame.isSettling)
+    return Words::tr(
+        "Tangential over normal force while the elastomer still relaxes after a "
+        "change, read from the time steps since the last picture.");
+  if (frame.transient)
+    return Words::tr(
+        "Tangential over normal force at this moment of the motion, a mean "
+        "over the time since the last picture. After \u00B1 stands the "
+        "estimated error of elements and time steps.");
+  return Words::tr(
+      "Tangential over normal force in steady sliding: of this line at this velocity, "
+      "computed without time steps.");
+}
+
+/// Of what is drawn. While that is on its way to the steady state, the friction there is told, too.
+std::vector<Reading> readingsOf(const Frame& frame) {
+  std::vector<Reading> readings;
+  const bool isSteady = !frame.transient;
+  const ContactState state = drawnState(frame);
+  readings.push_back(
+      {{{hasInterface(frame) ? Words::tr("\u03BC of the deformation")
+                             : Words::tr("friction coefficient \u03BC")}},
+       isSteady ? shortNumber(state.mu, 3, Zeros::Keep) : frictionText(state.mu, frame.muError),
+       0,
+       frictionTip(frame)});
+  if (frame.isSettling)
+    readings.push_back(
+        {{{Words::tr("\u03BC when settled")}},
+         shortNumber(frame.muSteady, 3, Zeros::Keep),
+         7,
+         Words::tr("What friction comes to in the steady state, as in the chart. The "
+                   "picture is still on its way there.")});
+  addInterfaceReadings(readings, frame);
+  readings.push_back({{{Words::tr("normal force F")}, {"N", false, true}},
+                      quantity(state.normalForce, "N"),
+                      3,
+                      Words::tr("Force that presses one period of the line into the elastomer.")});
+  readings.push_back(
+      {{{Words::tr("indentation d")}},
+       quantity(state.indentation, "m"),
+       5,
+       Words::tr("How deep the lowest point of the line lies below the undeformed surface.")});
+  readings.push_back({{{Words::tr("in contact")}},
+                      percent(state.contactFraction),
+                      4,
+                      Words::tr("Share of the line's length that touches the elastomer.")});
+  if (frame.scene)
+    readings.push_back({{{Words::tr("velocity v")}},
+                        quantity(isSteady ? frame.scene->sliding.velocity : frame.velocity, "m/s"),
+                        6,
+                        isSteady ? Words::tr("Velocity of the line, to the right.")
+                                 : Words::tr("Velocity of the line at this moment; below 0 it goes "
+                                             "back.")});
+  if (frame.timeScale > 0)
+    readings.push_back({{{Words::tr("1 s on screen")}},
+                        "= " + quantity(frame.timeScale, "s"),
+                        8,
+                        Words::tr("So much of the simulated time passes in one second here.")});
+  return readings;
+}
+
+/// Readings in rows, left to right.
+std::vector<std::vector<Reading>> flow(const std::vector<Reading>& readings, float width, float gap,
+                                       const Sizes& s) {
+  std::vector<std::vector<Reading>> rows(1);
+  float used = 0;
+  for (const Reading& reading : readings) {
+    const float needed = widthOf(reading, s);
+    if (!rows.back().empty() && used + gap + needed > width) {
+      rows.emplace_back();
+      used = 0;
+    }
+    used += needed + (rows.back().empty() ? 0 : gap);
+    rows.back().push_back(reading);
+  }
+  return rows;
+}
+
+void dropLeastImportant(std::vector<Reading>& readings) {
+  readings.erase(
+      std::max_element(readings.begin(), readings.end(),
+                       [](const Reading& a, const Reading& b) { return a.rank < b.rank; }));
+}
+
+std::string lineOf(const Surface& surface) {
+  switch (surface.kind) {
+    case SurfaceKind::SelfAffine:
+      return surface.rmsHeight > 0 ? Words::tr("A rough rigid line")
+                                   : Words::tr("A flat rigid line");
+    case SurfaceKind::Sine:
+      return Words::tr("A rigid sine");
+    case SurfaceKind::Wedge:
+      return Words::tr("A rigid wedge");
+    case SurfaceKind::Parabola:
+      return Words::tr("A rigid parabola");
+    case SurfaceKind::Profile:
+      return Words::tr("A measured rigid line");
+  }
+  return Words::tr("A rigid line");
+}
+
+std::string titleOf(const Frame& frame) {
+  if (!frame.scene) return Words::tr("A rigid line on an elastomer");
+  if (!frame.scene->title.empty()) return sceneText(frame.scene->title).toStdString();
+  const bool rests = frame.scene->sliding.velocity == 0;
+  return filled(
+      rests ? Words::tr("%1 rests on an elastomer") : Words::tr("%1 slides over an elastomer"),
+      {lineOf(frame.scene->surface)});
+}
+
+/// "t = 3.2 ms, slid 1.5 mm", or nothing before the first step.
+std::string progressOf(const Frame& frame) {
+  if (!(frame.time > 0)) return {};
+  constexpr double kRounding = 1e-12;  // of the period: a motion that came back
+  const double slid = std::abs(frame.distance);
+  return filled(Words::tr("t = %1, slid %2"),
+                {quantity(frame.time, "s", 3, Zeros::Keep),
+                 quantity(slid > kRounding * frame.length ? slid : 0, "m", 3, Zeros::Keep)});
+}
+
+float titleBaseline(const Sizes& s) {
+  return std::round(10 * s.unit + s.title);
+}
+
+/// The title and what stands at the right end of its line, as far as there is room.
+struct TitleLine {
+  std::string whole, shown, progress;
+  float side = 0, room = 0, progressAt = 0;
+  float size = 0;  // of the title's font
+};
+
+TitleLine titleLine(const Frame& frame, const ContactPictureOptions& options) {
+  const Sizes s = sizesFor(options);
+  const auto width = static_cast<float>(options.width);
+  TitleLine line{titleOf(frame), {}, progressOf(frame), std::round(16 * s.unit), 0, 0, s.title};
+  const float progress = textWidth(line.progress, s.small);
+  line.progressAt = std::floor(width - line.side - progress);
+  const float alone = width - 2 * line.side, beside = alone - progress - 2 * line.side;
+  const float wanted = textWidth(line.whole, s.title, true);
+  if (!(progress < 0.4F * width) || (wanted > beside && wanted <= alone)) line.progress.clear();
+  line.room = line.progress.empty() ? alone : beside;
+  line.size =
+      fittingSize(line.whole, s.title, std::max(7.0F, std::round(0.8F * s.title)), true, line.room);
+  line.shown = elided(line.whole, line.size, true, line.room);
+  return line;
+}
+
+void addTitle(DrawList& list, const Frame& frame, const ContactPictureOptions& options) {
+  const Sizes s = sizesFor(options);
+  const Theme& theme = options.theme;
+  const float baseline = titleBaseline(s);
+  const TitleLine line = titleLine(frame, options);
+  if (!line.shown.empty())
+    addText(list, {{line.shown, true}}, {line.side, baseline}, line.size, theme.text);
+  if (!line.progress.empty())
+    addText(list, {{line.progress}}, {line.progressAt, baseline}, s.small, theme.faintText);
+}
+
+float titleHeight(const Sizes& s) {
+  return std::round(10 * s.unit + s.title * 1.25F);
+}
+
+float rowHeight(const Sizes& s) {
+  return std::round(s.small + s.body + 14 * s.unit);
+}
+
+/// As many as have room below a title whose baseline this is.
+std::vector<PlacedReading> placedReadings(const Frame& frame, const ContactPictureOptions& options,
+                                          float baseline) {
+  const Sizes s = sizesFor(options);
+  const float side = std::round(16 * s.unit), gap = std::round(26 * s.unit);
+  const float most = 0.4F * static_cast<float>(options.height);
+  const float width = static_cast<float>(options.width) - 2 * side;
+  std::vector<Reading> readings = readingsOf(frame);
+  const auto tooMuch = [&](const auto& rows) {
+    return titleHeight(s) + static_cast<float>(rows.size()) * rowHeight(s) > most ||
+           widthOf(rows[0][0], s) > width;
+  };
+  while (!readings.empty() && tooMuch(flow(readings, width, gap, s))) dropLeastImportant(readings);
+  std::vector<PlacedReading> placed;
+  if (readings.empty()) return placed;
+  for (const auto& row : flow(readings, width, gap, s)) {
+    float x = side;
+    for (const Reading& reading : row) {
+      placed.push_back({reading, {x, baseline}});
+      x += std::round(widthOf(reading, s) + gap);
+    }
+    baseline += rowHeight(s);
+  }
+  return placed;
+}
+
+bool hasHeader(const ContactPictureOptions& options) {
+  return titleHeight(sizesFor(options)) <= 0.4F * static_cast<float>(options.height);
+}
+
+}  // namespace
+
+float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions& options) {
+  const Sizes s = sizesFor(options);
+  const Theme& theme = options.theme;
+  if (!hasHeader(options)) return 0;
+  addTitle(list, frame, options);
+  const std::vector<PlacedReading> readings = placedReadings(frame, options, titleBaseline(s));
+  if (readings.empty()) return titleHeight(s);
+  for (const auto& [reading, at] : readings) {
+    addText(list, reading.label, {at.x, std::round(at.y + 11 * s.unit + s.small * 0.8F)}, s.small,
+            theme.faintText);
+    const bool first = reading.rank == 0;
+    addText(list, {{reading.value, true}}, {at.x, std::round(at.y + rowHeight(s))}, s.body,
+            first ? theme.highlight : theme.text);
+  }
+  return std::round(readings.back().at.y + rowHeight(s) + s.body * 0.4F);
+}
+
+std::vector<ContactReading> contactReadings(const Frame& frame,
+                                            const ContactPictureOptions& options) {
+  std::vector<ContactReading> places;
+  if (!options.title || !hasHeader(options)) return places;
+  const Sizes s = sizesFor(options);
+  if (const TitleLine line = titleLine(frame, options); line.shown != line.whole)
+    places.push_back({{line.side, 0, line.room, titleHeight(s)}, line.shown, line.whole});
+  for (const auto& [reading, at] : placedReadings(frame, options, titleBaseline(s)))
+    places.push_back({{at.x, at.y + 0.25F * s.body, widthOf(reading, s), rowHeight(s)},
+                      plainText(reading.label),
+                      reading.tip});
+  return places;
+}
+
+}  // namespace asperity

@@ -1,0 +1,263 @@
+// Labels inside the axes. They stand still in the corners, on soft plates of their body's colour;
+// in a low view, where the line reaches up to them, they give way to it.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/material/element_law.h"
+#include "ui/language/words.h"
+#include "ui/contact/label_placement.h"
+#include "ui/draw/colours.h"
+#include "ui/contact/contact_forces.h"
+#include "ui/contact/contact_parts.h"
+#include "ui/contact/contact_tags.h"
+#include "ui/contact/decimate.h"
+#include "ui/contact/narrow_contact.h"
+#include "ui/draw/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
+  if (!frame.scene) return std::nullopt;
+  const double v = velocityOf(frame);
+  if (v == 0) return Tag{{{Words::tr("rigid line at rest")}}, ArrowWay::None, {}};
+  return Tag{{{brief ? Words::tr("slides") : Words::tr("rigid line slides")}},
+             v > 0 ? ArrowWay::Right : ArrowWay::Left,
+             {{"v = " + quantity(v, "m/s")}}};
+}
+
+/// The arrows in the tags only say which way; where there is room they are drawn in scale instead.
+Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
+  const bool toTheRight = pushesRight(frame);
+  Tag tag{{{hasInterface(frame) ? Words::tr("friction in total F") : Words::tr("friction F")},
+           {"x", false, true},
+           {" = " + quantity(frictionForce(drawnState(frame)), "N")}},
+          toTheRight ? ArrowWay::Right : ArrowWay::Left,
+          {}};
+  if (!(arrows.sideways > 0)) return tag;
+  tag.arrow = ArrowWay::None;
+  if (arrows.enlarged > 1)
+    tag.before.push_back({filled(Words::tr(", arrow %1\u00D7"), {shortNumber(arrows.enlarged)})});
+  return tag;
+}
+
+Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
+  return {{{"F"}, {"N", false, true}, {" = " + quantity(drawnState(frame).normalForce, "N")}},
+          arrows.down > 0 ? ArrowWay::None : ArrowWay::Down,
+          {}};
+}
+
+/// The more important first.
+std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows) {
+  std::vector<Tag> tags;
+  const ContactState state = drawnState(frame);
+  if (state.normalForce > 0) tags.push_back(pressingTag(frame, arrows));
+  // No steady friction (none at all, or a state that has none): no arrow for what rounding leaves.
+  if (totalFriction(state) > 0 && frictionForce(state) > 0)
+    tags.push_back(frictionTag(frame, arrows));
+  return tags;
+}
+
+/// "viscoelastic, G = 10 MPa, τ = 1 ms" or ", 13 arms"; empty without a scene.
+std::string elastomerWords(const Frame& frame) {
+  if (!frame.scene) return {};
+  const ElementLaw law = lawOf(frame.scene->elastomer);
+  const ElementKind kind = law.kind();
+  const std::string modulus = quantity(law.equilibriumModulus, "Pa");
+  if (kind == ElementKind::Elastic) return filled(Words::tr("elastic, G = %1"), {modulus});
+  if (kind == ElementKind::Kelvin)
+    return filled(Words::tr("viscoelastic, G = %1, \u03C4 = %2"),
+                  {modulus, quantity(law.relaxationTime, "s")});
+  return filled(law.arms.size() == 1 ? Words::tr("viscoelastic, G = %1, %2 arm")
+                                     : Words::tr("viscoelastic, G = %1, %2 arms"),
+                {modulus, std::to_string(law.arms.size())});
+}
+
+/// The whole label first, then the name alone.
+std::vector<Tag> elastomerTags(const Frame& frame) {
+  const Tag name{{{Words::tr("elastomer"), true}}, ArrowWay::None, {}};
+  const std::string words = elastomerWords(frame);
+  if (words.empty()) return {name};
+  return {{name.before, ArrowWay::None, {{words}}}, name};
+}
+
+/// The same in places that the line leaves free now, as near to the usual ones as they are; what
+/// finds none is left out, as the line would cross it. Forces have their arrows in the labels.
+void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
+                               float y) {
+  const float gap = std::round(10 * layout.sizes.unit);
+  const CurveRows line = rowsOf(frame, frame.lineHeight, layout);
+  float left = layout.plot.x + gap;
+  const float right = layout.plot.right() - gap;
+  const auto place = [&](const Tag& tag, float wanted) {
+    const float width = painter.width(tag);
+    const Box box{std::clamp(wanted, left, std::max(left, right - width)), y, width,
+                  painter.height()};
+    const auto x = placeAbove(line, box, left, right);
+    if (!x) return false;
+    painter.paint(tag, {std::round(*x), y}, layout.theme.rigid);
+    left = std::round(*x) + width + gap;
+    return true;
+  };
+  place({{{Words::tr("rigid body"), true}}, ArrowWay::None, {}}, left);
+  std::optional<Tag> motion = slidingTag(frame, false);
+  const auto placeMotion = [&] {
+    return place(*motion, layout.plot.x + (layout.plot.width - painter.width(*motion)) / 2);
+  };
+  if (motion && !placeMotion()) {
+    motion = slidingTag(frame, true);
+    if (!placeMotion()) {
+      motion->after.clear();  // the header says how fast
+      placeMotion();
+    }
+  }
+  const std::vector<Tag> forces = forceTags(frame, {});
+  float needed = -gap;
+  for (const Tag& force : forces) needed += painter.width(force) + gap;
+  // From left to right; F_N, which is the first of them, stands at the right.
+  for (auto force = forces.rbegin(); force != forces.rend(); ++force) {
+    const bool isLast = force + 1 == forces.rend();
+    if (isLast || right - left >= needed) place(*force, right - needed);
+    needed -= painter.width(*force) + gap;
+  }
+}
+
+/// "rigid body" on the left, the motion in the middle, the forces on the right, as far as they fit.
+void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& layout, float y) {
+  const float gap = std::round(10 * layout.sizes.unit);
+  const Rgba& plate = layout.theme.rigid;
+  float left = layout.plot.x + gap, right = layout.plot.right() - gap;
+  const Tag name{{{Words::tr("rigid body"), true}}, ArrowWay::None, {}};
+  std::optional<Tag> motion = slidingTag(frame, false);
+  const auto both = [&] { return painter.width(name) + painter.width(*motion) + gap; };
+  if (motion && both() > right - left) motion = slidingTag(frame, true);
+  // Zoomed to the rubber, there is no rigid body in its corner.
+  const bool isThere =
+      liesOn(Body::Rigid, frame, layout, {left, y, painter.width(name), painter.height()});
+  if (isThere) painter.paint(name, {left, y}, plate);
+  if (motion && isThere && both() > right - left) {  // a narrow picture: one below the other
+    const float below = y + painter.height();
+    if (painter.width(*motion) <= right - left && 6 * painter.height() < layout.plot.height &&
+        lineStaysBelow(frame, layout, below + painter.height()))
+      painter.paint(*motion, {left, below}, plate);
+    return;
+  }
+  if (isThere) left += painter.width(name) + gap;
+  const ForceArrows arrows = forceArrows(frame, layout);
+  for (const Tag& force : forceTags(frame, arrows)) {
+    const float needed = painter.width(force) + gap;
+    if (right - left < needed + (motion ? painter.width(*motion) + gap : 0)) break;
+    painter.paint(force, {right - painter.width(force), y}, plate);
+    right -= needed;
+  }
+  if (!motion || painter.width(*motion) > right - left) return;
+  const float width = painter.width(*motion);
+  const float middle = layout.plot.x + (layout.plot.width - width) / 2;
+  painter.paint(*motion, {std::round(std::clamp(middle, left, right - width)), y}, plate);
+}
+
+/// "200 \u00B5W in all, 23 % in the free surface": what comes back takes power, too. In steady
+/// sliding all is what the friction force does, that of the interface included, to the last digit;
+/// the sum over points, which gives the shares, only comes near to it.
+std::string powerText(const Frame& frame) {
+  double free = 0, whole = 0;
+  for (std::size_t i = 0; i < frame.power.size(); ++i) {
+    whole += frame.power[i];
+    if (!(frame.pressure[i] > 0)) free += frame.power[i];
+  }
+  const bool isSteady = !frame.transient && !frame.isSettling;
+  const double power = isSteady ? frictionForce(drawnState(frame)) * std::abs(velocityOf(frame))
+                                : whole * frame.spacing;
+  if (!(whole > 0)) return Words::tr("nothing is dissipated");
+  return filled(Words::tr("%1 in all, %2 % in the free surface"),
+                {quantity(power, "W"), shortNumber(100 * free / whole, 2)});
+}
+
+Notes notesFor(const Frame& frame, const ContactLayout& layout) {
+  Notes notes{exaggerationText(layout)};
+  const bool pressed = greatestPressure(frame) > 0;
+  if (layout.marked)
+    notes.push_back(pressed ? Words::tr("dot: the deepest contact")
+                            : Words::tr("dot: contact between two points"));
+  if (layout.scale.overlay == ContactOverlay::Power && layout.scale.isShown())
+    notes.push_back(powerText(frame));
+  if (pressed && layout.scale.overlay == ContactOverlay::Pressure)
+    notes.push_back(Words::tr("glow: pressure, not depth"));
+  return notes;
+}
+
+float footerWidth(const Notes& notes, const ContactLayout& layout) {
+  float width = 0;
+  for (const std::string& note : notes) width += textWidth(note + kNoteGap, layout.sizes.small);
+  return width;
+}
+
+/// Puts the note into the footer, before a less important one; false where there is no room.
+bool footerWith(Notes& notes, const std::string& note, const ContactLayout& layout) {
+  Notes wanted{notes.front(), note};
+  if (footerWidth(wanted, layout) > layout.footerWidth) return false;
+  notes.insert(notes.begin() + 1, note);
+  return true;
+}
+
+/// Names the elastomer where that hides no contact: at the bottom left if no contact ever comes
+/// there, so that the label stands still; else in the footer; else in a place that is clear now.
+void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
+                   Notes& notes) {
+  const float margin = std::round(9 * layout.sizes.unit);
+  const std::vector<Tag> tags = elastomerTags(frame);
+  const Rgba plate = mix(layout.theme.elastomer, {0, 0, 0, 1}, 0.2F);
+  const float top = layout.plot.bottom() - margin - painter.height();
+  const auto fits = [&](const Tag& tag) {
+    return painter.width(tag) + 2 * margin <= layout.plot.width;
+  };
+  const auto liesThere = [&](const Tag& tag, float x) {
+    return liesOn(Body::Elastomer, frame, layout, {x, top, painter.width(tag), painter.height()});
+  };
+  if (clearAcross(frame, layout, top)) {
+    const auto tag = std::find_if(tags.begin(), tags.end(), fits);
+    const float left = layout.plot.x + margin;
+    if (tag != tags.end() && liesThere(*tag, left)) painter.paint(*tag, {left, top}, plate);
+    return;
+  }
+  const std::string words = elastomerWords(frame);
+  const std::string note = words.empty() ? Words::tr("below: the elastomer")
+                                         : filled(Words::tr("elastomer: %1"), {words});
+  if (layout.footer > 0 && footerWith(notes, note, layout)) return;
+  for (const Tag& tag : tags) {
+    if (!fits(tag)) continue;
+    const auto x = clearPlace(frame, layout, top, painter.width(tag), margin);
+    if (x && liesThere(tag, *x)) return painter.paint(tag, {*x, top}, plate);
+  }
+}
+
+}  // namespace
+
+Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout) {
+  Notes notes = notesFor(frame, layout);
+  DrawLayer layer, plates;
+  TagPainter painter(list, plates, layer, layout);
+  const float margin = std::round(9 * layout.sizes.unit);
+  const float rows = 2 * painter.height() + 3 * margin;
+  if (!isDrawable(frame) || rows > 0.75F * layout.plot.height) return notes;
+  const float row = layout.plot.y + margin;
+  const bool hasRow = lineMisses(frame, layout, row, row + painter.height());
+  if (hasRow)
+    addRigidRow(painter, frame, layout, row);
+  else
+    addRigidTagsBetweenCrests(painter, frame, layout, row);
+  const ForceArrows arrows = hasRow ? forceArrows(frame, layout) : ForceArrows{};
+  const float reach = arrows.pointsRight ? arrows.sideways : 0;
+  if (arrows.down > 0)
+    addForceArrows(
+        {plates, layer}, arrows,
+        {layout.plot.right() - 3 * margin - reach, layout.plot.y + 2 * margin + painter.height()},
+        layout);
+  nameElastomer(painter, frame, layout, notes);
+  list.layers.insert(list.layers.end() - 1, std::move(plates));  // the last has the curves
+  list.layers.push_back(std::move(layer));
+  return notes;
+}
+
+}  // namespace asperity

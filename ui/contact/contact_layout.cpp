@@ -1,0 +1,225 @@
+#include "ui/contact/contact_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/language/words.h"
+#include "ui/contact/narrow_contact.h"
+#include "ui/draw/plot_axes.h"
+#include "ui/draw/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+constexpr float kLowest = 50;        // units of height for a plot with a legend
+constexpr float kFarOutside = 1e5F;  // pixels; keeps coordinates small enough for floats
+constexpr float kNarrow = 4;         // units; a contact less wide than this is marked by a dot
+constexpr float kTitleGap = 10;      // units, from the legend's title to what follows
+
+/// "20 mm": without a title the last number says the unit.
+void nameUnit(AxisTicks& axis) {
+  if (!axis.ticks.empty() && !axis.unit.empty()) axis.ticks.back().label += " " + axis.unit;
+}
+
+float widestLabel(const AxisTicks& axis, float size) {
+  float widest = 0;
+  for (const Tick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
+  return widest;
+}
+
+/// Leaves out those before the last one along that its unit runs into.
+void dropTicksUnderLast(ContactLayout& layout) {
+  std::vector<Tick>& ticks = layout.xTicks.ticks;
+  const float size = layout.sizes.small;
+  const auto half = [&](const Tick& tick) { return textWidth(tick.label, size) / 2; };
+  while (ticks.size() > 1) {
+    const Tick& last = ticks.back();
+    const float centre =
+        std::min(layout.px(last.value), static_cast<float>(layout.width) - half(last) - 2);
+    const Tick& before = ticks[ticks.size() - 2];
+    if (layout.px(before.value) + half(before) + 0.6F * size < centre - half(last)) return;
+    ticks.erase(ticks.end() - 2);
+  }
+}
+
+/// Pixels of a row for the legend in one line, with this title, and the bar in it.
+struct LineNeeds {
+  float width = 0, bar = 0;
+};
+
+LineNeeds lineNeeds(const ContactLayout& layout, const std::string& title) {
+  const Sizes& s = layout.sizes;
+  const float wide = title.empty() ? 0 : textWidth(title, s.small) + kTitleGap * s.unit;
+  if (!layout.scale.isShown()) return {wide, 0};
+  const std::vector<LegendTick> ends = layout.scale.ticks(2);
+  const float numbers = textWidth(ends.front().label, s.small) +
+                        textWidth(ends.back().label, s.small) + 2 * kNumberGap * s.unit;
+  const float bar =
+      std::round(std::clamp(static_cast<float>(layout.width) * 0.12F, 60 * s.unit, 150 * s.unit));
+  return {wide + numbers + bar, bar};
+}
+
+/// The legend at the right end of the axis title's line; false where it would run into the title.
+bool placeLegend(ContactLayout& layout, const std::string& title, float from) {
+  const Sizes& s = layout.sizes;
+  const LineNeeds needs = lineNeeds(layout, title);
+  const float right = layout.plot.right(), baseline = layout.axisTitle.y;
+  if (needs.width > right - from) return false;
+  layout.legend.title = title;
+  layout.legend.titleEnd = {right, baseline};
+  if (!layout.scale.isShown()) return true;
+  const float last = textWidth(layout.scale.ticks(2).back().label, s.small);
+  const float height = std::round(10 * s.unit);
+  layout.legend.bar = {std::round(right - last - kNumberGap * s.unit - needs.bar),
+                       std::round(baseline - s.small * 0.36F - height / 2), needs.bar, height};
+  layout.legend.titleEnd.x = right - needs.width + textWidth(title, s.small);
+  return true;
+}
+
+/// A low picture has one line for all: exaggeration at the left, the axis' title, the legend at the
+/// right. The title of the axis makes room where it must, that of the legend gets shorter.
+void placeInLine(ContactLayout& layout, const std::string& reason) {
+  const Sizes& s = layout.sizes;
+  const float gap = 16 * s.unit;
+  const Box& plot = layout.plot;
+  const float axis = layout.axisTitles ? textWidth(axisTitleAlong(layout), s.small) : 0;
+  std::vector<std::string> titles;
+  if (layout.scale.isShown())
+    titles = {layout.scale.title(), layout.scale.shortTitle(), std::string()};
+  else if (!reason.empty())
+    titles = {reason};
+  layout.legend.inLine = true;
+  for (const std::string& title : titles)
+    for (const float middle : {layout.axisTitle.x, plot.x + axis / 2}) {
+      if (!layout.legend.title.empty() || layout.legend.bar.width > 0) break;
+      if (placeLegend(layout, title, middle + axis / 2 + (axis > 0 ? gap : 0)))
+        layout.axisTitle.x = middle;
+    }
+  const float room = layout.axisTitle.x - axis / 2 - plot.x - gap;
+  if (textWidth(exaggerationText(layout), s.small) > room) return;
+  layout.footer = layout.axisTitle.y;
+  layout.footerWidth = room;
+}
+
+}  // namespace
+
+std::string axisTitleAlong(const ContactLayout& layout) {
+  return Words::tr("position") + " (" + layout.xTicks.unit + ")";
+}
+
+Sizes sizesFor(const ContactPictureOptions& options) {
+  const float scale = options.scale > 0 ? options.scale : 1;
+  const float room = std::min(static_cast<float>(options.width) / (1280 * scale),
+                              static_cast<float>(options.height) / (720 * scale));
+  // Small pictures shrink their texts a little, large ones enlarge them less than themselves.
+  const float unit = scale * (room > 1 ? std::pow(room, 0.7F) : std::clamp(room, 0.85F, 1.0F));
+  const auto font = [&](float size) { return std::max(7.0F, std::round(size * unit)); };
+  return {unit, font(19), font(14), font(12)};
+}
+
+double ContactLayout::pixelsPerMetreAlong() const {
+  return plot.width / view.width;
+}
+
+double ContactLayout::pixelsPerMetreUp() const {
+  return plot.height / (view.top - view.bottom);
+}
+
+float ContactLayout::px(double x) const {
+  const double pixels = plot.x + (x - view.left) * pixelsPerMetreAlong();
+  return static_cast<float>(std::clamp<double>(pixels, -kFarOutside, kFarOutside));
+}
+
+float ContactLayout::py(double metres) const {
+  const double pixels = plot.y + (view.top - metres) * pixelsPerMetreUp();
+  return static_cast<float>(std::clamp<double>(pixels, -kFarOutside, kFarOutside));
+}
+
+std::string exaggerationText(const ContactLayout& layout) {
+  const double ratio = layout.pixelsPerMetreUp() / layout.pixelsPerMetreAlong();
+  return filled(Words::tr("vertical exaggeration %1\u00D7"), {shortNumber(ratio, 2)});
+}
+
+ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& options,
+                            float headerBottom) {
+  ContactLayout layout;
+  layout.width = options.width;
+  layout.height = options.height;
+  layout.sizes = sizesFor(options);
+  layout.theme = options.theme;
+  layout.view = resolvedView(frame, options.view);
+  layout.scale = {options.overlay, endIn(layout.view, options.overlay)};
+  if (valuesOf(frame, options.overlay).size() != frame.lineHeight.size())
+    layout.scale = {};  // the frame lacks them
+  const std::string reason = layout.scale.isShown() ? "" : reasonUncoloured(frame, options.overlay);
+  const bool hasLegend = layout.scale.isShown() || !reason.empty();
+  const Sizes& s = layout.sizes;
+  const float u = s.unit;
+  const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
+
+  const float pad = std::round(10 * u);
+  const float tickRow = std::round(8 * u + s.small);
+  const float titleRow = std::round(s.small * 1.5F);
+  const float footerRow = std::round(s.small * 2.9F);
+  const float room = height - headerBottom - pad;
+  layout.axisTitles = room - tickRow > 90 * u;
+  const bool footer = room - tickRow - titleRow - footerRow > 150 * u;
+
+  // Sideways: the height axis' labels decide.
+  const float plotTop = std::round(headerBottom + pad);
+  float below = tickRow + pad * 0.6F;
+  const bool hasLine = layout.axisTitles || (hasLegend && room - tickRow - titleRow > kLowest * u);
+  if (hasLine) below += titleRow;
+  const float exaggeration = textWidth(exaggerationText(layout) + "0000", s.small);
+  const std::string title = layout.scale.isShown() ? layout.scale.title() : reason;
+  const float titleWidth = textWidth(title, s.small);
+  // Decades need more room for their numbers than even steps do.
+  const bool isPower = layout.scale.overlay == ContactOverlay::Power;
+  const float barWidth = std::round(isPower ? std::clamp(width * 0.26F, 150 * u, 360 * u)
+                                            : std::clamp(width * 0.2F, 110 * u, 300 * u));
+  const bool oneRow = exaggeration + titleWidth + barWidth + 5 * pad < width;
+  const bool titleFits = titleWidth + barWidth + 4 * pad < width;
+  if (footer) below += oneRow ? footerRow : footerRow + titleRow;
+  layout.plot.y = plotTop;
+  layout.plot.height = std::max(1.0F, std::round(height - below) - plotTop);
+  layout.heightTicks =
+      ticksUp(layout.view.bottom, layout.view.top, layout.plot.height, 48 * u, s.small, "m");
+  if (!layout.axisTitles) nameUnit(layout.heightTicks);
+  const float left = widestLabel(layout.heightTicks, s.small) + 9 * u + pad +
+                     (layout.axisTitles ? s.small * 1.6F : 0);
+  layout.plot.x = std::round(left);
+  layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);
+  layout.xTicks = roomyTicks(layout.view.left, layout.view.left + layout.view.width,
+                             layout.plot.width, s.small, "m");
+  if (!layout.axisTitles) {
+    nameUnit(layout.xTicks);
+    dropTicksUnderLast(layout);
+  }
+  layout.marked = narrowContact(frame, kNarrow * u / layout.pixelsPerMetreAlong());
+  const float ticks = std::round(layout.plot.bottom() + 8 * u + s.small * 0.9F);
+  layout.axisTitle = {layout.plot.x + layout.plot.width / 2, std::round(ticks + s.small * 1.45F)};
+  if (!footer) {
+    if (hasLine) placeInLine(layout, reason);
+    return layout;
+  }
+
+  const float bar = std::round(10 * u);
+  const float legendTop = std::round(height - s.small * 1.6F - bar - 3 * u);
+  const float middle = std::round(legendTop + bar / 2 + s.small * 0.36F);
+  if (titleFits && layout.scale.isShown()) {
+    layout.legend.bar = {std::round(width - 2 * pad - barWidth), legendTop, barWidth, bar};
+    layout.legend.titleEnd = {layout.legend.bar.x - kTitleGap * u, middle};
+  } else {
+    layout.legend.titleEnd = {layout.plot.right(), middle};
+  }
+  if (titleFits && hasLegend) layout.legend.title = title;
+  layout.footer = oneRow ? std::round(legendTop + bar * 0.5F + s.small * 0.36F)
+                         : std::round(legendTop - s.small * 0.8F);
+  const float footerEnd = oneRow && !layout.legend.title.empty()
+                              ? layout.legend.titleEnd.x - titleWidth - 3 * pad
+                              : width - 2 * pad;
+  layout.footerWidth = std::max(0.0F, footerEnd - layout.plot.x);
+  return layout;
+}
+
+}  // namespace asperity

@@ -1,0 +1,59 @@
+// Where the parts of a contact picture go, and the way from metres to pixels. Private to
+// ui/contact. Plain values; any thread.
+#pragma once
+
+#include "ui/contact/contact_overlay.h"
+#include "ui/contact/contact_picture.h"
+#include "ui/draw/shapes.h"
+#include "ui/draw/ticks.h"
+
+namespace asperity {
+
+/// Sizes in pixels; whole numbers for fonts, as the painter knows no others.
+struct Sizes {
+  float unit = 1;  // of line widths and distances
+  float title = 18, body = 13, small = 11;
+};
+Sizes sizesFor(const ContactPictureOptions& options);
+
+inline constexpr float kNumberGap = 6;  // units, from a legend's bar to a number beside it
+
+/// What the colours mean: a title, a bar, and numbers below it or, where the picture is low, beside
+/// it in one line.
+struct LegendPlace {
+  Box bar;              // no width: nothing is coloured, or there is no room
+  bool inLine = false;  // numbers stand beside the bar
+  std::string title;    // or why nothing is coloured; may be empty
+  Place titleEnd;       // of its baseline, at the right
+};
+
+struct ContactLayout {
+  int width = 0, height = 0;
+  Sizes sizes;
+  Theme theme;
+  ContactView view;  // resolved
+  Box plot;
+  AxisTicks xTicks, heightTicks;
+  ColourScale scale;
+  bool axisTitles = true;
+  Place axisTitle;  // of the axis along: middle of its baseline
+  LegendPlace legend;
+  float footer = 0;  // baseline of the footer's text; 0: none
+  float footerWidth = 0;
+  std::optional<std::size_t> marked;  // point of a contact so narrow that a dot has to show it
+
+  double pixelsPerMetreAlong() const;
+  double pixelsPerMetreUp() const;
+  float px(double x) const;
+  float py(double metres) const;  // heights as in Frame
+};
+
+/// `headerBottom`: pixels taken by the title and readings.
+ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& options,
+                            float headerBottom);
+
+/// "position (mm)".
+std::string axisTitleAlong(const ContactLayout& layout);
+std::string exaggerationText(const ContactLayout& layout);
+
+}  // namespace asperity

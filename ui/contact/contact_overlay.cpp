@@ -1,0 +1,185 @@
+#include "ui/contact/contact_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/contact/arms/retardation.h"
+#include "core/material/element_law.h"
+#include "ui/language/words.h"
+#include "ui/draw/colours.h"
+#include "ui/contact/contact_forces.h"
+#include "ui/contact/decimate.h"
+#include "ui/contact/narrow_contact.h"
+#include "ui/draw/ticks.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kPowerDecades = 3;
+// A free surface has come back after so many of its longest relaxation times.
+constexpr double kRelaxationTimes = 4;
+
+std::string_view unitOf(ContactOverlay overlay) {
+  if (overlay == ContactOverlay::Relaxation) return "s";
+  return overlay == ContactOverlay::Power ? "W/m" : "N/m";
+}
+
+/// The end with the unit that the numbers before it count in: "200 N/m" or, where there is no
+/// prefix any more, "5×10⁻²⁹ N/m".
+std::string lastLabel(double end, const AxisTicks& axis, std::string_view unit) {
+  const bool hasPrefix = axis.unitSize == prefixFor(end).size;
+  return hasPrefix ? shortNumber(end / axis.unitSize) + " " + axis.unit : quantity(end, unit);
+}
+
+double greatestOf(const std::vector<double>& values) {
+  double greatest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) greatest = std::max(greatest, value);
+  return greatest;
+}
+
+/// s; infinite where nothing relaxes to rest.
+double longestRelaxation(const Frame& frame) {
+  if (!frame.scene) return std::numeric_limits<double>::infinity();
+  const RetardationModes modes = retardationModes(lawOf(frame.scene->elastomer));
+  return modes.modes() > 0 ? 1 / modes.rate.front() : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+FrameFields fieldsFor(ContactOverlay overlay) {
+  FrameFields fields;
+  fields.sinceContact = overlay == ContactOverlay::Relaxation;
+  fields.power = overlay == ContactOverlay::Power;
+  return fields;
+}
+
+std::string_view wordFor(ContactOverlay overlay) {
+  switch (overlay) {
+    case ContactOverlay::Pressure:
+      return "pressure";
+    case ContactOverlay::Relaxation:
+      return "relaxation";
+    case ContactOverlay::Power:
+      return "power";
+    default:
+      return "none";
+  }
+}
+
+float ColourScale::share(double value) const {
+  if (!(end > 0) || std::isnan(value)) return 0;
+  double share = value / end;
+  if (overlay == ContactOverlay::Power)
+    share = share > 0 ? 1 + std::log10(share) / kPowerDecades : 0;
+  return static_cast<float>(std::clamp(share, 0.0, 1.0));
+}
+
+double ColourScale::leastShown() const {
+  return overlay == ContactOverlay::Power ? end * std::pow(10, -kPowerDecades) : 0;
+}
+
+Rgba ColourScale::colourAt(float share) const {
+  return overlay == ContactOverlay::Relaxation ? ageColour(share) : pressureColour(share);
+}
+
+std::string ColourScale::title() const {
+  switch (overlay) {
+    case ContactOverlay::Relaxation:
+      return Words::tr("time since contact");
+    case ContactOverlay::Power:
+      return Words::tr("dissipated power (log scale)");
+    default:
+      return Words::tr("contact pressure (line load)");
+  }
+}
+
+std::string ColourScale::shortTitle() const {
+  switch (overlay) {
+    case ContactOverlay::Relaxation:
+      return Words::tr("since contact");
+    case ContactOverlay::Power:
+      return Words::tr("power (log)");
+    default:
+      return Words::tr("pressure");
+  }
+}
+
+std::vector<LegendTick> ColourScale::ticks(int most) const {
+  const AxisTicks round = linearTicks(0, end, most, unitOf(overlay));
+  const std::string last = lastLabel(end, round, unitOf(overlay));
+  std::vector<LegendTick> ticks;
+  if (overlay == ContactOverlay::Power) {
+    // One unit for all: numbers alone are short enough to stand at each decade.
+    for (int decade = kPowerDecades; decade > 0; --decade) {
+      const double value = end * std::pow(10, -decade);
+      ticks.push_back({share(value), shortNumber(value / round.unitSize)});
+    }
+  } else {
+    for (const Tick& tick : round.ticks)
+      if (tick.value < end * (1 - 1e-9))
+        ticks.push_back({share(tick.value), tick.value == 0 ? "0" : tick.label});
+  }
+  ticks.push_back({1, last});
+  return ticks;
+}
+
+std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
+  const std::vector<double>& values = valuesOf(frame, overlay);
+  if (!isDrawable(frame) || values.size() != frame.lineHeight.size() || greatestOf(values) > 0)
+    return {};
+  const bool rests = velocityOf(frame) == 0;
+  // Points that are all in contact would bear pressure.
+  const bool touches =
+      frame.contactFraction < 1 && (frame.normalForce > 0 || frame.contactFraction > 0);
+  if (touches && !(greatestOf(frame.pressure) > 0))
+    return Words::tr("no colours: contact lies between two points");
+  if (overlay == ContactOverlay::Pressure) return Words::tr("no colours: nothing touches");
+  if (overlay == ContactOverlay::Power)
+    return rests ? Words::tr("no colours: nothing is dissipated at rest")
+                 : Words::tr("no colours: nothing is dissipated");
+  if (frame.contactFraction >= 1) return Words::tr("no colours: all of the surface is in contact");
+  return rests ? Words::tr("no colours: at rest nothing leaves contact")
+               : Words::tr("no colours: nothing has left contact yet");
+}
+
+const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay) {
+  static const std::vector<double> none;
+  switch (overlay) {
+    case ContactOverlay::Pressure:
+      return frame.pressure;
+    case ContactOverlay::Relaxation:
+      return frame.sinceContact;
+    case ContactOverlay::Power:
+      return frame.power;
+    default:
+      return none;
+  }
+}
+
+double scaleEnd(const Frame& frame, ContactOverlay overlay, double last) {
+  constexpr double kInHand = 1.1;  // or it would change often
+  if (overlay == ContactOverlay::Pressure && frame.steadyPressure > 0)
+    return roundUp(kInHand * frame.steadyPressure);
+  double greatest = greatestOf(valuesOf(frame, overlay));
+  if (overlay == ContactOverlay::Relaxation && greatest > 0)
+    greatest = std::min(greatest, kRelaxationTimes * longestRelaxation(frame));
+  if (!(greatest > 0) || (greatest <= last && greatest > 0.4 * last)) return last;
+  return roundUp(overlay == ContactOverlay::Relaxation ? greatest : kInHand * greatest);
+}
+
+double endIn(const ContactView& view, ContactOverlay overlay) {
+  switch (overlay) {
+    case ContactOverlay::Pressure:
+      return view.pressure;
+    case ContactOverlay::Relaxation:
+      return view.age;
+    case ContactOverlay::Power:
+      return view.power;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,53 @@
+#include "ui/contact/contact_probe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/language/words.h"
+#include "ui/contact/decimate.h"
+#include "ui/draw/ticks.h"
+
+namespace asperity {
+
+std::optional<ProbeReading> probeReading(const Frame& frame, double x) {
+  if (!isDrawable(frame) || !std::isfinite(x)) return std::nullopt;
+  const auto count = static_cast<double>(frame.lineHeight.size());
+  const double nearest = std::round(x / frame.spacing);
+  const double wrapped = nearest - count * std::floor(nearest / count);
+  const std::size_t n = frame.lineHeight.size();
+  const std::size_t i = std::min(static_cast<std::size_t>(wrapped), n - 1);
+  ProbeReading reading;
+  reading.point = i;
+  reading.position = static_cast<double>(i) * frame.spacing;
+  reading.line = frame.lineHeight[i];
+  reading.surface = frame.surfaceHeight[i];
+  reading.pressure = frame.pressure[i];
+  reading.gap = reading.pressure > 0 ? 0 : std::max(reading.line - reading.surface, 0.0);
+  reading.slope = frame.lineSlope.size() == n
+                      ? frame.lineSlope[i]
+                      : (frame.lineHeight[(i + 1) % n] - frame.lineHeight[(i + n - 1) % n]) /
+                            (2 * frame.spacing);
+  if (frame.sinceContact.size() == n && std::isfinite(frame.sinceContact[i]))
+    reading.age = frame.sinceContact[i];
+  if (frame.power.size() == n) reading.power = frame.power[i];
+  return reading;
+}
+
+std::vector<ProbeLine> probeLines(const ProbeReading& reading) {
+  std::vector<ProbeLine> lines{
+      {Words::tr("position x"), quantity(reading.position, "m", 4, Zeros::Keep)},
+      {Words::tr("rigid line z"), quantity(reading.line, "m", 3, Zeros::Keep)},
+      {Words::tr("elastomer u"), quantity(reading.surface, "m", 3, Zeros::Keep)}};
+  if (reading.pressure > 0)
+    lines.push_back({Words::tr("pressure p"), quantity(reading.pressure, "N/m", 3, Zeros::Keep)});
+  else
+    lines.push_back({Words::tr("gap"), quantity(reading.gap, "m", 3, Zeros::Keep)});
+  lines.push_back({Words::tr("slope z\u2032"), shortNumber(reading.slope, 3, Zeros::Keep)});
+  if (reading.age && *reading.age > 0)
+    lines.push_back({Words::tr("free for"), quantity(*reading.age, "s", 3, Zeros::Keep)});
+  if (reading.power)
+    lines.push_back({Words::tr("dissipates"), quantity(*reading.power, "W/m", 3, Zeros::Keep)});
+  return lines;
+}
+
+}  // namespace asperity

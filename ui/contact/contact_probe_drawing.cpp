@@ -1,0 +1,137 @@
+// The crosshair of a contact picture and its readout.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/draw/colours.h"
+#include "ui/contact/contact_insets.h"
+#include "ui/contact/contact_probe.h"
+#include "ui/draw/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+bool overlap(const Box& a, const Box& b) {
+  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+/// Of the text with its ascenders and descenders, turned or not.
+Box boxOf(const DrawText& text) {
+  const float width = textWidth(text.utf8, text.size, text.bold);
+  const float start = text.anchor == TextAnchor::Left     ? 0
+                      : text.anchor == TextAnchor::Centre ? -width / 2
+                                                          : -width;
+  if (text.angle != 0) return {text.x - text.size, text.y - start - width, text.size * 1.3F, width};
+  return {text.x + start, text.y - 0.8F * text.size, width, 1.05F * text.size};
+}
+
+struct Readout {
+  std::vector<ProbeLine> lines;
+  float labels = 0, values = 0;  // pixels
+  float row = 0, inset = 0, gap = 0;
+
+  float width() const { return labels + gap + values + 2 * inset; }
+  float height() const { return row * static_cast<float>(lines.size()) + 1.4F * inset; }
+};
+
+Readout readoutOf(const ProbeReading& reading, const Sizes& s) {
+  Readout readout;
+  readout.lines = probeLines(reading);
+  readout.row = std::round(1.42F * s.small);
+  readout.inset = std::round(0.75F * s.small);
+  readout.gap = std::round(s.small);
+  for (const ProbeLine& line : readout.lines) {
+    readout.labels = std::max(readout.labels, textWidth(line.label, s.small));
+    readout.values = std::max(readout.values, textWidth(line.value, s.small, true));
+  }
+  return readout;
+}
+
+/// Beside the crosshair, on the side with more room; high or low, where the dots are not.
+Box placeOf(const Readout& readout, float x, float upper, float lower, const ContactLayout& layout,
+            const Box& taken) {
+  const Box& plot = layout.plot;
+  const float away = std::round(14 * layout.sizes.unit), edge = std::round(4 * layout.sizes.unit);
+  const float w = readout.width(), h = readout.height();
+  const float right = x + away, left = x - away - w;
+  const float most = std::max(plot.x + edge, plot.right() - edge - w);
+  const bool goesRight = right <= most;
+  const float middle = 0.5F * (upper + lower) - 0.5F * h;
+  // Below the row of labels where there is room.
+  const float row = std::round(1.75F * (layout.sizes.small + 1)) + 2 * edge;
+  const float low = std::max(plot.y + edge, plot.bottom() - edge - h);
+  const float least = plot.y + edge + (plot.y + edge + row <= low ? row : 0);
+  std::vector<Box> places;
+  for (const float side : goesRight ? std::array{right, left} : std::array{left, right})
+    for (const float y : {middle, least, low})
+      places.push_back({std::round(std::clamp(side, plot.x + edge, most)),
+                        std::round(std::clamp(y, least, low)), w, h});
+  for (const Box& place : places) {
+    const bool coversPoint = place.x < x + 0.5F * away && place.right() > x - 0.5F * away;
+    if (!coversPoint && !overlap(place, taken)) return place;
+  }
+  // A narrow plot: above or below the dots.
+  Box place = places.front();
+  place.y = upper - plot.y > plot.bottom() - lower ? upper - away - h : lower + away;
+  if (place.x > x + 0.5F * away || place.right() < x - 0.5F * away) place.y = places.front().y;
+  return place;
+}
+
+void addReadout(DrawList& list, const Readout& readout, const Box& box,
+                const ContactLayout& layout) {
+  removeTextsUnder(list, box);
+  const Theme& t = layout.theme;
+  const float u = std::max(1.0F, std::round(layout.sizes.unit));
+  DrawLayer layer;
+  addRectangle(layer, {box.x - u, box.y - u, box.width + 2 * u, box.height + 2 * u}, t.axis);
+  Rgba paper = t.background;
+  paper.a = 1;
+  addRectangle(layer, box, paper);
+  list.layers.push_back(std::move(layer));
+  const float size = layout.sizes.small;
+  float baseline = box.y + 0.7F * readout.inset + std::round(0.5F * readout.row + 0.36F * size);
+  for (const ProbeLine& line : readout.lines) {
+    addText(list, {{line.label}}, {box.x + readout.inset, std::round(baseline)}, size, t.faintText);
+    const float width = textWidth(line.value, size, true);
+    addText(list, {{line.value, true}},
+            {std::floor(box.right() - readout.inset - width), std::round(baseline)}, size, t.text);
+    baseline += readout.row;
+  }
+}
+
+}  // namespace
+
+void removeTextsUnder(DrawList& list, const Box& box) {
+  std::erase_if(list.texts, [&](const DrawText& text) { return overlap(boxOf(text), box); });
+}
+
+void addProbe(DrawList& list, const Frame& frame, double x, const ContactLayout& layout,
+              const Box& taken) {
+  const auto reading = probeReading(frame, x);
+  if (!reading) return;
+  // The period in which the crosshair is.
+  const double period = frame.spacing * static_cast<double>(frame.lineHeight.size());
+  const double place = reading->position + period * std::round((x - reading->position) / period);
+  const Box& plot = layout.plot;
+  const float u = layout.sizes.unit;
+  const float px = layout.px(place);
+  if (px < plot.x - 1 || px > plot.right() + 1) return;
+  const float line = layout.py(reading->line), surface = layout.py(reading->surface);
+  DrawLayer layer;
+  layer.clip = {plot.x, plot.y, plot.width, plot.height};
+  addLine(layer, {{px, plot.y}, {px, plot.bottom()}}, 3 * u,
+          withAlpha(layout.theme.background, 0.35F));
+  addLine(layer, {{px, plot.y}, {px, plot.bottom()}}, 1.2F * u, withAlpha(layout.theme.text, 0.8F));
+  for (const float y : {surface, line}) {
+    addLine(layer, {{px, y}}, 9 * u, layout.theme.text);
+    addLine(layer, {{px, y}}, 6 * u, y == line ? layout.theme.rigid : layout.theme.highlight);
+  }
+  list.layers.push_back(std::move(layer));
+  const Readout readout = readoutOf(*reading, layout.sizes);
+  if (readout.width() + 8 * u > plot.width || readout.height() + 8 * u > plot.height) return;
+  const float upper = std::clamp(std::min(line, surface), plot.y, plot.bottom());
+  const float lower = std::clamp(std::max(line, surface), plot.y, plot.bottom());
+  addReadout(list, readout, placeOf(readout, px, upper, lower, layout, taken), layout);
+}
+
+}  // namespace asperity

@@ -1,0 +1,64 @@
+#include "ui/contact/contact_tags.h"
+
+#include <cmath>
+#include <utility>
+
+#include "ui/draw/colours.h"
+
+namespace asperity {
+
+TagPainter::TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows,
+                       const ContactLayout& layout)
+    : list_(list),
+      plates_(plates),
+      arrows_(arrows),
+      layout_(layout),
+      size_(layout.sizes.small + 1),
+      inset_(std::round(9 * layout.sizes.unit)) {}
+
+float TagPainter::height() const {
+  return std::round(size_ * 1.75F);
+}
+
+float TagPainter::width(const Tag& tag) const {
+  float inner = textWidth(tag.before, size_) + textWidth(tag.after, size_) + arrowWidth(tag.arrow);
+  if (!tag.before.empty() && tag.arrow != ArrowWay::None) inner += space();
+  if (!tag.after.empty()) inner += space();
+  return std::ceil(inner) + 2 * inset_;
+}
+
+void TagPainter::paint(const Tag& tag, Place topLeft, const Rgba& plate) {
+  addPill(plates_, {topLeft.x, topLeft.y, width(tag), height()}, withAlpha(plate, 0.86F));
+  const Rgba colour = textOn(plate);
+  const float baseline = std::round(topLeft.y + height() / 2 + size_ * 0.36F);
+  float x = topLeft.x + inset_;
+  if (!tag.before.empty()) x = addText(list_, tag.before, {x, baseline}, size_, colour);
+  if (tag.arrow != ArrowWay::None) {
+    if (!tag.before.empty()) x += space();
+    paintArrow(tag.arrow, x, topLeft.y + height() / 2, layout_.theme.highlight);
+    x += arrowWidth(tag.arrow);
+  }
+  if (!tag.after.empty()) addText(list_, tag.after, {x + space(), baseline}, size_, colour);
+}
+
+float TagPainter::space() const {
+  return std::round(size_ * 0.6F);
+}
+
+float TagPainter::arrowWidth(ArrowWay way) const {
+  if (way == ArrowWay::None) return 0;
+  return std::round(size_ * (way == ArrowWay::Down ? 0.8F : 2.6F));
+}
+
+void TagPainter::paintArrow(ArrowWay way, float x, float middle, const Rgba& colour) {
+  const float u = layout_.sizes.unit, length = arrowWidth(way);
+  Place from{x, middle}, to{x + length, middle};
+  if (way == ArrowWay::Left) std::swap(from, to);
+  if (way == ArrowWay::Down) {
+    from = {x + length / 2, middle - height() * 0.34F};
+    to = {x + length / 2, middle + height() * 0.34F};
+  }
+  addArrow(arrows_, from, to, 8 * u, 2.4F * u, colour);
+}
+
+}  // namespace asperity

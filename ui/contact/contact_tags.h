@@ -1,0 +1,38 @@
+// Short labels inside the axes: words and an arrow on a soft plate. Private to ui/contact.
+#pragma once
+
+#include "ui/contact/contact_layout.h"
+
+namespace asperity {
+
+enum class ArrowWay { None, Left, Right, Down };
+
+/// Words, an arrow, words.
+struct Tag {
+  TextRuns before;
+  ArrowWay arrow = ArrowWay::None;
+  TextRuns after;
+};
+
+/// Paints tags, all in one size: their plates in one layer, their arrows in another. The list,
+/// layers and layout must outlive it.
+class TagPainter {
+ public:
+  TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows, const ContactLayout& layout);
+
+  float height() const;
+  float width(const Tag& tag) const;
+  void paint(const Tag& tag, Place topLeft, const Rgba& plate);
+
+ private:
+  float space() const;
+  float arrowWidth(ArrowWay way) const;
+  void paintArrow(ArrowWay way, float x, float middle, const Rgba& colour);
+
+  DrawList& list_;
+  DrawLayer &plates_, &arrows_;
+  const ContactLayout& layout_;
+  float size_, inset_;
+};
+
+}  // namespace asperity

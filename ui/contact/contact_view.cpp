@@ -1,0 +1,88 @@
+// Which heights and pressures are shown.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/contact/contact_overlay.h"
+#include "ui/contact/contact_picture.h"
+#include "ui/contact/decimate.h"
+#include "ui/draw/ticks.h"
+
+namespace asperity {
+namespace {
+
+// Room above and below the rough interface, as shares of its extent: for the bodies and their
+// labels.
+constexpr double kAbove = 0.24, kBelow = 0.30;
+constexpr double kMostPeriods = 50;
+
+struct Extent {
+  double low = 0, high = 0;
+  double size() const { return high - low; }
+};
+
+Extent interfaceExtent(const Frame& frame) {
+  Extent extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const std::vector<double>* heights : {&frame.lineHeight, &frame.surfaceHeight}) {
+    for (const double height : *heights) {
+      if (!std::isfinite(height)) continue;
+      extent.low = std::min(extent.low, height);
+      extent.high = std::max(extent.high, height);
+    }
+  }
+  return extent.low <= extent.high ? extent : Extent{};
+}
+
+/// A flat interface is shown together with the undeformed surface, or with a micrometre around it.
+Extent withSubstance(Extent extent) {
+  const double farthest = std::max(std::abs(extent.low), std::abs(extent.high));
+  if (extent.size() > 1e-9 * farthest) return extent;
+  if (farthest == 0) return {-0.5e-6, 0.5e-6};
+  return {std::min(extent.low, 0.0) - 0.2 * farthest, std::max(extent.high, 0.0) + 0.2 * farthest};
+}
+
+bool stillFits(const ContactView& view, const Extent& extent) {
+  const double size = view.top - view.bottom;
+  const double fill = extent.size() / size;
+  return size > 0 && fill > 0.48 && extent.high < view.top - 0.10 * size &&
+         extent.low > view.bottom + 0.09 * size;
+}
+
+}  // namespace
+
+ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last) {
+  ContactView view = last.value_or(ContactView{});
+  const Extent extent = withSubstance(interfaceExtent(frame));
+  if (!stillFits(view, extent)) {
+    // Outwards to round places, so that small changes leave the axis alone even without `last`.
+    const double grid = roundUp125(extent.size() / 20);
+    view.bottom = std::floor((extent.low - kBelow * extent.size()) / grid) * grid;
+    view.top = std::ceil((extent.high + kAbove * extent.size()) / grid) * grid;
+  }
+  view.pressure = scaleEnd(frame, ContactOverlay::Pressure, view.pressure);
+  view.age = scaleEnd(frame, ContactOverlay::Relaxation, view.age);
+  view.power = scaleEnd(frame, ContactOverlay::Power, view.power);
+  return view;
+}
+
+ContactView resolvedView(const Frame& frame, const ContactView& view) {
+  const double period = isDrawable(frame)
+                            ? frame.spacing * static_cast<double>(frame.lineHeight.size())
+                        : frame.length > 0 ? frame.length
+                                           : 1;
+  ContactView resolved = view;
+  if (!std::isfinite(resolved.left)) resolved.left = 0;
+  if (!(resolved.width > 0)) resolved.width = period;
+  resolved.width = std::min(resolved.width, kMostPeriods * period);
+  const ContactView fitted = fittedView(frame);
+  if (!(resolved.bottom < resolved.top) || !std::isfinite(resolved.top - resolved.bottom)) {
+    resolved.bottom = fitted.bottom;
+    resolved.top = fitted.top;
+  }
+  if (!(resolved.pressure > 0)) resolved.pressure = fitted.pressure;
+  if (!(resolved.age > 0)) resolved.age = fitted.age;
+  if (!(resolved.power > 0)) resolved.power = fitted.power;
+  return resolved;
+}
+
+}  // namespace asperity

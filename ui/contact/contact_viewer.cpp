@@ -1,0 +1,154 @@
+#include "ui/contact/contact_viewer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/contact/decimate.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kStep = 1.25;    // enlargement of one step
+constexpr double kHeights = 0.7;  // a usual Hurst exponent
+constexpr double kFewest = 8;     // elements across the plot
+// Another asperity has to be pressed so much more before the magnifier leaves for it; within this
+// part of the period it is still the same one.
+constexpr double kMore = 1.25, kSame = 0.01;
+
+double periodOf(const Frame& frame) {
+  return frame.spacing * static_cast<double>(frame.lineHeight.size());
+}
+
+/// Whether colours go on: another scene, the end of settling and a motion that begins anew have a
+/// scale of their own, whatever was shown before.
+bool showsTheSame(const Frame& last, const Frame& now) {
+  return last.sceneNumber == now.sceneNumber && last.isSettling == now.isSettling &&
+         last.time <= now.time;
+}
+
+}  // namespace
+
+void ContactViewer::setFrame(std::shared_ptr<const Frame> frame) {
+  const std::shared_ptr<const Frame> last = std::exchange(frame_, std::move(frame));
+  if (!frame_) return;
+  if (last && last->length != frame_->length) fit();
+  if (fitted_ && last && !showsTheSame(*last, *frame_))
+    fitted_->pressure = fitted_->age = fitted_->power = 0;
+  fitted_ = fittedView(*frame_, fitted_);
+  fitted_->left = fitted_->width = 0;
+  if (magnifies_) followPeak(last.get());
+}
+
+/// The greatest pressure, unless what was the greatest is still about as much.
+void ContactViewer::followPeak(const Frame* last) {
+  const Frame& frame = *frame_;
+  if (!isDrawable(frame)) return;
+  const double period = periodOf(frame);
+  const double moved = last && last->length == frame.length ? frame.distance - last->distance : 0;
+  const double here = peak_ + moved;
+  std::size_t most = 0;
+  std::optional<std::size_t> same;
+  for (std::size_t i = 0; i < frame.pressure.size(); ++i) {
+    const double p = frame.pressure[i];
+    if (p > frame.pressure[most]) most = i;
+    const double away = std::remainder(static_cast<double>(i) * frame.spacing - here, period);
+    if (p > 0 && std::abs(away) < kSame * period && (!same || p > frame.pressure[*same])) same = i;
+  }
+  const bool stays = same && frame.pressure[most] < kMore * frame.pressure[*same];
+  // It goes with the line, not with the element that happens to be pressed most.
+  peak_ = stays ? here : static_cast<double>(most) * frame.spacing;
+}
+
+ContactView ContactViewer::view() const {
+  const ContactView fitted = resolvedView(*frame_, fitted_.value_or(ContactView{}));
+  return navigation_.applied(fitted, isDrawable(*frame_) ? periodOf(*frame_) : fitted.width,
+                             frame_->distance);
+}
+
+double ContactViewer::finest() const {
+  const double points = frame_ ? static_cast<double>(frame_->lineHeight.size()) : 0;
+  return points > kFewest ? kFewest / points : 1;
+}
+
+ContactPictureOptions ContactViewer::options() const {
+  ContactPictureOptions options;
+  options.view = view();
+  options.overlay = overlay_;
+  options.probe = pointer();
+  if (magnifies_) options.magnifier = Magnifier{options.probe.value_or(peak_)};
+  return options;
+}
+
+FrameFields ContactViewer::fields() const {
+  FrameFields fields = fieldsFor(overlay_);
+  fields.lineSlope = cursor_ || element_;
+  return fields;
+}
+
+void ContactViewer::zoom(const ViewPlace& at, double steps) {
+  navigation_ =
+      navigation_.zoomed(at, std::pow(kStep, steps), std::pow(kStep, kHeights * steps), finest());
+  // Out to the whole period means everything.
+  if (steps < 0 && navigation_.enlargement() == 1) fit();
+}
+
+void ContactViewer::exaggerate(const ViewPlace& at, double steps) {
+  navigation_ = navigation_.zoomed(at, 1, std::pow(kStep, steps), finest());
+}
+
+void ContactViewer::pan(double along, double up) {
+  // A view of all heights stays one.
+  navigation_ = navigation_.panned(along, navigation_.isFittedUp() ? 0 : up);
+}
+
+void ContactViewer::fit() {
+  navigation_ = navigation_.fitted();
+}
+
+void ContactViewer::fitHeights() {
+  navigation_ = navigation_.withFittedHeights();
+}
+
+void ContactViewer::follow(bool follows) {
+  if (!frame_ || !isDrawable(*frame_))
+    navigation_ = navigation_.following(follows, 1, 0);
+  else
+    navigation_ = navigation_.following(follows, periodOf(*frame_), frame_->distance);
+}
+
+void ContactViewer::pointAt(std::optional<ViewPlace> place) {
+  cursor_ = place;
+  element_.reset();
+}
+
+void ContactViewer::movePointer(int elements) {
+  if (!frame_ || !isDrawable(*frame_)) return;
+  const ContactView seen = view();
+  const double from = pointer().value_or(seen.left + 0.5 * seen.width);
+  double to = std::round(from / frame_->spacing + elements) * frame_->spacing;
+  // It leaves the view on one side and comes in on the other.
+  if (to < seen.left) to = seen.left + seen.width - 0.5 * frame_->spacing;
+  if (to > seen.left + seen.width) to = seen.left + 0.5 * frame_->spacing;
+  cursor_.reset();
+  element_ = std::round(to / frame_->spacing) * frame_->spacing;
+}
+
+std::optional<double> ContactViewer::pointer() const {
+  if (!frame_) return std::nullopt;
+  if (!cursor_) return element_;
+  const ContactView seen = view();
+  return seen.left + cursor_->along * seen.width;
+}
+
+std::optional<ProbeReading> ContactViewer::reading() const {
+  const auto x = pointer();
+  return x ? probeReading(*frame_, *x) : std::nullopt;
+}
+
+void ContactViewer::magnify(bool magnifies) {
+  magnifies_ = magnifies;
+  if (magnifies && frame_) followPeak(nullptr);
+}
+
+}  // namespace asperity

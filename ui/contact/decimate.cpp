@@ -1,0 +1,162 @@
+#include "ui/contact/decimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+constexpr double kFarthest = 1e15;  // points from the origin; beyond, positions lose their meaning
+
+class PeriodicPoints {
+ public:
+  PeriodicPoints(const Frame& frame, const std::vector<double>& heights,
+                 const std::vector<double>& values)
+      : frame_(frame),
+        heights_(heights),
+        values_(values),
+        count_(static_cast<std::int64_t>(heights.size())) {}
+
+  CurveVertex at(std::int64_t index) const {
+    const std::size_t i = wrapped(index);
+    return {static_cast<double>(index) * frame_.spacing, heights_[i],
+            values_.empty() ? 0 : values_[i]};
+  }
+  bool isAbove(std::int64_t index, double least) const { return values_[wrapped(index)] > least; }
+
+ private:
+  std::size_t wrapped(std::int64_t index) const {
+    const std::int64_t rest = index % count_;
+    return static_cast<std::size_t>(rest < 0 ? rest + count_ : rest);
+  }
+
+  const Frame& frame_;
+  const std::vector<double>& heights_;
+  const std::vector<double>& values_;
+  std::int64_t count_;
+};
+
+double column(const CurveVertex& vertex, const Columns& columns) {
+  return std::floor((vertex.x - columns.left) * columns.pixelsPerMetre);
+}
+
+/// Lowest and highest of the points of one column.
+class ColumnExtremes {
+ public:
+  void add(const CurveVertex& vertex) {
+    if (empty_) low_ = high_ = vertex;
+    if (vertex.height < low_.height) low_ = vertex;
+    if (vertex.height > high_.height) high_ = vertex;
+    value_ = empty_ ? vertex.value : std::max(value_, vertex.value);
+    empty_ = false;
+  }
+  void flushInto(std::vector<CurveVertex>& curve) {
+    if (empty_) return;
+    low_.value = high_.value = value_;
+    const bool lowFirst = low_.x <= high_.x;
+    curve.push_back(lowFirst ? low_ : high_);
+    if (low_.x != high_.x) curve.push_back(lowFirst ? high_ : low_);
+    empty_ = true;
+  }
+
+ private:
+  CurveVertex low_, high_;
+  double value_ = 0;
+  bool empty_ = true;
+};
+
+/// Merges stretches closer than a column as their points come along.
+class StretchCollector {
+ public:
+  StretchCollector(const Columns& columns, bool everyPoint)
+      : columns_(columns), everyPoint_(everyPoint) {}
+
+  void add(std::int64_t index, const CurveVertex& vertex) {
+    const bool follows = index == lastIndex_ + 1;
+    const double here = column(vertex, columns_);
+    const bool sameColumn = !everyPoint_ && here == column_;
+    if (stretches_.empty() || !(follows || sameColumn)) {
+      flush();
+      stretches_.emplace_back();
+    } else if (everyPoint_ || !sameColumn) {
+      flush();
+    }
+    extremes_.add(vertex);
+    lastIndex_ = index;
+    column_ = here;
+  }
+
+  std::vector<std::vector<CurveVertex>> take() {
+    flush();
+    return std::move(stretches_);
+  }
+
+ private:
+  void flush() {
+    if (!stretches_.empty()) extremes_.flushInto(stretches_.back());
+  }
+
+  const Columns columns_;
+  const bool everyPoint_;
+  std::vector<std::vector<CurveVertex>> stretches_;
+  ColumnExtremes extremes_;
+  std::int64_t lastIndex_ = -2;
+  double column_ = 0;
+};
+
+bool fitsEveryPoint(const Frame& frame, const Columns& columns) {
+  return frame.spacing * columns.pixelsPerMetre >= 0.5;
+}
+
+}  // namespace
+
+bool isDrawable(const Frame& frame) {
+  const std::size_t n = frame.lineHeight.size();
+  return n > 0 && frame.surfaceHeight.size() == n && frame.pressure.size() == n &&
+         frame.spacing > 0 && std::isfinite(frame.spacing);
+}
+
+PointRange pointsWithin(const Frame& frame, double left, double width) {
+  const double first = std::floor(left / frame.spacing) - 1;
+  const double last = std::ceil((left + width) / frame.spacing) + 1;
+  if (!(std::abs(first) < kFarthest) || !(std::abs(last) < kFarthest)) return {};
+  return {static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
+}
+
+std::vector<CurveVertex> decimated(const Frame& frame, const std::vector<double>& heights,
+                                   PointRange range, const Columns& columns,
+                                   const std::vector<double>& values) {
+  const PeriodicPoints points(frame, heights, values);
+  const bool everyPoint = fitsEveryPoint(frame, columns);
+  std::vector<CurveVertex> curve;
+  ColumnExtremes extremes;
+  double present = 0;
+  for (std::int64_t i = range.first; i <= range.last; ++i) {
+    const CurveVertex vertex = points.at(i);
+    const double here = column(vertex, columns);
+    if (everyPoint || here != present) extremes.flushInto(curve);
+    present = here;
+    extremes.add(vertex);
+  }
+  extremes.flushInto(curve);
+  return curve;
+}
+
+std::vector<std::vector<CurveVertex>> contactStretches(const Frame& frame, PointRange range,
+                                                       const Columns& columns) {
+  return stretchesAbove(frame, range, columns, frame.pressure, 0);
+}
+
+std::vector<std::vector<CurveVertex>> stretchesAbove(const Frame& frame, PointRange range,
+                                                     const Columns& columns,
+                                                     const std::vector<double>& values,
+                                                     double least) {
+  if (values.size() != frame.surfaceHeight.size()) return {};
+  const PeriodicPoints points(frame, frame.surfaceHeight, values);
+  StretchCollector collector(columns, fitsEveryPoint(frame, columns));
+  for (std::int64_t i = range.first; i <= range.last; ++i)
+    if (points.isAbove(i, least)) collector.add(i, points.at(i));
+  return collector.take();
+}
+
+}  // namespace asperity

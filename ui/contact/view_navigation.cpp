@@ -1,0 +1,96 @@
+#include "ui/contact/view_navigation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+// Heights shown at least and at most, in fitted ones: down to single elements, and up to where
+// along and up have one scale on almost any line.
+constexpr double kLeastUp = 1e-4, kMostUp = 1e6;
+
+double wrapped(double share) {
+  const double rest = share - std::floor(share);
+  return rest < 1 && std::isfinite(rest) ? rest : 0;
+}
+
+double usable(double factor) {
+  return std::isfinite(factor) && factor > 0 ? factor : 1;
+}
+
+}  // namespace
+
+ContactView ViewNavigation::applied(const ContactView& fitted, double period,
+                                    double distance) const {
+  ContactView view = fitted;
+  view.width = width_ * period;
+  view.left = follows_ ? period * wrapped(left_ + wrapped(distance / period)) : left_ * period;
+  const double size = fitted.top - fitted.bottom;
+  if (!isFittedUp()) {
+    view.bottom = fitted.bottom + bottom_ * size;
+    view.top = fitted.bottom + top_ * size;
+  }
+  return view;
+}
+
+/// Never wider than the period; enlarged heights stay within the fitted ones, others hold them.
+ViewNavigation ViewNavigation::within(double finest) const {
+  ViewNavigation held = *this;
+  const double middle = left_ + 0.5 * width_;
+  held.width_ = std::clamp(width_, std::min(std::max(finest, 1e-12), 1.0), 1.0);
+  held.left_ = wrapped(held.width_ == width_ ? left_ : middle - 0.5 * held.width_);
+  const double size = std::clamp(top_ - bottom_, kLeastUp, kMostUp);
+  const double centre = 0.5 * (bottom_ + top_);
+  const double low = std::min(0.0, 1 - size), high = std::max(0.0, 1 - size);
+  held.bottom_ = std::clamp(centre - 0.5 * size, low, high);
+  held.top_ = held.bottom_ + size;
+  // All but everything is everything: no view is a hair away from the fitted one.
+  if (std::abs(size - 1) < 1e-9) held.bottom_ = 0, held.top_ = 1;
+  return held;
+}
+
+ViewNavigation ViewNavigation::zoomed(const ViewPlace& at, double along, double up,
+                                      double finest) const {
+  ViewNavigation next = *this;
+  const double width = std::clamp(width_ / usable(along), std::min(finest, 1.0), 1.0);
+  next.left_ = left_ + at.along * (width_ - width);
+  next.width_ = width;
+  const double size = top_ - bottom_;
+  const double wanted = std::clamp(size / usable(up), kLeastUp, kMostUp);
+  next.bottom_ = bottom_ + at.up * (size - wanted);
+  next.top_ = next.bottom_ + wanted;
+  return next.within(finest);
+}
+
+ViewNavigation ViewNavigation::panned(double along, double up) const {
+  ViewNavigation next = *this;
+  const double size = top_ - bottom_;
+  if (std::isfinite(along)) next.left_ -= along * width_;
+  if (std::isfinite(up)) next.bottom_ -= up * size;
+  next.top_ = next.bottom_ + size;
+  return next.within(width_);
+}
+
+ViewNavigation ViewNavigation::following(bool follows, double period, double distance) const {
+  ViewNavigation next = *this;
+  const double moved = wrapped(distance / period);
+  if (follows != follows_) next.left_ = wrapped(follows ? left_ - moved : left_ + moved);
+  next.follows_ = follows;
+  return next;
+}
+
+ViewNavigation ViewNavigation::fitted() const {
+  ViewNavigation next;
+  next.follows_ = follows_;
+  return next;
+}
+
+ViewNavigation ViewNavigation::withFittedHeights() const {
+  ViewNavigation next = *this;
+  next.bottom_ = 0;
+  next.top_ = 1;
+  return next;
+}
+
+}  // namespace asperity

@@ -1,0 +1,58 @@
+// What to draw, in pixels, without saying how: filled triangles, antialiased lines and texts, in
+// this order. Made by ui/contact and ui/chart from a Frame, drawn by ui/draw/renderer.h (shapes) and
+// ui/draw/text_painter.h (texts). A plain value; knows neither OpenGL nor Qt.
+// Coordinates: pixels, origin top left, y down. Colours: sRGB, straight alpha.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+struct Rgba {
+  float r = 0, g = 0, b = 0, a = 1;
+};
+
+struct DrawVertex {
+  float x = 0, y = 0;
+  Rgba colour;
+};
+
+/// A polyline of constant width with a colour for each vertex; round joins.
+struct DrawLine {
+  std::vector<DrawVertex> vertices;
+  float width = 1;
+};
+
+enum class TextAnchor { Left, Centre, Right };
+
+struct DrawText {
+  std::string utf8;
+  float x = 0, y = 0;  // anchor point, baseline
+  float size = 12;     // pixel height of the font
+  TextAnchor anchor = TextAnchor::Left;
+  float angle = 0;  // radians, counter-clockwise on the screen
+  bool bold = false;
+  Rgba colour;
+};
+
+/// Shapes inside this rectangle only; the whole picture where width is 0.
+struct Clip {
+  float x = 0, y = 0, width = 0, height = 0;
+};
+
+struct DrawLayer {
+  Clip clip;
+  std::vector<DrawVertex> triangles;  // three vertices each
+  std::vector<DrawLine> lines;        // over the triangles
+};
+
+struct DrawList {
+  int width = 0, height = 0;  // pixels
+  Rgba background;
+  std::vector<DrawLayer> layers;  // first is lowest
+  std::vector<DrawText> texts;    // over everything
+};
+
+}  // namespace asperity

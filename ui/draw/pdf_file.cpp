@@ -1,0 +1,170 @@
+#include "ui/draw/pdf_file.h"
+
+#include <QBuffer>
+#include <QHashFunctions>
+#include <QImage>
+#include <QPageSize>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPdfWriter>
+#include <stdexcept>
+#include <string_view>
+
+#include "core/base/atomic_file.h"
+#include "ui/draw/text_painter.h"
+#include "ui/draw/vector_shapes.h"
+#include "ui/draw/xml_text.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kResolution = 1200;  // dots an inch, of what the painter rounds to
+constexpr double kPointsPerInch = 72;
+constexpr int kSoftPixels = 2;  // of an image, each way in a pixel of the picture
+
+QPointF pointOf(const Place& place) {
+  return {place.x, place.y};
+}
+
+QPainterPath pathOf(const std::vector<Polyline>& lines, bool closed) {
+  QPainterPath path;
+  path.setFillRule(Qt::WindingFill);
+  for (const Polyline& line : lines) {
+    if (line.size() < 2) continue;
+    path.moveTo(pointOf(line[0]));
+    for (std::size_t i = 1; i < line.size(); ++i) path.lineTo(pointOf(line[i]));
+    if (closed) path.closeSubpath();
+  }
+  return path;
+}
+
+QBrush brushOf(const VectorPaint& paint) {
+  if (!paint.isGradient) return colourOf(paint.from);
+  QLinearGradient gradient(pointOf(paint.start), pointOf(paint.end));
+  gradient.setColorAt(0, colourOf(paint.from));
+  gradient.setColorAt(1, colourOf(paint.to));
+  return gradient;
+}
+
+void paintFill(QPainter& painter, const VectorFill& fill) {
+  const QBrush brush = brushOf(fill.paint);
+  // Viewers smooth edges whatever the file says: pieces overlap a little.
+  painter.setPen(fill.isPieceOfMesh ? QPen(brush, 0.5) : QPen(Qt::NoPen));
+  painter.setBrush(brush);
+  painter.drawPath(pathOf(fill.outlines, true));
+}
+
+bool isSoft(const VectorFill& fill) {
+  return fill.isPieceOfMesh && (fill.paint.from.a < 1 || fill.paint.to.a < 1);
+}
+
+/// Translucent light that changes from place to place as an image: Qt's PDF knows no gradients of
+/// opacity, and pieces would show at their edges. Of the whole pixels around the fills.
+void paintSoft(QPainter& painter, const std::vector<VectorFill>& fills, std::size_t first,
+               std::size_t last, const QRectF& shown) {
+  QRectF bounds;
+  for (std::size_t i = first; i < last; ++i)
+    bounds |= pathOf(fills[i].outlines, true).controlPointRect();
+  const QRect box = (bounds & shown).toAlignedRect();
+  if (box.isEmpty()) return;
+  QImage image(box.size() * kSoftPixels, QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::transparent);
+  QPainter soft(&image);
+  soft.scale(kSoftPixels, kSoftPixels);
+  soft.translate(-box.topLeft());
+  soft.setPen(Qt::NoPen);
+  for (std::size_t i = first; i < last; ++i) {
+    soft.setBrush(brushOf(fills[i].paint));
+    soft.drawPath(pathOf(fills[i].outlines, true));
+  }
+  soft.end();
+  painter.drawImage(QRectF(box), image);
+}
+
+void paintFills(QPainter& painter, const std::vector<VectorFill>& fills, const QRectF& shown) {
+  for (std::size_t i = 0; i < fills.size();) {
+    std::size_t end = i;
+    while (end < fills.size() && isSoft(fills[end])) ++end;
+    if (end > i)
+      paintSoft(painter, fills, i, end, shown);
+    else
+      paintFill(painter, fills[end++]);
+    i = end;
+  }
+}
+
+void paintStroke(QPainter& painter, const VectorStroke& stroke) {
+  const QColor colour = colourOf(stroke.colour);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(
+      QPen(colour, static_cast<qreal>(stroke.width), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const QPainterPath path = pathOf(stroke.lines, false);
+  if (!path.isEmpty()) painter.drawPath(path);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+  for (const Polyline& line : stroke.lines)
+    if (line.size() == 1) painter.drawEllipse(pointOf(line[0]), stroke.width / 2, stroke.width / 2);
+}
+
+void paintList(QPainter& painter, const DrawList& list) {
+  painter.fillRect(QRectF(0, 0, list.width, list.height), colourOf(list.background));
+  for (const DrawLayer& layer : list.layers) {
+    const VectorLayer vector = vectorized(layer);
+    painter.save();
+    const Clip& clip = vector.clip;
+    QRectF shown(0, 0, list.width, list.height);
+    if (clip.width > 0) {
+      shown &= QRectF(clip.x, clip.y, clip.width, clip.height);
+      painter.setClipRect(shown);
+    }
+    paintFills(painter, vector.fills, shown);
+    for (const VectorStroke& stroke : vector.strokes) paintStroke(painter, stroke);
+    painter.restore();
+  }
+  paintTexts(painter, list);
+}
+
+/// Blanks over the date of creation, so that offsets stay right; it is the only thing in the file
+/// that does not follow from the picture.
+void blankDate(QByteArray& bytes) {
+  const QByteArray key("/CreationDate (");
+  const qsizetype from = bytes.indexOf(key);
+  const qsizetype to = from < 0 ? -1 : bytes.indexOf(')', from);
+  for (qsizetype i = from; i >= 0 && i <= to; ++i) bytes[i] = ' ';
+}
+
+}  // namespace
+
+std::string pdfOf(const DrawList& list, const PdfOptions& options) {
+  // Qt lists the fonts in the order of a hash, which is another one in every process otherwise.
+  QHashSeed::setDeterministicGlobalSeed();
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  {
+    QPdfWriter writer(&buffer);
+    const QSizeF page(list.width * options.pointsPerPixel, list.height * options.pointsPerPixel);
+    writer.setPageSize(QPageSize(page, QPageSize::Point, QString(), QPageSize::ExactMatch));
+    writer.setPageMargins({0, 0, 0, 0});
+    writer.setResolution(kResolution);
+    writer.setTitle(QString::fromStdString(options.title));
+    writer.setCreator(QStringLiteral("Asperity"));
+    writer.setDocumentXmpMetadata(
+        QByteArray::fromStdString(xmpPacket(options.title, options.metadata)));
+    QPainter painter;
+    if (!painter.begin(&writer)) throw std::runtime_error("The picture cannot be written as PDF.");
+    const double scale = options.pointsPerPixel * kResolution / kPointsPerInch;
+    painter.setRenderHint(QPainter::LosslessImageRendering);
+    painter.scale(scale, scale);
+    paintList(painter, list);
+    painter.end();
+  }
+  blankDate(bytes);
+  return bytes.toStdString();
+}
+
+void writePdf(const std::filesystem::path& path, const DrawList& list, const PdfOptions& options) {
+  writeFileAtomically(path, pdfOf(list, options));
+}
+
+}  // namespace asperity

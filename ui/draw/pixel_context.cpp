@@ -1,0 +1,37 @@
+#include "ui/draw/pixel_context.h"
+
+#include <stdexcept>
+
+#include "ui/draw/egl_context.h"
+#include "ui/draw/osmesa_context.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kLargest = 16384;  // pixels a side, the limit of Mesa's software rasterizer
+
+}  // namespace
+
+std::unique_ptr<PixelContext> makePixelContext(PixelBackend backend) {
+  if (backend == PixelBackend::Egl) return std::make_unique<EglContext>();
+  try {
+    return std::make_unique<OsmesaContext>();
+  } catch (const std::runtime_error& first) {
+    if (backend == PixelBackend::Osmesa) throw;
+    try {
+      return std::make_unique<EglContext>();
+    } catch (const std::runtime_error& second) {
+      throw std::runtime_error(std::string(first.what()) + " " + second.what());
+    }
+  }
+}
+
+void checkPictureSize(const DrawList& list) {
+  if (list.width <= 0 || list.height <= 0)
+    throw std::runtime_error("A picture needs a width and a height of at least one pixel.");
+  if (list.width > kLargest || list.height > kLargest)
+    throw std::runtime_error("A picture may be at most " + std::to_string(kLargest) +
+                             " pixels wide and high.");
+}
+
+}  // namespace asperity

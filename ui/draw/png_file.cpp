@@ -1,0 +1,127 @@
+#include "ui/draw/png_file.h"
+
+#include <libdeflate.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "core/base/atomic_file.h"
+#include "core/base/carried_text.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1A\n";
+constexpr std::string_view kMetadataKey = "asperity";
+// Our pictures are smooth up and down: the difference to the row above is mostly zero, and more
+// effort saves next to nothing. Qt's own writer, which tries all filters, takes five times as long.
+constexpr char kUpFilter = 2;
+constexpr int kEffort = 2;
+
+std::string bigEndian(std::uint32_t number) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 255U);
+  return bytes;
+}
+
+void addChunk(std::string& png, std::string_view type, std::string_view data) {
+  png += bigEndian(static_cast<std::uint32_t>(data.size()));
+  const std::size_t start = png.size();
+  png += type;
+  png += data;
+  png += bigEndian(libdeflate_crc32(0, png.data() + start, png.size() - start));
+}
+
+/// UTF-8, uncompressed, so that any program can find it.
+void addText(std::string& png, std::string_view key, const std::string& text) {
+  if (text.empty()) return;
+  std::string data(key);
+  data += std::string(5, '\0');  // end of key, not compressed (2), no language, no translated key
+  addChunk(png, "iTXt", data + text);
+}
+
+/// Rows of colours, filtered. The channels are known to the compiler: it takes a tenth of the time.
+template <std::size_t kChannels>
+std::vector<std::uint8_t> filteredRows(const QImage& image) {
+  const auto width = static_cast<std::size_t>(image.width());
+  const auto height = static_cast<std::size_t>(image.height());
+  const std::size_t row = width * kChannels;
+  std::vector<std::uint8_t> rows((row + 1) * height), above(row), present(row);
+  for (std::size_t y = 0; y < height; ++y) {
+    const uchar* pixels = image.constScanLine(static_cast<int>(y));
+    std::uint8_t* colours = present.data();
+    for (std::size_t x = 0; x < width; ++x)
+      for (std::size_t c = 0; c < kChannels; ++c) colours[x * kChannels + c] = pixels[4 * x + c];
+    std::uint8_t* out = rows.data() + y * (row + 1);
+    *out++ = kUpFilter;
+    for (std::size_t i = 0; i < row; ++i) out[i] = static_cast<std::uint8_t>(present[i] - above[i]);
+    above.swap(present);
+  }
+  return rows;
+}
+
+std::string deflated(const std::vector<std::uint8_t>& rows) {
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(kEffort), &libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  std::string data(libdeflate_zlib_compress_bound(compressor.get(), rows.size()), '\0');
+  const std::size_t size = libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(),
+                                                    data.data(), data.size());
+  if (size == 0) throw std::runtime_error("the picture cannot be encoded as PNG");
+  data.resize(size);
+  return data;
+}
+
+bool isOpaque(const QImage& image) {
+  const int width = image.width(), height = image.height();
+  for (int y = 0; y < height; ++y) {
+    const uchar* pixels = image.constScanLine(y);
+    unsigned least = 255;
+    for (int x = 0; x < width; ++x) least &= pixels[4 * x + 3];
+    if (least != 255) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string pngOf(const QImage& given, const PngOptions& options) {
+  if (given.isNull()) throw std::runtime_error("an empty picture cannot be encoded as PNG");
+  // Where all is opaque, both formats hold the same bytes.
+  const bool isRgba = given.format() == QImage::Format_RGBA8888_Premultiplied;
+  const bool opaque = isRgba && isOpaque(given);
+  const QImage image = opaque ? given : given.convertToFormat(QImage::Format_RGBA8888);
+  const std::size_t channels = opaque || isOpaque(image) ? 3 : 4;
+
+  std::string png(kSignature);
+  const char kind = channels == 3 ? 2 : 6;
+  addChunk(png, "IHDR",
+           bigEndian(static_cast<std::uint32_t>(image.width())) +
+               bigEndian(static_cast<std::uint32_t>(image.height())) +
+               std::string{8, kind, 0, 0, 0});
+  if (options.dotsPerInch > 0) {
+    const std::string density =
+        bigEndian(static_cast<std::uint32_t>(std::lround(options.dotsPerInch / 0.0254)));
+    addChunk(png, "pHYs", density + density + '\1');  // per metre
+  }
+  addText(png, "Title", options.title);
+  addText(png, kMetadataKey, options.metadata);
+  addChunk(png, "IDAT", deflated(channels == 3 ? filteredRows<3>(image) : filteredRows<4>(image)));
+  addChunk(png, "IEND", {});
+  return png;
+}
+
+void writePng(const std::filesystem::path& path, const QImage& image, const PngOptions& options) {
+  if (image.isNull())
+    throw std::runtime_error(path.string() + ": the picture cannot be encoded as PNG");
+  writeFileAtomically(path, pngOf(image, options));
+}
+
+std::string pngMetadata(std::string_view bytes) {
+  return bytes.starts_with(kSignature) ? carriedText(bytes) : std::string();
+}
+
+}  // namespace asperity

@@ -1,0 +1,104 @@
+#include "ui/draw/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/draw/text_metrics.h"
+
+namespace asperity {
+namespace {
+
+float loweredSize(float size) {
+  return std::max(6.0F, std::round(size * 0.72F));
+}
+
+/// Room on either side of a lowered piece.
+float sideRoom(const TextRun& run, float size) {
+  return run.lowered ? 0.06F * size : 0;
+}
+
+float runWidth(const TextRun& run, float size) {
+  const float text = textWidth(run.utf8, run.lowered ? loweredSize(size) : size, run.bold);
+  return text + 2 * sideRoom(run, size);
+}
+
+}  // namespace
+
+void addQuad(DrawLayer& layer, const DrawVertex& a, const DrawVertex& b, const DrawVertex& c,
+             const DrawVertex& d) {
+  layer.triangles.insert(layer.triangles.end(), {a, b, c, a, c, d});
+}
+
+void addRectangle(DrawLayer& layer, const Box& box, const Rgba& top, const Rgba& bottom) {
+  addQuad(layer, {box.x, box.y, top}, {box.right(), box.y, top},
+          {box.right(), box.bottom(), bottom}, {box.x, box.bottom(), bottom});
+}
+
+void addRectangle(DrawLayer& layer, const Box& box, const Rgba& colour) {
+  addRectangle(layer, box, colour, colour);
+}
+
+void addRectangleAcross(DrawLayer& layer, const Box& box, const Rgba& left, const Rgba& right) {
+  addQuad(layer, {box.x, box.y, left}, {box.right(), box.y, right},
+          {box.right(), box.bottom(), right}, {box.x, box.bottom(), left});
+}
+
+void addLine(DrawLayer& layer, std::vector<Place> places, float width, const Rgba& colour) {
+  DrawLine line;
+  line.width = width;
+  for (const Place& p : places) line.vertices.push_back({p.x, p.y, colour});
+  layer.lines.push_back(std::move(line));
+}
+
+void addPill(DrawLayer& layer, const Box& box, const Rgba& colour) {
+  const float radius = std::min(box.height, box.width) / 2;
+  const float y = box.y + box.height / 2;
+  addLine(layer, {{box.x + radius, y}, {box.right() - radius, y}}, box.height, colour);
+}
+
+void addArrow(DrawLayer& layer, Place from, Place to, float head, float width, const Rgba& colour) {
+  const float angle = std::atan2(to.y - from.y, to.x - from.x);
+  const auto side = [&](float turn) {
+    return Place{to.x - head * std::cos(angle + turn), to.y - head * std::sin(angle + turn)};
+  };
+  addLine(layer, {from, to}, width, colour);
+  addLine(layer, {side(0.6F), to, side(-0.6F)}, width, colour);
+}
+
+void addLabel(DrawList& list, std::string utf8, Place at, float size, TextAnchor anchor,
+              const Rgba& colour, float angle) {
+  if (utf8.empty()) return;
+  DrawText text;
+  text.utf8 = std::move(utf8);
+  text.x = at.x;
+  text.y = at.y;
+  text.size = size;
+  text.anchor = anchor;
+  text.angle = angle;
+  text.colour = colour;
+  list.texts.push_back(std::move(text));
+}
+
+float textWidth(const TextRuns& runs, float size) {
+  float width = 0;
+  for (const TextRun& run : runs) width += runWidth(run, size);
+  return width;
+}
+
+float addText(DrawList& list, const TextRuns& runs, Place baseline, float size,
+              const Rgba& colour) {
+  for (const TextRun& run : runs) {
+    DrawText text;
+    text.utf8 = run.utf8;
+    text.x = baseline.x + sideRoom(run, size);
+    text.y = run.lowered ? baseline.y + std::round(size * 0.22F) : baseline.y;
+    text.size = run.lowered ? loweredSize(size) : size;
+    text.bold = run.bold;
+    text.colour = colour;
+    baseline.x += runWidth(run, size);
+    list.texts.push_back(std::move(text));
+  }
+  return baseline.x;
+}
+
+}  // namespace asperity

@@ -1,0 +1,49 @@
+// Small shapes appended to a DrawLayer or a DrawList. Pure; any thread. Pixels, y down.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/draw/draw_list.h"
+
+namespace asperity {
+
+struct Box {
+  float x = 0, y = 0, width = 0, height = 0;
+  float right() const { return x + width; }
+  float bottom() const { return y + height; }
+};
+
+struct Place {
+  float x = 0, y = 0;
+};
+
+void addRectangle(DrawLayer& layer, const Box& box, const Rgba& top, const Rgba& bottom);
+void addRectangle(DrawLayer& layer, const Box& box, const Rgba& colour);
+/// Left to right.
+void addRectangleAcross(DrawLayer& layer, const Box& box, const Rgba& left, const Rgba& right);
+void addQuad(DrawLayer& layer, const DrawVertex& a, const DrawVertex& b, const DrawVertex& c,
+             const DrawVertex& d);
+void addLine(DrawLayer& layer, std::vector<Place> places, float width, const Rgba& colour);
+/// A box with half-round ends.
+void addPill(DrawLayer& layer, const Box& box, const Rgba& colour);
+/// A shaft with an open head at `to`; the head's sides are `head` pixels long.
+void addArrow(DrawLayer& layer, Place from, Place to, float head, float width, const Rgba& colour);
+
+/// One text; `at` is its anchor on the baseline. An empty one is left out.
+void addLabel(DrawList& list, std::string utf8, Place at, float size, TextAnchor anchor,
+              const Rgba& colour, float angle = 0);
+
+/// A piece of a text; a lowered piece is smaller, as in "F_N".
+struct TextRun {
+  std::string utf8;
+  bool bold = false;
+  bool lowered = false;
+};
+using TextRuns = std::vector<TextRun>;
+
+float textWidth(const TextRuns& runs, float size);
+/// Left-aligned on the baseline; returns the right end.
+float addText(DrawList& list, const TextRuns& runs, Place baseline, float size, const Rgba& colour);
+
+}  // namespace asperity

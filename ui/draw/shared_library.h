@@ -1,0 +1,28 @@
+// A library opened at run time, once in the process and never closed: its threads outlive any
+// context. Its names stay invisible to other libraries. Private to ui/draw. Failure:
+// std::runtime_error in one sentence with the library's and its package's name.
+#pragma once
+
+#include <string>
+
+namespace asperity {
+
+class SharedLibrary {
+ public:
+  /// `variable`: an environment variable that names another file.
+  SharedLibrary(const char* file, const char* variable, const char* package);
+
+  template <typename Function>
+  void find(Function& function, const char* symbol) const {
+    function = reinterpret_cast<Function>(address(symbol));
+  }
+  const std::string& name() const { return name_; }
+
+ private:
+  void* address(const char* symbol) const;
+
+  std::string name_;
+  void* handle_ = nullptr;
+};
+
+}  // namespace asperity

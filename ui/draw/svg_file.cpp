@@ -1,0 +1,217 @@
+#include "ui/draw/svg_file.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+#include "core/base/atomic_file.h"
+#include "ui/draw/font_subset.h"
+#include "ui/draw/vector_shapes.h"
+#include "ui/draw/xml_text.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kSteps = 100;  // coordinates are kept to a hundredth of a pixel
+
+/// A whole number of hundredths as a short decimal: "-0.5", "12", "3.07".
+std::string hundredths(std::int64_t value) {
+  std::string text = value < 0 ? "-" : "";
+  const std::int64_t size = value < 0 ? -value : value;
+  text += std::to_string(size / 100);
+  if (size % 100 == 0) return text;
+  text += '.';
+  text += static_cast<char>('0' + size % 100 / 10);
+  if (size % 10 != 0) text += static_cast<char>('0' + size % 10);
+  return text;
+}
+
+std::int64_t rounded(float pixels) {
+  return std::llround(static_cast<double>(pixels) * kSteps);
+}
+
+std::string number(float value) {
+  return hundredths(rounded(value));
+}
+
+/// Three digits are enough for opacities.
+std::string fraction(float value) {
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
+                                 std::round(static_cast<double>(value) * 1000) / 1000);
+  return {buffer.data(), end.ptr};
+}
+
+std::string colourOf(const Rgba& c) {
+  std::string text = "#";
+  for (const float channel : {c.r, c.g, c.b}) {
+    const auto byte =
+        static_cast<unsigned>(std::lround(255 * std::min(std::max(channel, 0.0F), 1.0F)));
+    for (const unsigned digit : {byte / 16, byte % 16}) text += "0123456789abcdef"[digit];
+  }
+  return text;
+}
+
+/// ` fill="#102030" fill-opacity="0.5"`.
+std::string paintOf(const std::string& what, const std::string& opacity, const Rgba& c) {
+  std::string text = " " + what + "=\"" + colourOf(c) + "\"";
+  if (c.a < 1) text += " " + opacity + "=\"" + fraction(c.a) + "\"";
+  return text;
+}
+
+std::string fillOf(const Rgba& c) {
+  return paintOf("fill", "fill-opacity", c);
+}
+
+std::string strokeOf(const Rgba& c) {
+  return paintOf("stroke", "stroke-opacity", c);
+}
+
+std::string stopOf(const Rgba& c) {
+  return paintOf("stop-color", "stop-opacity", c);
+}
+
+/// Absolute first, then relative to the place before; differences of rounded places do not drift.
+void appendPath(std::string& path, const Polyline& line, bool closed) {
+  std::int64_t x = rounded(line[0].x), y = rounded(line[0].y);
+  path += "M" + hundredths(x) + " " + hundredths(y);
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const std::int64_t toX = rounded(line[i].x), toY = rounded(line[i].y);
+    const std::string dx = hundredths(toX - x), dy = hundredths(toY - y);
+    // A minus sign parts two numbers as well as a blank.
+    path += i == 1 ? "l" : dx[0] == '-' ? "" : " ";
+    path += dx + (dy[0] == '-' ? "" : " ") + dy;
+    x = toX;
+    y = toY;
+  }
+  if (line.size() == 1) path += "h0";  // with round ends a dot
+  if (closed) path += "z";
+}
+
+class SvgWriter {
+ public:
+  SvgWriter(const DrawList& list, const SvgOptions& options) : list_(list), options_(options) {}
+
+  std::string write() {
+    for (const DrawLayer& layer : list_.layers) addLayer(vectorized(layer));
+    addTexts();
+    const std::string width = std::to_string(list_.width), height = std::to_string(list_.height);
+    std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+    svg += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
+           "\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+    if (!options_.title.empty()) svg += "<title>" + xmlText(options_.title) + "</title>\n";
+    if (!options_.metadata.empty())
+      svg += "<metadata>" + xmlText(options_.metadata) + "</metadata>\n";
+    if (!list_.texts.empty()) svg += style();
+    if (!definitions_.empty()) svg += "<defs>\n" + definitions_ + "</defs>\n";
+    svg += "<rect width=\"" + width + "\" height=\"" + height + "\"" + fillOf(list_.background) +
+           "/>\n";
+    return svg + body_ + "</svg>\n";
+  }
+
+ private:
+  void addLayer(const VectorLayer& layer) {
+    if (layer.fills.empty() && layer.strokes.empty()) return;
+    body_ += "<g" + clipOf(layer.clip) + ">\n";
+    for (const VectorFill& fill : layer.fills) addFill(fill);
+    if (!layer.strokes.empty()) {
+      body_ += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+      for (const VectorStroke& stroke : layer.strokes) addStroke(stroke);
+      body_ += "</g>\n";
+    }
+    body_ += "</g>\n";
+  }
+
+  std::string clipOf(const Clip& clip) {
+    if (clip.width == 0) return {};
+    const std::string rectangle = "<rect x=\"" + number(clip.x) + "\" y=\"" + number(clip.y) +
+                                  "\" width=\"" + number(clip.width) + "\" height=\"" +
+                                  number(clip.height) + "\"/>";
+    const auto [known, isNew] = clips_.emplace(rectangle, "c" + std::to_string(clips_.size()));
+    if (isNew)
+      definitions_ += "<clipPath id=\"" + known->second + "\">" + rectangle + "</clipPath>\n";
+    return " clip-path=\"url(#" + known->second + ")\"";
+  }
+
+  void addFill(const VectorFill& fill) {
+    std::string path;
+    for (const Polyline& outline : fill.outlines) appendPath(path, outline, true);
+    body_ += "<path d=\"" + path + "\"" + fillWith(fill.paint) +
+             (fill.isPieceOfMesh ? " shape-rendering=\"crispEdges\"" : "") + "/>\n";
+  }
+
+  std::string fillWith(const VectorPaint& paint) {
+    if (!paint.isGradient) return fillOf(paint.from);
+    const std::string name = "g" + std::to_string(gradients_++);
+    definitions_ += "<linearGradient id=\"" + name + "\" gradientUnits=\"userSpaceOnUse\" x1=\"" +
+                    number(paint.start.x) + "\" y1=\"" + number(paint.start.y) + "\" x2=\"" +
+                    number(paint.end.x) + "\" y2=\"" + number(paint.end.y) + "\"><stop" +
+                    stopOf(paint.from) + "/><stop offset=\"1\"" + stopOf(paint.to) +
+                    "/></linearGradient>\n";
+    return " fill=\"url(#" + name + ")\"";
+  }
+
+  void addStroke(const VectorStroke& stroke) {
+    std::string path;
+    for (const Polyline& line : stroke.lines) appendPath(path, line, false);
+    body_ += "<path d=\"" + path + "\"" + strokeOf(stroke.colour) + " stroke-width=\"" +
+             number(stroke.width) + "\"/>\n";
+  }
+
+  void addTexts() {
+    if (list_.texts.empty()) return;
+    body_ += "<g xml:space=\"preserve\">\n";
+    for (const DrawText& text : list_.texts) body_ += textOf(text);
+    body_ += "</g>\n";
+  }
+
+  static std::string textOf(const DrawText& text) {
+    std::string element = "<text";
+    if (text.angle == 0)
+      element += " x=\"" + number(text.x) + "\" y=\"" + number(text.y) + "\"";
+    else
+      element += " transform=\"translate(" + number(text.x) + " " + number(text.y) + ") rotate(" +
+                 number(-text.angle * 57.2957795F) + ")\"";
+    element += " font-size=\"" + std::to_string(std::max(1L, std::lround(text.size))) + "\"";
+    if (text.bold) element += " font-weight=\"bold\"";
+    if (text.anchor != TextAnchor::Left)
+      element +=
+          text.anchor == TextAnchor::Centre ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
+    return element + fillOf(text.colour) + ">" + xmlText(text.utf8) + "</text>\n";
+  }
+
+  /// Letters stand as they were measured: without kerning and ligatures.
+  std::string style() const {
+    std::string css;
+    for (const bool bold : {false, true}) {
+      const std::set<char32_t> characters = charactersIn(list_, bold);
+      if (characters.empty() || !options_.embedFont) continue;
+      css += "@font-face{font-family:\"DejaVu Sans\";font-weight:" +
+             std::string(bold ? "bold" : "normal") + ";src:url(data:font/ttf;base64," +
+             fontSubset(bold, characters).toBase64().toStdString() + ")}\n";
+    }
+    return "<style>\n" + css +
+           "text{font-family:\"DejaVu Sans\",sans-serif;font-kerning:none;"
+           "font-variant-ligatures:none;white-space:pre}\n</style>\n";
+  }
+
+  const DrawList& list_;
+  const SvgOptions& options_;
+  std::string definitions_, body_;
+  std::map<std::string, std::string> clips_;  // rectangle -> name
+  int gradients_ = 0;
+};
+
+}  // namespace
+
+std::string svgOf(const DrawList& list, const SvgOptions& options) {
+  return SvgWriter(list, options).write();
+}
+
+void writeSvg(const std::filesystem::path& path, const DrawList& list, const SvgOptions& options) {
+  writeFileAtomically(path, svgOf(list, options));
+}
+
+}  // namespace asperity

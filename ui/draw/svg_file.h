@@ -1,0 +1,24 @@
+// Pictures as SVG: shapes as paths, texts as texts with the used part of the font inside. The same
+// picture gives the same bytes. Needs no QGuiApplication. Any thread.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "ui/draw/draw_list.h"
+
+namespace asperity {
+
+struct SvgOptions {
+  std::string title;      // what a viewer shows; empty: none
+  std::string metadata;   // any UTF-8 text, kept in <metadata>; empty: none
+  bool embedFont = true;  // the glyphs in use, as a data URI
+};
+
+std::string svgOf(const DrawList& list, const SvgOptions& options = {});
+
+/// As writeFileAtomically.
+void writeSvg(const std::filesystem::path& path, const DrawList& list,
+              const SvgOptions& options = {});
+
+}  // namespace asperity

@@ -1,0 +1,97 @@
+// What accuracy costs: a slider from quick to exact, which sets the target of the friction curve's
+// error, with predicted time and error as it moves and the measured ones beside them; and the
+// work-precision diagram of the present scene on demand; and with what setting the curve is
+// compared. Predicts only while it is visible, on a
+// thread of its own. GUI thread; belongs to its parent. Failure: said in a line of the panel.
+#pragma once
+
+#include <QWidget>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/friction/curve_difference.h"
+#include "core/scene/scene.h"
+#include "ui/contact/contact_picture.h"
+#include "ui/window/figures/figure_worker.h"
+#include "ui/window/tasks/prediction_worker.h"
+
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace asperity {
+
+class ComparisonBox;
+class RegionPictures;
+
+/// The target at a place of the slider, 0 (quick, 20 %) to kAccuracySteps (exact, 0.2 %).
+inline constexpr int kAccuracySteps = 20;
+double targetAt(int place);
+/// The place nearest to a target (> 0).
+int placeOf(double target);
+
+/// Error against time of every method on the lines of a scene.
+struct ComparedMethods {
+  Scene scene;
+  std::shared_ptr<const MadeFigure> figure;
+  int diagram = 0;  // in sight
+};
+
+class AccuracyPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit AccuracyPanel(QWidget* parent = nullptr);
+
+  void showScene(const Scene& scene);
+  /// Of the finished curve of the scene shown; errors are relative, root mean square. interval:
+  /// half of it, said where there is no standard error, as of a single line to a target.
+  void showMeasured(double seconds, double standardError, double interval = kNotApplicable);
+  void setTheme(const Theme& theme);
+
+  /// With what the curve is to be compared; none: with nothing.
+  std::optional<CurveSetting> comparison() const;
+  void setComparison(const std::optional<CurveSetting>& setting);
+
+  /// What was measured, where it is shown; and such a result of before, if it is of the scene
+  /// shown.
+  std::optional<ComparedMethods> comparedMethods() const;
+  void showComparedMethods(const ComparedMethods& compared);
+
+ signals:
+  /// The scene shown with another target.
+  void sceneEdited(const asperity::Scene& scene);
+  void comparisonChanged();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void setTarget(double target);
+  void predict();
+  void takePrediction(const PredictionAnswer& answer);
+  void compareMethods();
+  void dropOldPicture();
+  void showInvitation();
+  void endComparison(const QString& text);
+
+  Scene scene_;
+  QSlider* slider_;
+  QLabel* target_;
+  QLabel* predicted_;
+  QLabel* measured_;
+  ComparisonBox* comparisonBox_;
+  QPushButton* free_;     // no target
+  QPushButton* compare_;  // starts and cancels
+  RegionPictures* picture_;
+  bool isComparing_ = false;
+  std::optional<Scene> pictured_;  // whose methods are compared on the picture
+  std::uint64_t asked_ = 0;
+  // Last: their threads end before anything else here goes.
+  std::unique_ptr<FigureWorker> comparison_;
+  std::unique_ptr<PredictionWorker> prediction_;
+};
+
+}  // namespace asperity

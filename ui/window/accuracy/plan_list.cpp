@@ -1,0 +1,56 @@
+#include "ui/window/accuracy/plan_list.h"
+
+#include <QEvent>
+#include <QHeaderView>
+
+#include "core/base/input_error.h"
+#include "core/scene/plan.h"
+#include "ui/language/translated.h"
+
+namespace asperity {
+
+PlanList::PlanList(QWidget* parent) : QTreeWidget(parent) {
+  setObjectName("planList");
+  setAccessibleName(tr("which stages run, and why"));
+  setHeaderLabels({tr("stage"), tr("runs"), tr("because")});
+  setRootIsDecorated(false);
+  setUniformRowHeights(true);
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::TabFocus);
+  setSelectionMode(QAbstractItemView::NoSelection);
+}
+
+void PlanList::showScene(const Scene& scene) {
+  clear();
+  try {
+    for (const PlanStage& stage : planOf(scene, Purpose::Window)) {
+      const QString reason = translatedText(stage.reason);
+      auto* item = new QTreeWidgetItem(
+          {translatedText(stage.name), stage.runs ? tr("yes") : tr("no"), reason});
+      item->setToolTip(2, reason);
+      item->setDisabled(!stage.runs);  // pale, in either theme
+      addTopLevelItem(item);
+    }
+  } catch (const InputError& error) {
+    addTopLevelItem(new QTreeWidgetItem({{}, {}, translatedText(error.what())}));
+  }
+  fitColumns();
+}
+
+void PlanList::showEvent(QShowEvent* event) {
+  QTreeWidget::showEvent(event);
+  fitColumns();
+}
+
+void PlanList::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) fitColumns();
+}
+
+/// Names and answers are whole; reasons take the rest.
+void PlanList::fitColumns() {
+  resizeColumnToContents(0);
+  resizeColumnToContents(1);
+}
+
+}  // namespace asperity

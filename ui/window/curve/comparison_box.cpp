@@ -1,0 +1,114 @@
+#include "ui/window/curve/comparison_box.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "core/scene/parameters.h"
+#include "ui/panels/number_text.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kHeight = 24;  // pixels of its entries
+constexpr int kMostOversampling = 64, kMostLines = 10000;
+
+QSpinBox* spin(const char* name, int value, int most, const QString& label) {
+  auto* box = new QSpinBox;
+  box->setObjectName(name);
+  box->setRange(1, most);
+  box->setValue(value);
+  box->setAccessibleName(label);
+  box->setToolTip(label);
+  box->setKeyboardTracking(false);  // one change for one number
+  return box;
+}
+
+}  // namespace
+
+ComparisonBox::ComparisonBox(QWidget* parent)
+    : QWidget(parent), wanted_(new QCheckBox), scheme_(new QComboBox) {
+  setObjectName("comparisonBox");
+  wanted_->setObjectName("comparisonWanted");
+  wanted_->setText(tr("Compare the curve with"));
+  wanted_->setToolTip(
+      tr("Computes the curve in this way, too, on the same lines, and plots the "
+         "difference below it"));
+  wanted_->setAccessibleName(wanted_->text());
+  scheme_->setObjectName("comparisonScheme");
+  scheme_->setAccessibleName(tr("scheme to compare with"));
+  for (const auto& word : std::get<ChoiceField>(findParameter("accuracy.scheme")->field).choices)
+    scheme_->addItem(wordText(word));
+  scheme_->setCurrentIndex(static_cast<int>(Scheme::Cubic));
+  const CurveSetting usual;
+  oversampling_ = spin("comparisonOversampling", static_cast<int>(usual.oversampling),
+                       kMostOversampling, tr("points per element to compare with"));
+  oversampling_->setPrefix(QStringLiteral("×"));
+  suggested_ = static_cast<int>(usual.realizations);
+  lines_ = spin("comparisonLines", suggested_, kMostLines, tr("lines to compare with"));
+  const auto count = [this](int lines) {
+    lines_->setSuffix(lines == 1 ? tr(" line") : tr(" lines"));
+  };
+  count(suggested_);
+  connect(lines_, &QSpinBox::valueChanged, this, count);
+
+  for (QWidget* entry : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(oversampling_),
+                         static_cast<QWidget*>(lines_)})
+    entry->setMinimumHeight(kHeight);
+  auto* choice = new QHBoxLayout;
+  choice->setContentsMargins(22, 0, 0, 0);
+  choice->addWidget(scheme_);
+  choice->addWidget(oversampling_);
+  choice->addWidget(lines_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(wanted_);
+  column->addLayout(choice);
+
+  const auto changed = [this] {
+    oversampling_->setEnabled(scheme_->currentIndex() != static_cast<int>(Scheme::Nodal));
+    emit settingChanged();
+  };
+  connect(wanted_, &QCheckBox::toggled, this, changed);
+  connect(scheme_, &QComboBox::currentIndexChanged, this, changed);
+  connect(oversampling_, &QSpinBox::valueChanged, this, changed);
+  connect(lines_, &QSpinBox::valueChanged, this, changed);
+}
+
+std::optional<CurveSetting> ComparisonBox::setting() const {
+  if (!wanted_->isChecked() || !isEnabled()) return std::nullopt;
+  CurveSetting setting;
+  setting.scheme = static_cast<Scheme>(scheme_->currentIndex());
+  setting.oversampling = setting.scheme == Scheme::Nodal ? 1 : oversampling_->value();
+  setting.realizations = lines_->value();
+  return setting;
+}
+
+void ComparisonBox::setSetting(const std::optional<CurveSetting>& setting) {
+  if (setting) {
+    scheme_->setCurrentIndex(static_cast<int>(setting->scheme));
+    oversampling_->setValue(static_cast<int>(setting->oversampling));
+    lines_->setValue(static_cast<int>(setting->realizations));
+  }
+  wanted_->setChecked(setting.has_value());
+}
+
+void ComparisonBox::suggestLines(std::int64_t lines) {
+  if (lines_->value() != suggested_) return;
+  suggested_ = static_cast<int>(std::min<std::int64_t>(lines, kMostLines));
+  lines_->setValue(suggested_);
+}
+
+void ComparisonBox::allow(bool allowed) {
+  if (allowed == isEnabled()) return;
+  setEnabled(allowed);
+  wanted_->setText(allowed ? tr("Compare the curve with")
+                           : tr("Compare the curve (needs no target)"));
+  emit settingChanged();
+}
+
+}  // namespace asperity

@@ -1,0 +1,139 @@
+#include "ui/window/curve/curve_commands.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QMenu>
+#include <memory>
+#include <utility>
+
+#include "ui/chart/plot_view.h"
+#include "ui/window/main/ask_file.h"
+#include "ui/window/curve/curve_files.h"
+#include "ui/window/main/session.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kZoom = 1.5;
+
+}  // namespace
+
+CurveCommands::CurveCommands(Session& session, PlotView& view, Export run, QObject* parent)
+    : QObject(parent), session_(session), view_(view), run_(std::move(run)) {
+  pin_ = add("pinCurve", tr("Pin curve"),
+             [this] { session_.editCurve([](FrictionPlot& plot) { plot.pin(); }); });
+  pin_->setShortcut(Qt::Key_P);
+  pin_->setToolTip(tr("Keeps this curve to compare others with"));
+  unpinAll_ = add("unpinAll", tr("Unpin all"),
+                  [this] { session_.editCurve([](FrictionPlot& plot) { plot.unpinAll(); }); });
+  unpinAll_->setShortcut(Qt::SHIFT | Qt::Key_P);
+  dimensionless_ = add("dimensionlessAxes", tr("Dimensionless axes"), [] {});
+  dimensionless_->setCheckable(true);
+  dimensionless_->setChecked(session_.friction().axes() == CurveAxes::Dimensionless);
+  dimensionless_->setShortcut(Qt::Key_D);
+  dimensionless_->setToolTip(tr("v̄ of Eq. (13) and μ over the rms slope of the line"));
+  connect(dimensionless_, &QAction::toggled, this, &CurveCommands::setAxes);
+  nearer_ = add("curveNearer", tr("Zoom in"), [this] { view_.zoom(1 / kZoom); });
+  farther_ = add("curveFarther", tr("Zoom out"), [this] { view_.zoom(kZoom); });
+  fit_ = add("curveFit", tr("Fit axes"), [this] { view_.fit(); });
+  save_ = add("saveCurve", tr("Save curve…"), [this] { askSave(); });
+  save_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
+  save_->setToolTip(tr("Everything that is shown, as a picture or as a table"));
+  copy_ = add("copyCurvePicture", tr("Copy curve picture"), [this] { copyPicture(); });
+  connect(&session_, &Session::plotChanged, this, &CurveCommands::showState);
+  connect(&view_, &PlotView::zoomChanged, this, &CurveCommands::showState);
+  showState();
+}
+
+QAction* CurveCommands::add(const char* name, const QString& text, std::function<void()> run) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  connect(action, &QAction::triggered, this, std::move(run));
+  return action;
+}
+
+void CurveCommands::fill(QMenu& menu) {
+  menu.setToolTipsVisible(true);
+  menu.addAction(pin_);
+  unpin_ = menu.addMenu(tr("Unpin"));
+  unpin_->setObjectName("unpinMenu");
+  connect(unpin_, &QMenu::aboutToShow, this, &CurveCommands::fillUnpin);
+  menu.addAction(unpinAll_);
+  menu.addSeparator();
+  menu.addActions({dimensionless_, nearer_, farther_, fit_});
+  menu.addSeparator();
+  menu.addActions({save_, copy_});
+  view_.setContextMenuPolicy(Qt::ActionsContextMenu);
+  view_.addActions({pin_, unpinAll_, dimensionless_, fit_, save_, copy_});
+  showState();
+}
+
+/// One entry for each pinned curve, named as in the legend.
+void CurveCommands::fillUnpin() {
+  unpin_->clear();
+  for (const PinnedCurve& pinned : session_.friction().pinned()) {
+    QAction* action = unpin_->addAction(session_.friction().nameOf(pinned), this, [this, pinned] {
+      session_.editCurve([&](FrictionPlot& plot) { plot.unpin(pinned.id); });
+    });
+    action->setObjectName(QStringLiteral("unpin:%1").arg(pinned.id));
+  }
+}
+
+void CurveCommands::showState() {
+  const bool hasPins = !session_.friction().pinned().empty();
+  const bool hasCurve = session_.friction().hasCurve();
+  pin_->setEnabled(hasCurve);
+  unpinAll_->setEnabled(hasPins);
+  if (unpin_) unpin_->setEnabled(hasPins);
+  fit_->setEnabled(view_.isZoomed());
+  save_->setEnabled(hasCurve);
+  copy_->setEnabled(hasCurve);
+}
+
+/// Ranges that were zoomed to belong to the other axes.
+void CurveCommands::setAxes(bool dimensionless) {
+  view_.fit();
+  session_.editCurve([dimensionless](FrictionPlot& plot) {
+    plot.setAxes(dimensionless ? CurveAxes::Dimensionless : CurveAxes::Physical);
+  });
+}
+
+std::optional<CurveSet> CurveCommands::shown() const {
+  return session_.friction().shown(view_.isZoomed() ? std::optional(view_.window()) : std::nullopt);
+}
+
+void CurveCommands::askSave() {
+  const QString file = askSaveFile(nullptr, tr("Save curve"), "curve.png",
+                                   tr("Pictures (*.png *.svg *.pdf);;Table (*.csv)"));
+  if (!file.isEmpty()) save(file);
+}
+
+void CurveCommands::save(const QString& file) {
+  const std::optional<CurveSet> set = shown();
+  if (!set) return;
+  run_([set = *set, file] { writeCurves(file.toStdString(), set); },
+       [this, file] { emit exported(file); });
+}
+
+/// As large as on the screen, in its colours.
+void CurveCommands::copyPicture() {
+  const std::optional<CurveSet> set = shown();
+  if (!set) return;
+  const auto image = std::make_shared<QImage>();
+  const double scale = view_.devicePixelRatioF();
+  const QSize size = view_.size().expandedTo({900, 600}) * scale;
+  const bool isDark = view_.palette().color(QPalette::Window).lightness() < 128;
+  run_(
+      [set = *set, image, size, scale, isDark] {
+        *image =
+            imageOf(set, size.width(), size.height(), scale, isDark ? darkTheme() : lightTheme());
+      },
+      [this, image] {
+        QGuiApplication::clipboard()->setImage(*image);
+        emit exported({});
+      });
+}
+
+}  // namespace asperity

@@ -1,0 +1,55 @@
+// The commands of the friction diagram: pins, axes, view, files. Each is an action with a name and,
+// where it has one, a key. GUI thread; belongs to its parent. Failure: as the exporter says.
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <optional>
+
+#include "core/chart/curve_set.h"
+
+class QAction;
+class QMenu;
+
+namespace asperity {
+
+class PlotView;
+class Session;
+
+class CurveCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Runs `work` beside the window, then `done` in it, or complains.
+  using Export = std::function<void(std::function<void()> work, std::function<void()> done)>;
+
+  CurveCommands(Session& session, PlotView& view, Export run, QObject* parent);
+
+  void fill(QMenu& menu);
+
+  /// The curves as they are shown; nothing before the first.
+  std::optional<CurveSet> shown() const;
+
+  /// As PNG, SVG, PDF or CSV, by the extension.
+  void save(const QString& file);
+
+ signals:
+  /// The file, or empty for the clipboard.
+  void exported(const QString& file);
+
+ private:
+  QAction* add(const char* name, const QString& text, std::function<void()> run);
+  void fillUnpin();
+  void showState();
+  void askSave();
+  void copyPicture();
+  void setAxes(bool dimensionless);
+
+  Session& session_;
+  PlotView& view_;
+  Export run_;
+  QAction *pin_, *unpinAll_, *dimensionless_, *nearer_, *farther_, *fit_, *save_, *copy_;
+  QMenu* unpin_ = nullptr;
+};
+
+}  // namespace asperity

@@ -1,0 +1,68 @@
+#include "ui/window/curve/curve_display.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/parameters.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/main/session.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPause = 80;  // ms; painting a diagram costs as much as several pictures
+constexpr int kDigits = 3, kFineDigits = 5;  // of a velocity set by hand
+constexpr int kFade = 30;  // ms, for a new curve to come before the old one is drawn faded
+
+}  // namespace
+
+CurveDisplay::CurveDisplay(Session& session, PlotView& view, QObject* parent)
+    : QObject(parent), session_(session), view_(view) {
+  pause_.setSingleShot(true);
+  connect(&pause_, &QTimer::timeout, this, [this] {
+    if (isDue_) show();
+  });
+  connect(&session_, &Session::plotChanged, this, &CurveDisplay::showSoon);
+  connect(&session_, &Session::markChanged, this, &CurveDisplay::showMarker);
+  view_.setDescribe([this](int id, int row) { return session_.friction().describe(id, row); });
+  connect(&view_, &PlotView::markerMoved, this, [this](double x, bool finely) {
+    const auto velocity = session_.friction().velocityAt(x);
+    if (velocity) setVelocity(roundedToDigits(*velocity, finely ? kFineDigits : kDigits));
+  });
+  connect(&view_, &PlotView::pointChosen, this, [this](int id, int row) {
+    if (const auto velocity = session_.friction().velocityOf(id, row)) setVelocity(*velocity);
+  });
+  connect(&view_, &PlotView::unpinWanted, this,
+          [this](int id) { session_.editCurve([id](FrictionPlot& plot) { plot.unpin(id); }); });
+  show();
+}
+
+void CurveDisplay::showSoon() {
+  const bool isStale = session_.friction().isStale();
+  const bool wasStale = std::exchange(wasStale_, isStale);
+  if (wasStale && !isStale) return show();
+  isDue_ = true;
+  if (isStale && !wasStale) return pause_.start(kFade);
+  if (!pause_.isActive()) show();
+}
+
+void CurveDisplay::show() {
+  isDue_ = false;
+  view_.setPlot(session_.plot());
+  pause_.start(kPause);
+}
+
+void CurveDisplay::showMarker() {
+  view_.setMarker(session_.friction().marker());
+}
+
+/// Exactly this velocity, within what the table of parameters allows.
+void CurveDisplay::setVelocity(double velocity) {
+  const auto& field = std::get<RealField>(findParameter("sliding.velocity")->field);
+  Scene scene = session_.scene();
+  scene.sliding.velocity = std::clamp(velocity, field.minimum, field.maximum);
+  if (scene.sliding.velocity != session_.scene().sliding.velocity) emit sceneEdited(scene);
+}
+
+}  // namespace asperity

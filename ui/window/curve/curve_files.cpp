@@ -1,0 +1,69 @@
+#include "ui/window/curve/curve_files.h"
+
+#include "core/chart/curve_diagram.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
+#include "ui/language/translated.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/draw/picture_origin.h"
+#include "ui/draw/text_painter.h"
+#include "ui/draw/osmesa_context.h"
+#include "ui/window/main/picture_files.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPixelsAlong = 2400, kPixelsUp = 1600, kPixelsOfStrip = 500;
+constexpr float kScale = 2;
+
+/// The present scene, as of `asperity curve`, and beside it what else is shown.
+nlohmann::ordered_json originOf(const CurveSet& set) {
+  nlohmann::ordered_json origin = provenance("curve", set.present.scene);
+  if (set.axes == CurveAxes::Dimensionless) origin["axes"] = "dimensionless";
+  for (const NamedCurve& curve : set.pinned)
+    origin["pinned"].push_back(provenance("curve", curve.scene)["scene"]);
+  if (set.difference) origin["compared_with"] = nameOf(set.difference->setting);
+  return origin;
+}
+
+DiagramOptions printed(const CurveSet& set) {
+  DiagramOptions options;
+  options.width = kPixelsAlong;
+  options.height = kPixelsUp + (set.difference ? kPixelsOfStrip : 0);
+  options.scale = kScale;
+  options.theme = printTheme();
+  return options;
+}
+
+}  // namespace
+
+void writeCurves(const std::filesystem::path& file, const CurveSet& set) {
+  nlohmann::ordered_json origin = originOf(set);
+  if (file.extension() == ".csv")
+    return writeFileAtomically(file,
+                               "# asperity: " + provenanceLine(origin) + "\n" + curveSetCsv(set));
+  nameLanguage(origin);
+  const DiagramSheet sheet = curveSheet(set);
+  try {
+    writePicture(file, composeDiagrams(sheet, printed(set)),
+                 {translated(sheet.title), provenanceLine(origin), kScale});
+  } catch (const InputError&) {
+    throw InputError(file.string(), "",
+                     "'" + file.extension().string() + "' is not one of .png, .svg, .pdf, .csv");
+  }
+}
+
+QImage imageOf(const CurveSet& set, int width, int height, double scale, const Theme& theme) {
+  DiagramOptions options;
+  options.width = width;
+  options.height = height;
+  options.scale = static_cast<float>(scale);
+  options.theme = theme;
+  OsmesaContext context;
+  return renderImage(context, composeDiagrams(curveSheet(set), options));
+}
+
+}  // namespace asperity

@@ -1,0 +1,37 @@
+#include "ui/window/figures/claim_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/chart/decade_range.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
+
+namespace asperity {
+
+QString verdictText(const Claim& claim) {
+  if (claim.holds == Verdict::OnlyForScheme)
+    return QString::fromStdString(
+        filled(Words::tr("only for scheme %1"), {translated(claim.scheme)}));
+  if (claim.holds == Verdict::Undecided) return QString::fromStdString(Words::tr("undecided"));
+  return QString::fromStdString(claim.holds == Verdict::Yes ? Words::tr("yes") : Words::tr("no"));
+}
+
+QString estimateText(const Estimate& estimate) {
+  const double error = estimate.standardError;
+  const double size = std::max(std::abs(estimate.value), error);
+  if (!std::isfinite(estimate.value) || !std::isfinite(error) || error <= 0 || size >= 1e5 ||
+      size < 1e-3)
+    return std::isfinite(error) && error > 0
+               ? readingLabel(estimate.value) + QStringLiteral(" ± ") + readingLabel(error)
+               : readingLabel(estimate.value);
+  // Two digits of an uncertainty that begins with 1, one of any other.
+  const int place = static_cast<int>(std::floor(std::log10(error)));
+  const int digits = error / std::pow(10, place) < 1.95 ? 1 - place : -place;
+  const int decimals = std::clamp(digits, 0, 6);
+  return inLanguage(QString::number(estimate.value, 'f', decimals).replace('-', u'−') +
+                    QStringLiteral(" ± ") + QString::number(error, 'f', decimals));
+}
+
+}  // namespace asperity

@@ -1,0 +1,191 @@
+#include "ui/window/figures/claims_table.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/chart/decade_range.h"
+#include "ui/language/translated.h"
+#include "ui/window/figures/claim_text.h"
+
+namespace asperity {
+
+namespace {
+
+enum Column { kHolds, kClaim, kMeasured, kExpected, kWhere, kColumns };
+
+constexpr int kAside = 5;  // pixels of air beside a cell's text
+constexpr int kAbove = 4;  // and above and below it
+
+QString markedVerdict(const Claim& claim) {
+  const QString text = verdictText(claim);
+  switch (claim.holds) {
+    case Verdict::Yes:
+      return QStringLiteral("✓ ") + text;
+    case Verdict::No:
+      return QStringLiteral("✗ ") + text;
+    case Verdict::Undecided:
+      return QStringLiteral("? ") + text;
+    case Verdict::OnlyForScheme:
+      break;
+  }
+  return text;
+}
+
+QColor verdictColour(Verdict verdict, bool dark) {
+  switch (verdict) {
+    case Verdict::Yes:
+      return dark ? QColor(0x6f, 0xcf, 0x97) : QColor(0x1b, 0x7a, 0x3d);
+    case Verdict::No:
+      return dark ? QColor(0xff, 0x8a, 0x80) : QColor(0xb4, 0x23, 0x18);
+    case Verdict::Undecided:
+      return dark ? QColor(0xb0, 0xb6, 0xbf) : QColor(0x5a, 0x63, 0x6e);
+    case Verdict::OnlyForScheme:
+      break;
+  }
+  return dark ? QColor(0xff, 0xc1, 0x6b) : QColor(0x9a, 0x5b, 0x00);
+}
+
+/// What the row itself does not say.
+QString detailsOf(const Claim& claim) {
+  QStringList lines{ClaimsTable::tr("Measured: %1.").arg(translatedText(claim.quantity))};
+  if (!claim.criterion.empty())
+    lines << ClaimsTable::tr("Holds when: %1.").arg(translatedText(claim.criterion));
+  if (claim.holds == Verdict::Undecided)
+    lines << ClaimsTable::tr(
+        "Undecided: within two standard errors of that border, or without a standard error.");
+  if (!claim.note.empty()) lines << translatedText(claim.note);
+  return lines.join('\n');
+}
+
+/// Cells with air around their texts, which keep their colours in the selected row: the table tints
+/// it.
+class ClaimDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyleOptionViewItem inside = option;
+    inside.rect.adjust(0, 0, -2 * kAside, 0);
+    return QStyledItemDelegate::sizeHint(inside, index) + QSize(2 * kAside, 2 * kAbove);
+  }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    QStyleOptionViewItem inside = option;
+    inside.state &= ~(QStyle::State_Selected | QStyle::State_HasFocus | QStyle::State_MouseOver);
+    inside.rect.adjust(kAside, kAbove, -kAside, -kAbove);
+    QStyledItemDelegate::paint(painter, inside, index);
+  }
+};
+
+}  // namespace
+
+ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
+  setObjectName("claims");
+  setAccessibleName(tr("what the paper says of this figure, and whether it holds"));
+  setHorizontalHeaderLabels(
+      {tr("Holds"), tr("The paper says"), tr("Measured"), tr("Expected"), tr("Where")});
+  setItemDelegate(new ClaimDelegate(this));
+  setEditTriggers(NoEditTriggers);
+  setSelectionBehavior(SelectRows);
+  setSelectionMode(SingleSelection);
+  setTabKeyNavigation(false);
+  setWordWrap(true);
+  setShowGrid(false);
+  setFrameShape(NoFrame);
+  setVerticalScrollMode(ScrollPerPixel);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  verticalHeader()->hide();
+  QHeaderView& header = *horizontalHeader();
+  header.setHighlightSections(false);
+  header.setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  header.setSectionResizeMode(QHeaderView::Fixed);
+  header.setSectionResizeMode(kClaim, QHeaderView::Stretch);
+  // Claims wrap anew, also where a scroll bar takes some of their width. Later: the header says so
+  // while its stretched column still has the width of before.
+  connect(
+      &header, &QHeaderView::sectionResized, this,
+      [this](int column) {
+        if (column == kClaim) resizeRowsToContents();
+      },
+      Qt::QueuedConnection);
+  setWidths();
+  connect(this, &QTableWidget::itemSelectionChanged, this, [this] { unfold(unfolded()); });
+}
+
+/// As much as the texts need, within limits: what remains is the claim's.
+void ClaimsTable::setWidths() {
+  ensurePolished();
+  const int letter = fontMetrics().averageCharWidth();
+  for (const auto& [column, letters] :
+       {std::pair{kHolds, 17}, {kMeasured, 20}, {kExpected, 13}, {kWhere, 18}}) {
+    const int needed = std::max(sizeHintForColumn(column),
+                                horizontalHeader()->sectionSizeHint(column) + 2 * letter);
+    horizontalHeader()->resizeSection(column, std::min(needed, letters * letter));
+  }
+}
+
+void ClaimsTable::changeEvent(QEvent* event) {
+  QTableWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  const int row = unfolded();
+  fill();
+  if (row >= 0) selectRow(row);
+}
+
+int ClaimsTable::unfolded() const {
+  return selectedItems().isEmpty() ? -1 : currentRow();
+}
+
+void ClaimsTable::setClaims(const std::vector<Claim>& claims) {
+  claims_ = claims;
+  fill();
+}
+
+void ClaimsTable::setDark(bool dark) {
+  isDark_ = dark;
+  fill();
+}
+
+void ClaimsTable::fill() {
+  clearSelection();
+  setRowCount(static_cast<int>(claims_.size()));
+  for (int row = 0; row < rowCount(); ++row) {
+    const Claim& claim = claims_[static_cast<std::size_t>(row)];
+    const QStringList cells{markedVerdict(claim), translatedText(claim.claim),
+                            estimateText(claim.measured),
+                            std::isfinite(claim.expected) ? readingLabel(claim.expected) : "",
+                            translatedText(claim.where)};
+    for (int column = 0; column < kColumns; ++column) {
+      auto* item = new QTableWidgetItem(cells[column]);
+      item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
+      item->setToolTip(QStringLiteral("<p style='white-space:pre-wrap'>%1</p>")
+                           .arg(detailsOf(claim).toHtmlEscaped()));
+      setItem(row, column, item);
+    }
+    item(row, kHolds)->setForeground(verdictColour(claim.holds, isDark_));
+    QFont bold = font();
+    bold.setBold(true);
+    item(row, kHolds)->setFont(bold);
+  }
+  setWidths();
+  resizeRowsToContents();
+}
+
+void ClaimsTable::unfold(int chosen) {
+  for (int row = 0; row < rowCount(); ++row) {
+    const Claim& claim = claims_[static_cast<std::size_t>(row)];
+    item(row, kClaim)
+        ->setText(row == chosen ? translatedText(claim.claim) + "\n\n" + detailsOf(claim)
+                                : translatedText(claim.claim));
+  }
+  resizeRowsToContents();
+  if (chosen >= 0) scrollTo(model()->index(chosen, kClaim));
+}
+
+}  // namespace asperity

@@ -1,0 +1,36 @@
+// The paper's sentences about a figure and what was found: whether each holds, what was measured.
+// The selected row unfolds to the quantity, the criterion and the note; so does its tool tip.
+// GUI thread; belongs to its parent.
+#pragma once
+
+#include <QTableWidget>
+#include <vector>
+
+#include "core/paper/claim.h"
+
+namespace asperity {
+
+class ClaimsTable : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  explicit ClaimsTable(QWidget* parent = nullptr);
+
+  void setClaims(const std::vector<Claim>& claims);
+  void setDark(bool dark);
+  /// The selected row; -1: none.
+  int unfolded() const;
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void fill();
+  void setWidths();
+  void unfold(int row);
+
+  std::vector<Claim> claims_;
+  bool isDark_ = false;
+};
+
+}  // namespace asperity

@@ -1,0 +1,125 @@
+#include "ui/window/figures/diagram_view.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QTimer>
+#include <exception>
+#include <utility>
+
+#include "ui/chart/plot_marks.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/draw/text_painter.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPause = 400;          // ms between two pictures
+constexpr float kLeastText = 0.85F;  // views are low, which would make their texts small
+
+DiagramSheet sheetOf(const DiagramView::Maker& maker) {
+  try {
+    return maker();
+  } catch (const std::exception& error) {
+    DiagramSheet sheet;
+    sheet.title = error.what();
+    return sheet;
+  }
+}
+
+}  // namespace
+
+DiagramView::DiagramView(QWidget* parent) : QWidget(parent), pause_(new QTimer(this)) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  pause_->setSingleShot(true);
+  pause_->setInterval(kPause);
+  connect(pause_, &QTimer::timeout, this, [this] {
+    if (isDue_) request();
+  });
+}
+
+void DiagramView::show(Maker maker) {
+  maker_ = std::move(maker);
+  requestSoon();
+}
+
+void DiagramView::setTheme(const Theme& theme) {
+  theme_ = theme;
+  requestSoon();
+}
+
+void DiagramView::requestSoon() {
+  isDue_ = true;
+  if (!pause_->isActive()) request();
+}
+
+/// Hidden it waits until it is seen.
+void DiagramView::request() {
+  if (!isVisible() || !maker_ || size().isEmpty()) return;
+  isDue_ = false;
+  pause_->start();
+  const double scale = devicePixelRatioF();
+  const QSize pixels = size() * scale;
+  const DiagramOptions options{pixels.width(), pixels.height(),
+                               static_cast<float>(scale * markScale(font())), theme_, kLeastText};
+  ++asked_;
+  worker().request({[this, number = asked_, maker = maker_, options] {
+                      composed_ = number;
+                      return composeDiagrams(sheetOf(maker), options);
+                    },
+                    scale});
+}
+
+/// Made when it is first needed. Its events arrive on its thread and go on here; dropped once this
+/// widget is gone.
+PictureWorker& DiagramView::worker() {
+  if (worker_) return *worker_;
+  PictureWorkerEvents events;
+  events.finished = [this](QImage image) {
+    QMetaObject::invokeMethod(this, [this, number = composed_, image = std::move(image)] {
+      shown_ = number;
+      image_ = image;
+      update();
+      emit painted();
+    });
+  };
+  events.failed = [this](const QString& reason) {
+    QMetaObject::invokeMethod(this, [this, reason] { emit failed(reason); });
+  };
+  worker_ = std::make_unique<PictureWorker>(std::move(events));
+  return *worker_;
+}
+
+void DiagramView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  emit visibilityChanged(true);
+  requestSoon();
+}
+
+void DiagramView::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  emit visibilityChanged(false);
+}
+
+void DiagramView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  requestSoon();
+}
+
+/// Its texts follow those of the window.
+void DiagramView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) requestSoon();
+}
+
+/// While a picture of the new size is being made the last one is stretched.
+void DiagramView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), colourOf(theme_.background));
+  if (image_.isNull()) return;
+  painter.setRenderHint(QPainter::SmoothPixmapTransform,
+                        image_.size() != size() * devicePixelRatioF());
+  painter.drawImage(rect(), image_);
+}
+
+}  // namespace asperity

@@ -1,0 +1,65 @@
+// What is known of the paper's figures in this session: which are made, which is being computed and
+// how far it is, which wait. Figures are computed one at a time in the background, in the order in
+// which they were asked for, and kept until the program ends.
+// Owned by the gallery page; GUI thread. Failure: one sentence in the figure's status.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ui/window/figures/figure_worker.h"
+
+namespace asperity {
+
+/// "Figure 3", "Master curve", "Spacing".
+QString figureLabel(FigureName name);
+
+enum class FigureStage { None, Waiting, Computing };
+
+struct FigureStatus {
+  FigureStage work = FigureStage::None;
+  double part = 0;                         // of the computation, 0 to 1
+  std::shared_ptr<const MadeFigure> made;  // the newest; null: none yet
+  QString error;                           // why the newest computation failed; empty: it did not
+};
+
+class FigureGallery : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit FigureGallery(FigureMaker maker = makeFigure, QObject* parent = nullptr);
+
+  const FigureStatus& status(FigureName name) const { return of(name); }
+
+  /// The figure that is being computed.
+  std::optional<FigureName> computing() const { return computing_; }
+
+  /// Now, or once those before are done. Nothing where it is under way or waiting already.
+  void compute(FigureName name, std::int64_t realizations);
+
+  /// Ends what is being computed and forgets what waits.
+  void cancel();
+
+ signals:
+  void changed(asperity::FigureName name);
+
+ private:
+  FigureStatus& of(FigureName name) { return statuses_[static_cast<std::size_t>(name)]; }
+  const FigureStatus& of(FigureName name) const {
+    return statuses_[static_cast<std::size_t>(name)];
+  }
+  FigureWorkerEvents workerEvents();
+  void startNext();
+  void end(FigureName name);
+
+  std::vector<FigureStatus> statuses_;
+  std::deque<FigureJob> waiting_;
+  std::optional<FigureName> computing_;
+  FigureWorker worker_;  // last: its thread ends before anything else here goes
+};
+
+}  // namespace asperity

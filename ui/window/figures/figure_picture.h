@@ -1,0 +1,61 @@
+// Shows one of the paper's figures, drawn anew for each size and theme, or a line of text where
+// there is none. Pictures are made by a PictureWorker. GUI thread; belongs to its parent.
+// Failure: the signal, once, where no picture can be made here.
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <cstdint>
+#include <memory>
+
+#include "ui/contact/contact_picture.h"
+#include "ui/window/figures/figure_worker.h"
+#include "ui/window/tasks/picture_worker.h"
+
+namespace asperity {
+
+class FigurePicture : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FigurePicture(QWidget* parent = nullptr);
+
+  void showFigure(std::shared_ptr<const MadeFigure> made);
+  void showText(const QString& text);
+  void setTheme(const Theme& theme);
+  /// Texts keep this part of their usual size where a low picture would make them smaller.
+  void setLeastText(float part);
+
+  /// Whether the picture is of the figure last shown, at this size and in this theme.
+  bool isPainted() const;
+  const QImage& image() const { return image_; }
+
+  QSize sizeHint() const override { return {900, 560}; }
+  QSize minimumSizeHint() const override { return {320, 200}; }
+
+ signals:
+  void painted();
+  void failed(const QString& reason);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void requestPicture();
+  void take(std::uint64_t number, const QImage& image);
+  PictureWorker& worker();
+
+  std::shared_ptr<const MadeFigure> made_;
+  QString text_;
+  Theme theme_ = lightTheme();
+  float leastText_ = 0;
+  QImage image_;
+  std::uint64_t asked_ = 0, shown_ = 0;    // numbers of requests
+  std::uint64_t first_ = 0;                // request for the figure shown; older ones are dropped
+  std::uint64_t composed_ = 0;             // request; the worker's thread only
+  std::unique_ptr<PictureWorker> worker_;  // last: its thread ends before anything else here goes
+};
+
+}  // namespace asperity

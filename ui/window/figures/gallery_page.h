@@ -1,0 +1,115 @@
+// The page of the paper's figures: the list at the left, the picture at the right with the paper's
+// sentences about it below, computed live in the background. Takes the place of the views in the
+// main window, which owns it. GUI thread.
+// Failure: complaints appear in a bar over the page and the page goes on.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <thread>
+
+#include "ui/contact/contact_picture.h"
+#include "ui/window/figures/figure_gallery.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace asperity {
+
+class ClaimsTable;
+class FigureList;
+class FigurePicture;
+class MessageBar;
+
+/// What of a page is in sight and set up.
+struct GalleryState {
+  FigureName figure = FigureName::Contact;
+  int claim = -1;  // the row that is unfolded
+  int realizations = 0;
+  QList<QByteArray> splits;
+};
+
+class GalleryPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr int kQuick = 20;   // realizations: a look within seconds
+  static constexpr int kPaper = 200;  // as many as the paper averages over
+
+  explicit GalleryPage(FigureMaker maker = makeFigure, QWidget* parent = nullptr);
+  /// With figures that were made, or are being made.
+  explicit GalleryPage(std::unique_ptr<FigureGallery> figures, QWidget* parent = nullptr);
+  ~GalleryPage() override;
+
+  FigureGallery& gallery() { return *gallery_; }
+  /// For another page; this one goes next.
+  std::unique_ptr<FigureGallery> takeFigures();
+  GalleryState state() const;
+  void setState(const GalleryState& state);
+  FigurePicture& picture() { return *picture_; }
+  MessageBar& messages() { return *messages_; }
+
+  /// Shows this figure; `compute`: and makes it where it is not there yet.
+  void choose(FigureName name, bool compute);
+  FigureName chosen() const;
+  void setTheme(const Theme& theme);
+
+  /// The figure chosen, as a print and as its table or claims, by the extension. Written in the
+  /// background; saved() or a complaint follows.
+  void savePicture(const QString& file);
+  void saveData(const QString& file);
+  void askPicture();
+  /// As it is on the screen, to the clipboard.
+  void copyPicture();
+  /// Whether the figure chosen is there.
+  bool hasFigure() const { return shown_ != nullptr; }
+
+ signals:
+  /// Another one, or none.
+  void figureShown();
+  void closed();
+  void sceneWanted(const asperity::Scene& scene);
+  void saved(const QString& file);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* makeHeading();
+  QWidget* makeLeft();
+  QWidget* makeRight();
+  QWidget* makeChoices();
+  QWidget* makeCommands();
+  QPushButton* addButton(QLayout& row, const char* name, const QString& text, const QString& tip,
+                         void (GalleryPage::*run)());
+
+  void chooseQuick();
+  void choosePaper();
+  void compute();
+  void computeAll();
+  void cancel() { gallery_->cancel(); }
+  void openScene();
+  void askData();
+  void save(const QString& file, void (*write)(const std::filesystem::path&, const MadeFigure&));
+  void take(FigureName name);
+  void showChosen();
+  void showMade(std::shared_ptr<const MadeFigure> made);
+  void showWork();
+
+  FigureGallery* gallery_;
+  std::shared_ptr<const MadeFigure> shown_;  // null: a text instead
+  MessageBar* messages_ = nullptr;
+  FigureList* list_ = nullptr;
+  FigurePicture* picture_ = nullptr;
+  ClaimsTable* claims_ = nullptr;
+  QSpinBox* realizations_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QLabel* note_ = nullptr;  // in the place of the progress while nothing is computed
+  QPushButton *compute_ = nullptr, *cancel_ = nullptr, *openScene_ = nullptr;
+  QPushButton *savePicture_ = nullptr, *saveData_ = nullptr;
+  std::jthread saving_;  // last: ends before anything else here goes
+};
+
+}  // namespace asperity

@@ -1,0 +1,173 @@
+#include "ui/window/main/appearance.h"
+
+#include <QGuiApplication>
+#include <algorithm>
+
+#include "core/chart/curve_set.h"
+#include "ui/chart/diagram_colours.h"
+#include "ui/draw/text_painter.h"
+
+namespace asperity {
+
+namespace {
+
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  const auto part = [share](int from, int to) {
+    return static_cast<int>(from + (to - from) * share + 0.5);
+  };
+  return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
+}
+
+/// The one colour for what can be gripped, in both themes legible on their panels.
+QColor accent(const Theme& theme) {
+  return isDark(theme) ? QColor(0x6c, 0xb2, 0xff) : QColor(0x1f, 0x6f, 0xc9);
+}
+
+/// Bars and docks; in the dark a little lighter than the views, as what lies nearer.
+QColor panelOf(const Theme& theme) {
+  return isDark(theme) ? mixed(colourOf(theme.background), Qt::white, 0.06) : colourOf(theme.panel);
+}
+
+QColor edge(const Theme& theme) {
+  return mixed(panelOf(theme), colourOf(theme.text), isDark(theme) ? 0.22 : 0.18);
+}
+
+}  // namespace
+
+bool isDark(const Theme& theme) {
+  return colourOf(theme.background).lightness() < 128;
+}
+
+bool systemIsDark() {
+  static const bool dark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
+  return dark;
+}
+
+QPalette paletteOf(const Theme& theme) {
+  const QColor panel = panelOf(theme);
+  const QColor text = colourOf(theme.text);
+  const QColor base = isDark(theme) ? colourOf(theme.background) : QColor(Qt::white);
+  QPalette palette;
+  palette.setColor(QPalette::Window, panel);
+  palette.setColor(QPalette::WindowText, text);
+  palette.setColor(QPalette::Base, base);
+  palette.setColor(QPalette::AlternateBase, mixed(base, text, 0.05));
+  palette.setColor(QPalette::Text, text);
+  palette.setColor(QPalette::Button, mixed(panel, text, 0.06));
+  palette.setColor(QPalette::ButtonText, text);
+  palette.setColor(QPalette::ToolTipBase, base);
+  palette.setColor(QPalette::ToolTipText, text);
+  palette.setColor(QPalette::PlaceholderText, colourOf(theme.faintText));
+  palette.setColor(QPalette::Highlight, accent(theme));
+  palette.setColor(QPalette::HighlightedText,
+                   isDark(theme) ? QColor(Qt::black) : QColor(Qt::white));
+  palette.setColor(QPalette::Link, accent(theme));
+  palette.setColor(QPalette::Mid, edge(theme));
+  palette.setColor(QPalette::Dark, edge(theme));
+  palette.setColor(QPalette::Light, mixed(panel, base, 0.5));
+  for (const QPalette::ColorRole role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    palette.setColor(QPalette::Disabled, role, mixed(panel, text, 0.45));
+  return palette;
+}
+
+PlotColours plotColoursOf(const Theme& theme) {
+  const bool dark = isDark(theme);
+  PlotColours colours;
+  colours.background = colourOf(theme.background);
+  colours.text = colourOf(theme.text);
+  colours.faintText = colourOf(theme.faintText);
+  colours.grid = mixed(colours.background, colours.text, dark ? 0.19 : 0.14);
+  colours.fineGrid = mixed(colours.background, colours.grid, 0.55);
+  colours.axis = mixed(colours.background, colours.text, 0.5);
+  colours.points = accent(theme);
+  colours.line = dark ? QColor(0xb0, 0xb6, 0xbf) : QColor(0x6b, 0x72, 0x7c);
+  colours.span = mixed(colours.background, colours.text, dark ? 0.06 : 0.04);
+  colours.shade = colourOf(theme.highlight);
+  colours.shade.setAlphaF(0.1F);
+  colours.difference = colours.text;
+  for (std::size_t i = 0; i < colours.pinned.size(); ++i)
+    colours.pinned[i] = colourOf(seriesColour(colourOfPin(static_cast<int>(i)), theme));
+  colours.marker = dark ? QColor(0xff, 0x9f, 0x43) : QColor(0xd9, 0x5f, 0x02);
+  return colours;
+}
+
+double presentedScale(const QSizeF& screen) {
+  constexpr double kLeast = 1.5;
+  constexpr QSizeF kEnoughFor(1600, 900);
+  return kLeast * std::max(1.0, std::min(screen.width() / kEnoughFor.width(),
+                                         screen.height() / kEnoughFor.height()));
+}
+
+QString windowStyleSheet(const Theme& theme) {
+  const QColor panel = panelOf(theme);
+  const QColor text = colourOf(theme.text);
+  const bool dark = isDark(theme);
+  return QStringLiteral(R"(
+    QMainWindow, QStatusBar, QToolBar, QMenuBar, QDockWidget { background: %1; color: %2; }
+    QMainWindow::separator { background: %3; width: 1px; height: 1px; }
+    QMenuBar { padding: 2px 6px; border: none; }
+    QMenuBar::item { padding: 4px 9px; border-radius: 5px; background: transparent; }
+    QMenuBar::item:selected { background: %4; }
+    QMenu { background: %1; color: %2; border: 1px solid %3; padding: 5px; }
+    QMenu::item { padding: 5px 26px 5px 14px; border-radius: 4px; }
+    QMenu::item:selected { background: %4; }
+    QMenu::item:disabled { color: %6; }
+    QMenu::separator { height: 1px; background: %3; margin: 5px 8px; }
+    QToolBar { border: none; border-bottom: 1px solid %3; padding: 2px 8px 5px 8px; spacing: 4px; }
+    QToolBar::separator { background: %3; width: 1px; margin: 5px 6px; }
+    QToolBar QToolButton { border: none; border-radius: 6px; padding: 5px 9px; color: %2; }
+    QToolBar QToolButton:hover { background: %4; }
+    QToolBar QToolButton:pressed { background: %3; }
+    QToolBar QToolButton:checked { background: %4; }
+    QToolBar QToolButton::menu-indicator { image: none; }
+    QToolBar #qt_toolbar_ext_button { padding: 0; border-radius: 3px; }
+    QStatusBar { border-top: 1px solid %3; }
+    QStatusBar::item { border: none; }
+    QSplitter::handle { background: %3; }
+    QSplitter::handle:hover { background: %5; }
+    #messageBar { background: %7; border: none; }
+    #messageBar QLabel { color: %8; }
+    #messageBar QToolButton { border: none; color: %8; }
+    #shortcutKeys { border: 1px solid %3; border-radius: 4px; padding: 1px 6px; color: %2; }
+    #descriptionBar { background: %1; border: none; border-bottom: 1px solid %3; }
+    #descriptionBar QLabel { color: %2; }
+    #descriptionBar QToolButton { border: none; color: %6; }
+    #hintBar, #tourBar { background: %9; border: none; border-bottom: 1px solid %3; }
+    #hintBar QLabel, #tourBar QLabel { color: %2; }
+    #hintBar QToolButton { border: none; color: %6; }
+    #hintBar QPushButton, #tourBar QPushButton { border: 1px solid %3; border-radius: 5px;
+      background: %1; color: %2; padding: 3px 12px; }
+    #hintBar QPushButton:hover, #tourBar QPushButton:hover,
+    #hintBar QPushButton:focus, #tourBar QPushButton:focus { border-color: %5; }
+    #tourBar QPushButton:disabled { color: %6; }
+    QTabWidget::pane { border: none; }
+    QTabWidget QTabBar::tab { background: transparent; color: %6; padding: 6px 14px; border: none;
+      border-bottom: 2px solid transparent; }
+    QTabWidget QTabBar::tab:hover { color: %2; }
+    QTabWidget QTabBar::tab:selected { color: %2; border-bottom: 2px solid %5; }
+    #planList QHeaderView::section { background: %1; color: %6; border: none; padding: 4px 6px; }
+    #regionPictures { background: %10; }
+    #regionBar QLabel { color: %6; }
+    #regionBar QToolButton { border: none; border-radius: 5px; padding: 2px 9px; color: %6; }
+    #regionBar QToolButton:hover { background: %4; color: %2; }
+    #regionBar QToolButton:checked { background: %4; color: %2; }
+    #regionBar QToolButton:focus { border: 1px solid %5; padding: 1px 8px; }
+    #dockTitle { background: %1; border-bottom: 1px solid %3; }
+    #dockTitle QLabel { color: %6; }
+    #dockTitle QToolButton { border: none; border-radius: 4px; color: %6; padding: 2px 6px; }
+    #dockTitle QToolButton:hover { background: %4; color: %2; }
+    QToolTip { background: %1; color: %2; border: 1px solid %3; padding: 3px; }
+    QScrollBar:vertical { background: transparent; width: 9px; margin: 0; }
+    QScrollBar::handle:vertical { background: %3; border-radius: 4px; min-height: 30px; }
+    QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
+    QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+  )")
+      .arg(panel.name(), text.name(), edge(theme).name(), mixed(panel, text, 0.1).name(),
+           accent(theme).name(), colourOf(theme.faintText).name(),
+           dark ? QStringLiteral("#5b2a2a") : QStringLiteral("#fde3e1"),
+           dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"),
+           mixed(panel, accent(theme), 0.12).name(), colourOf(theme.background).name());
+}
+
+}  // namespace asperity

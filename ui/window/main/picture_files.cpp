@@ -1,0 +1,49 @@
+#include "ui/window/main/picture_files.h"
+
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "ui/language/translated.h"
+#include "ui/draw/pdf_file.h"
+#include "ui/draw/picture_origin.h"
+#include "ui/draw/png_file.h"
+#include "ui/draw/svg_file.h"
+#include "ui/draw/text_painter.h"
+#include "ui/draw/osmesa_context.h"
+
+namespace asperity {
+
+std::shared_ptr<const Frame> stillOf(const Frame& frame) {
+  const auto still = std::make_shared<Frame>(frame);
+  still->timeScale = 0;
+  return still;
+}
+
+QImage imageOf(const ContactShot& shot) {
+  OsmesaContext context;
+  return renderImage(context, composeContact(*shot.frame, shot.options));
+}
+
+void writePicture(const std::filesystem::path& file, const DrawList& picture,
+                  const PictureLabel& label) {
+  const std::string extension = file.extension().string();
+  if (extension == ".png") {
+    checkWritable(file);
+    OsmesaContext context;
+    writePng(file, renderImage(context, picture), {label.title, label.origin, 96 * label.scale});
+  } else if (extension == ".svg") {
+    writeSvg(file, picture, {label.title, label.origin});
+  } else if (extension == ".pdf") {
+    writePdf(file, picture, {label.title, label.origin, 0.75 / label.scale});
+  } else {
+    throw InputError(file.string(), "", "'" + extension + "' is not one of .png, .svg, .pdf");
+  }
+}
+
+void writeContact(const std::filesystem::path& file, const ContactShot& shot) {
+  const Scene& scene = *shot.frame->scene;
+  writePicture(
+      file, composeContact(*shot.frame, shot.options),
+      {sceneText(scene.title).toStdString(), pictureOrigin("render", scene), shot.options.scale});
+}
+
+}  // namespace asperity

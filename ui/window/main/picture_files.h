@@ -1,0 +1,39 @@
+// Pictures of the window as images and files, drawn as the headless verbs draw them. Any thread on
+// which no OpenGL context of the window is current, one at a time.
+#pragma once
+
+#include <QImage>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "ui/contact/contact_picture.h"
+#include "ui/draw/draw_list.h"
+
+namespace asperity {
+
+/// The contact as it is on the screen, under its title.
+struct ContactShot {
+  std::shared_ptr<const Frame> frame;  // never null
+  ContactPictureOptions options;
+};
+
+/// What a picture's file says of itself.
+struct PictureLabel {
+  std::string title;   // of the document; empty: none
+  std::string origin;  // one line of provenance, so that the file opens as its scene
+  double scale = 1;    // pixels to one at 96 per inch
+};
+
+/// Without what is said of a picture that moves: how fast its time passes on the screen, and in
+/// steady sliding what its last steps read.
+std::shared_ptr<const Frame> stillOf(const Frame& frame);
+
+QImage imageOf(const ContactShot& shot);
+
+/// As PNG, SVG or PDF, by the extension; InputError for any other. As writeFileAtomically.
+void writePicture(const std::filesystem::path& file, const DrawList& picture,
+                  const PictureLabel& label);
+void writeContact(const std::filesystem::path& file, const ContactShot& shot);
+
+}  // namespace asperity

@@ -1,0 +1,143 @@
+#include "ui/window/main/scene_document.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <QUndoCommand>
+#include <algorithm>
+#include <utility>
+
+#include "core/base/file_name.h"
+#include "core/scene/parameters.h"
+#include "ui/panels/parameter_row.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kMostSteps = 500;
+
+QString capitalized(const QString& text) {
+  return text.left(1).toUpper() + text.mid(1);
+}
+
+}  // namespace
+
+/// From one scene to the next; shown by the one who made the change, so its first redo is silent.
+class SceneStep : public QUndoCommand {
+ public:
+  SceneStep(SceneDocument& document, Scene after, std::uint64_t gesture, const char* what)
+      : document_(document),
+        before_(document.scene()),
+        after_(std::move(after)),
+        keys_(differingKeys(before_, after_)),
+        gesture_(gesture),
+        what_(what) {
+    takeName();
+  }
+
+  void takeName() {
+    setText(what_ ? QCoreApplication::translate("asperity::MainWindow", what_)
+                  : stepName(before_, after_));
+  }
+
+  int id() const override { return 1; }
+
+  void undo() override { document_.goTo(before_); }
+
+  void redo() override {
+    if (std::exchange(isDone_, true))
+      document_.goTo(after_);
+    else
+      document_.scene_ = after_;
+  }
+
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto& next = *static_cast<const SceneStep*>(other);
+    if (next.gesture_ != gesture_ || next.keys_ != keys_) return false;
+    after_ = next.after_;
+    setObsolete(after_ == before_);
+    return true;
+  }
+
+ private:
+  SceneDocument& document_;
+  Scene before_, after_;
+  std::vector<std::string_view> keys_;
+  std::uint64_t gesture_;
+  const char* what_;
+  bool isDone_ = false;
+};
+
+SceneDocument::SceneDocument(const Scene& scene, QObject* parent) : QObject(parent), scene_(scene) {
+  origin_.scene = scene;
+  history_.setUndoLimit(kMostSteps);
+  connect(&history_, &QUndoStack::indexChanged, this, &SceneDocument::changed);
+}
+
+/// A history that goes clears itself and says so, when the parent it would tell is half gone.
+SceneDocument::~SceneDocument() {
+  history_.disconnect(this);
+}
+
+void SceneDocument::open(const SceneOrigin& origin) {
+  origin_ = origin;
+  scene_ = origin.scene;
+  history_.clear();
+  emit changed();
+}
+
+void SceneDocument::change(const Scene& scene, std::uint64_t gesture, const char* what) {
+  if (scene == scene_) return;
+  history_.push(new SceneStep(*this, scene, gesture, what));
+}
+
+void SceneDocument::nameSteps() {
+  for (int i = 0; i < history_.count(); ++i)
+    static_cast<SceneStep*>(const_cast<QUndoCommand*>(history_.command(i)))->takeName();
+}
+
+void SceneDocument::saved(const QString& file) {
+  origin_ = {{}, file, scene_};
+  emit changed();
+}
+
+QString SceneDocument::proposedFile() const {
+  if (!origin_.shipped.isEmpty()) return origin_.shipped + QStringLiteral(".json");
+  // Letters without their accents, and what stands between words as one sign.
+  static const QRegularExpression mark(QStringLiteral("\\p{M}"));
+  static const QRegularExpression between(QStringLiteral("[^A-Za-z0-9]+"));
+  const QString plain = QString::fromStdString(scene_.title)
+                            .normalized(QString::NormalizationForm_KD)
+                            .toLower()
+                            .remove(mark);
+  const QString words = plain.split(between, Qt::SkipEmptyParts).join('_');
+  const std::string name = fileNameOf(words.toStdString());
+  return (name.empty() ? QStringLiteral("scene") : QString::fromStdString(name)) +
+         QStringLiteral(".json");
+}
+
+void SceneDocument::goTo(const Scene& scene) {
+  scene_ = scene;
+  emit sceneWanted(scene_);
+}
+
+std::vector<std::string_view> differingKeys(const Scene& a, const Scene& b) {
+  std::vector<std::string_view> keys;
+  for (const Parameter& parameter : parameters())
+    if (valueOf(parameter, a) != valueOf(parameter, b)) keys.push_back(parameter.key);
+  return keys;
+}
+
+/// A choice brings other parameters with it and names the step.
+QString stepName(const Scene& before, const Scene& after) {
+  const std::vector<std::string_view> keys = differingKeys(before, after);
+  const auto isChoice = [](std::string_view key) {
+    return std::holds_alternative<ChoiceField>(findParameter(key)->field);
+  };
+  const auto choice = std::ranges::find_if(keys, isChoice);
+  if (choice != keys.end()) return capitalized(ParameterRow::labelOf(*findParameter(*choice)));
+  if (keys.size() == 1) return capitalized(ParameterRow::labelOf(*findParameter(keys.front())));
+  return SceneDocument::tr("%1 parameters").arg(keys.size());
+}
+
+}  // namespace asperity

@@ -1,0 +1,80 @@
+#include "ui/window/main/scene_library.h"
+
+#include <QDir>
+#include <QFile>
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/base/input_error.h"
+#include "core/scene/scene_file.h"
+
+// Outside of the namespace, as the resource compiler's function is.
+static void openResources() {
+  Q_INIT_RESOURCE(asperity_scenes);
+}
+
+namespace asperity {
+
+namespace {
+
+const QString kFolder = QStringLiteral(":/asperity/scenes");
+
+/// Chapters that the list does not know come last.
+std::size_t rankOf(const std::string& chapter) {
+  static const std::string_view order[] = {
+      "Regions I to IV", "Full contact", "Single asperities",   "Rheology",
+      "Temperature",     "Transients",   "Correlated roughness"};
+  return static_cast<std::size_t>(std::ranges::find(order, chapter) - std::begin(order));
+}
+
+std::vector<LibraryScene> readLibrary() {
+  openResources();
+  std::vector<LibraryScene> scenes;
+  const QDir folder(kFolder);
+  for (const QFileInfo& entry : folder.entryInfoList({"*.json"}, QDir::Files, QDir::Name)) {
+    QFile file(entry.filePath());
+    if (!file.open(QIODevice::ReadOnly)) continue;
+    try {
+      scenes.push_back({entry.completeBaseName(),
+                        readScene(file.readAll().toStdString(), entry.fileName().toStdString())});
+    } catch (const InputError& error) {
+      qWarning("%s", error.what());
+    }
+  }
+  std::ranges::stable_sort(scenes, {}, [](const LibraryScene& entry) {
+    return std::pair(rankOf(entry.scene.chapter), entry.scene.chapter);
+  });
+  return scenes;
+}
+
+/// The file of a shipped scene; none where no scene has this name.
+std::optional<std::string> libraryFile(const std::string& name) {
+  openResources();
+  QFile file(kFolder + "/" + QString::fromStdString(name));
+  if (!name.ends_with(".json") || name.find('/') != std::string::npos ||
+      !file.open(QIODevice::ReadOnly))
+    return std::nullopt;
+  return file.readAll().toStdString();
+}
+
+}  // namespace
+
+Scene readNamedScene(const std::string& name, const std::filesystem::path& folder,
+                     const std::vector<std::string>& assignments) {
+  const std::filesystem::path file = folder / name;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    if (const auto shipped = libraryFile(name)) return readScene(*shipped, name, {}, assignments);
+  return readSceneFile(file, assignments);
+}
+
+const std::vector<LibraryScene>& libraryScenes() {
+  static const std::vector<LibraryScene> scenes = readLibrary();
+  return scenes;
+}
+
+}  // namespace asperity

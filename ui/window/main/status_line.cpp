@@ -1,0 +1,260 @@
+#include "ui/window/main/status_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "core/material/element_law.h"
+#include "ui/chart/decade_range.h"
+#include "ui/language/language.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/main/command_words.h"
+#include "ui/window/curve/curve_reading.h"
+#include "ui/window/main/elided_label.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kSaidFor = 5000;  // ms
+
+const QString kStopSign = QStringLiteral("✕"), kAgainSign = QStringLiteral("↻");
+
+double orMissing(double value) {
+  return std::isfinite(value) ? value : kNotApplicable;
+}
+
+/// Of a motion: of the moment.
+double presentFriction(const Frame& frame) {
+  return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
+}
+
+/// " (mean 0.001198 ± 0.4 %)", with the digits that the error leaves; nothing where all lines agree
+/// but for rounding.
+QString meanText(const CurveReading& reading) {
+  constexpr double kRounding = 1e-5;
+  const double share = std::abs(reading.error / reading.mu);
+  if (!(share > kRounding)) return {};
+  const double digits = std::clamp(std::ceil(-std::log10(share)) + 1, 2.0, 5.0);
+  return StatusLine::tr(" (mean %1 ± %2 %)")
+      .arg(readingLabel(reading.mu, static_cast<int>(digits)),
+           shownNumber(roundedToDigits(100 * share, 1)));
+}
+
+/// Three digits are more than a rate has: "12,000".
+QString rateText(double rate) {
+  const QLocale locale(fromUtf8(presentLanguage()));
+  return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
+}
+
+/// Why there is no dimensionless velocity, beside it and as a sentence; empty where there is one.
+struct Reason {
+  QString brief, sentence;
+};
+
+Reason whyNoVelocity(const Frame& frame) {
+  const ElementKind kind = lawOf(frame.scene->elastomer).kind();
+  if (kind == ElementKind::Elastic)
+    return {StatusLine::tr("elastic"),
+            StatusLine::tr("None here: an elastic body has no relaxation time.")};
+  if (kind == ElementKind::Arms)
+    return {StatusLine::tr("arms"),
+            StatusLine::tr("None here: arms have relaxation times of their own, and Eq. (13) is "
+                           "made with the only one of the paper's elastomer.")};
+  if (!(frame.rmsHeight > 0) || !(frame.rmsSlope > 0))
+    return {StatusLine::tr("flat"), StatusLine::tr("None here: the line has no roughness.")};
+  return {};
+}
+
+}  // namespace
+
+double dimensionlessForce(const Frame& frame) {
+  return orMissing(frame.normalForce / (lawOf(frame.scene->elastomer).equilibriumModulus *
+                                        frame.rmsHeight * frame.length));
+}
+
+double dimensionlessVelocity(const Frame& frame) {
+  const ElementLaw law = lawOf(frame.scene->elastomer);
+  if (law.kind() != ElementKind::Kelvin) return kNotApplicable;
+  const double velocity = frame.transient ? frame.velocity : frame.scene->sliding.velocity;
+  return orMissing(law.relaxationTime * velocity * frame.rmsSlope /
+                   (std::sqrt(2.0) * frame.rmsHeight));
+}
+
+StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
+  auto* line = new QHBoxLayout(this);
+  line->setContentsMargins(12, 3, 12, 3);
+  line->setSpacing(20);
+  regime_ = addFact(*line, "factRegime",
+                    tr("Where the velocity lies on the friction curve: regions I to IV of the "
+                       "paper, found on the complete curve"));
+  mu_ = addFact(
+      *line, "factMu",
+      tr("Coefficient of friction of this line, of a motion at this moment; in brackets the mean "
+         "of all lines at this velocity with its standard error"));
+  force_ =
+      addFact(*line, "factForce",
+              tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
+  velocity_ = addFact(*line, "factVelocity", velocityTip());
+  settling_ = addFact(*line, "factSettling",
+                      tr("The picture is on its way from the scene before to the steady state, "
+                         "which these numbers and the chart are of. R shows that at once."));
+  said_ = new SaidLabel;
+  said_->setObjectName("said");
+  line->addWidget(said_, 1);
+  silence_ = new QTimer(this);
+  silence_->setSingleShot(true);
+  connect(silence_, &QTimer::timeout, this, &StatusLine::fallSilent);
+  addWork(*line);
+  simulations_ = addFact(*line, "factSimulations",
+                         tr("Lines at one velocity each, computed in a second for the curve"));
+  rate_ = addFact(*line, "factRate", tr("Pictures of the contact shown in the last second"));
+  backend_ = addFact(*line, "factBackend", tr("What draws the contact"));
+  showWork({});
+}
+
+/// Slim, and there only while something is under way; but its height is kept: the views above must
+/// not move when a curve begins or ends.
+void StatusLine::addWork(QHBoxLayout& line) {
+  progress_ = new QProgressBar;
+  progress_->setObjectName("workProgress");
+  progress_->setTextVisible(false);
+  progress_->setFixedSize(90, 6);
+  stop_ = new QToolButton;
+  stop_->setObjectName("workStop");
+  stop_->setAutoRaise(true);
+  stop_->setFocusPolicy(Qt::TabFocus);
+  connect(stop_, &QToolButton::clicked, this, &StatusLine::pressed);
+  auto* room = new QHBoxLayout;
+  room->setSpacing(4);
+  room->addWidget(progress_);
+  room->addWidget(stop_);
+  line.addLayout(room);
+  int height = 0;
+  for (const QString& sign : {kStopSign, kAgainSign}) {
+    stop_->setText(sign);
+    height = std::max(height, stop_->sizeHint().height());
+  }
+  stop_->setFixedHeight(height);
+  line.addStrut(height);
+}
+
+void StatusLine::pressed() {
+  if (state_ == Work::State::Running) emit stopWanted();
+  if (state_ == Work::State::Stopped) emit againWanted();
+  if (state_ == Work::State::Waiting) emit backWanted();
+}
+
+void StatusLine::showWork(const Work& work) {
+  state_ = work.state;
+  const bool waits = state_ == Work::State::Waiting;
+  const bool stands = state_ == Work::State::Stopped;
+  progress_->setRange(0, waits ? 0 : 1000);
+  progress_->setValue(static_cast<int>(1000 * work.progress));
+  progress_->setAccessibleName(waits ? tr("making the line") : tr("progress of the curve"));
+  stop_->setText(stands ? kAgainSign : kStopSign);
+  const QString text = waits    ? tr("Making the line… Back to the scene before")
+                       : stands ? tr("The curve is not complete: average it again")
+                                : tr("Stop averaging the curve");
+  stop_->setToolTip(text);
+  stop_->setAccessibleName(text);
+  progress_->setVisible(state_ != Work::State::Idle);
+  stop_->setVisible(state_ != Work::State::Idle);
+  simulations_->setText(work.simulationsPerSecond > 0
+                            ? tr("%1 simulations/s").arg(rateText(work.simulationsPerSecond))
+                            : QString());
+  fitFacts();
+}
+
+QString StatusLine::velocityTip() {
+  return tr(
+      "Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of "
+      "a motion at this moment");
+}
+
+QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name, const QString& tip) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setToolTip(tip);
+  line.addWidget(label);
+  return label;
+}
+
+void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
+  regime_->setText(reading.regime);
+  QString mean;
+  if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
+  mu_->setText(tr("friction μ = %1%2").arg(readingLabel(presentFriction(frame)), mean));
+  force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
+  showVelocity(frame);
+  settling_->setText(frame.isSettling ? tr("settling (R: at once)") : QString());
+  fitFacts();
+}
+
+/// Whole or not at all: where the window is narrow, what matters least is left out. What is hidden
+/// comes back only with some air, so that it does not come and go with the digits of the rest.
+void StatusLine::fitFacts() {
+  constexpr int kAir = 40;  // pixels
+  const QMargins around = layout()->contentsMargins();
+  int room = width() - around.left() - around.right();
+  for (const QWidget* work : std::initializer_list<const QWidget*>{progress_, stop_})
+    if (!work->isHidden()) room -= work->sizeHint().width() + layout()->spacing();
+  bool fits = true;
+  for (QLabel* fact : {mu_, settling_, regime_, force_, velocity_, simulations_, rate_, backend_}) {
+    const bool isSaidOver =
+        silence_->isActive() && (fact == simulations_ || fact == rate_ || fact == backend_);
+    if (fact->text().isEmpty() || isSaidOver) {
+      fact->hide();
+      continue;
+    }
+    const int needed = fact->sizeHint().width() + layout()->spacing();
+    fits = fits && room >= needed + (fact->isHidden() ? kAir : 0);
+    fact->setVisible(fits || fact == mu_);
+    room -= needed;
+  }
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitFacts();
+}
+
+/// With the reason beside it where none can be said and nothing else needs the room.
+void StatusLine::showVelocity(const Frame& frame) {
+  constexpr int kLeastLeft = 4, kAir = 16;  // pixels; apart, so that it does not come and go
+  const QString plain = tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame)));
+  const Reason reason = whyNoVelocity(frame);
+  velocity_->setToolTip(reason.sentence.isEmpty()
+                            ? velocityTip()
+                            : wrappedTip(velocityTip() + QStringLiteral(". ") + reason.sentence));
+  if (reason.brief.isEmpty()) return velocity_->setText(plain);
+  const QString whole = tr("%1 (%2)").arg(plain, reason.brief);
+  const int more = fontMetrics().horizontalAdvance(whole) - fontMetrics().horizontalAdvance(plain);
+  const bool isWhole = velocity_->text() == whole;
+  const bool hasRoom = isWhole ? said_->width() >= kLeastLeft : said_->width() >= more + kAir;
+  velocity_->setText(hasRoom && !velocity_->isHidden() ? whole : plain);
+}
+
+void StatusLine::say(const QString& text) {
+  said_->setText(text);
+  silence_->start(kSaidFor);
+  fitFacts();
+}
+
+void StatusLine::fallSilent() {
+  said_->clear();
+  fitFacts();
+}
+
+void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {
+  rate_->setText(tr("%1 frames/s").arg(framesPerSecond));
+  backend_->setText(backend);
+  fitFacts();
+}
+
+}  // namespace asperity

@@ -1,0 +1,121 @@
+#include "ui/window/main/window_sight.h"
+
+#include <QtGui/qguiapplication_platform.h>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QLibrary>
+#include <QWidget>
+#include <QWindow>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#if QT_CONFIG(xcb)
+#include <xcb/xcb.h>
+#endif
+
+namespace asperity {
+
+namespace {
+
+#if QT_CONFIG(xcb)
+
+/// Asks X11 for the news of a window's visibility, besides what Qt asks for. The functions come
+/// from the library that Qt's own plugin has loaded: other window systems do without it.
+void askForVisibility(QWidget& window) {
+  const auto* x11 = qGuiApp->nativeInterface<QNativeInterface::QX11Application>();
+  if (!x11 || !x11->connection()) return;  // other platforms have the interface, but nothing in it
+  QLibrary library(QStringLiteral("xcb"), 1);
+  const auto function = [&](auto* type, const char* name) {
+    return reinterpret_cast<decltype(type)>(library.resolve(name));
+  };
+  const auto get = function(&xcb_get_window_attributes, "xcb_get_window_attributes");
+  const auto reply = function(&xcb_get_window_attributes_reply, "xcb_get_window_attributes_reply");
+  const auto change = function(&xcb_change_window_attributes, "xcb_change_window_attributes");
+  if (!get || !reply || !change) return;
+  const auto id = static_cast<xcb_window_t>(window.winId());
+  auto* attributes = reply(x11->connection(), get(x11->connection(), id), nullptr);
+  if (!attributes) return;
+  const std::uint32_t wanted = attributes->your_event_mask | XCB_EVENT_MASK_VISIBILITY_CHANGE;
+  std::free(attributes);
+  change(x11->connection(), id, XCB_CW_EVENT_MASK, &wanted);
+}
+
+/// Whether the window is wholly covered, where the message tells of that.
+std::optional<bool> coverOf(const QWindow& window, const QByteArray& type, const void* message) {
+  if (type != "xcb_generic_event_t") return std::nullopt;
+  const auto* event = static_cast<const xcb_visibility_notify_event_t*>(message);
+  if ((event->response_type & 0x7f) != XCB_VISIBILITY_NOTIFY || event->window != window.winId())
+    return std::nullopt;
+  return event->state == XCB_VISIBILITY_FULLY_OBSCURED;
+}
+
+#else
+
+void askForVisibility(QWidget&) {}
+
+std::optional<bool> coverOf(const QWindow&, const QByteArray&, const void*) {
+  return std::nullopt;
+}
+
+#endif
+
+}  // namespace
+
+WindowSight::WindowSight(QWidget& window) : QObject(&window), window_(window) {
+  window_.installEventFilter(this);
+  qGuiApp->installNativeEventFilter(this);
+  watchHandle();
+}
+
+WindowSight::~WindowSight() {
+  qGuiApp->removeNativeEventFilter(this);
+}
+
+/// The window system's window comes with the first showing, and may be made anew.
+void WindowSight::watchHandle() {
+  QWindow* handle = window_.windowHandle();
+  if (!handle || !handle->handle()) return;
+  if (handle != handle_) handle->installEventFilter(this);
+  handle_ = handle;
+  isCovered_ = false;
+  askForVisibility(window_);
+}
+
+bool WindowSight::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::WinIdChange:
+      watchHandle();
+      break;
+    case QEvent::Show:
+      if (!handle_) watchHandle();
+      break;
+    case QEvent::Hide:
+    case QEvent::Expose:
+    case QEvent::WindowStateChange:
+      // Later: the event has not had its effect yet.
+      QMetaObject::invokeMethod(
+          this, [this] { judge(); }, Qt::QueuedConnection);
+      break;
+    default:
+      break;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+bool WindowSight::nativeEventFilter(const QByteArray& type, void* message, qintptr*) {
+  const std::optional<bool> cover = handle_ ? coverOf(*handle_, type, message) : std::nullopt;
+  if (!cover) return false;
+  isCovered_ = *cover;
+  judge();
+  return false;
+}
+
+void WindowSight::judge() {
+  const bool isSeen = window_.isVisible() && !window_.isMinimized() && handle_ &&
+                      handle_->isExposed() && !isCovered_;
+  if (std::exchange(isSeen_, isSeen) != isSeen) emit changed(isSeen);
+}
+
+}  // namespace asperity
