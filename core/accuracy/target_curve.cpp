@@ -35,7 +35,7 @@ class Targeting {
         options_(options),
         sampler_(scene_, options_),
         columns_(scene_, sampler_.source(0)),
-        isRandom_(sampler_.source(0).isRandom()),
+        isRandom_(sampler_.source(0).isRandom() && scene_.ensemble.realizations > 1),
         isFrictionless_(isFrictionless(scene_)) {
     for (const double velocity : sweepVelocities(scene_.sweep))
       states_.emplace_back().velocity = velocity;
@@ -360,6 +360,22 @@ class Targeting {
     return result;
   }
 
+  /// A new plan may begin at a level of which too few lines were drawn yet to know their spread.
+  bool hasEstimate(const VelocityState& state) const {
+    if (!isRandom_) return true;
+    for (const std::size_t half : {0U, 1U})
+      for (int l = state.plan.first; l <= state.plan.last; ++l)
+        if (state.sampled(half, l).count() < 2) return false;
+    return true;
+  }
+
+  /// The mean over all lines drawn, of whatever level.
+  CurvePoint sampledSoFar(const VelocityState& state) const {
+    CurvePoint point = state.facts.point(state.velocity);
+    columns_.addTo(point, state.facts);
+    return point;
+  }
+
   /// Lines drawn so far, and those that the plans still ask for: none in the last report, else one
   /// at least. A line that is given is one line, done with the last level.
   void report(bool isLast = false) {
@@ -367,7 +383,8 @@ class Targeting {
     std::vector<CurvePoint> points;
     std::int64_t still = isLast ? 0 : 1;
     for (const VelocityState& state : states_) {
-      points.push_back(pointOf(state, achievedBy(state)));
+      points.push_back(hasEstimate(state) ? pointOf(state, achievedBy(state))
+                                          : sampledSoFar(state));
       if (!isRandom_) continue;
       std::int64_t lines = 0;
       for (const std::size_t half : {0U, 1U})

@@ -10,6 +10,7 @@
 #include "core/scene/columns.h"
 #include "core/base/printed_number.h"
 #include "core/scene/provenance.h"
+#include "core/surface/line_source.h"
 
 namespace asperity {
 namespace {
@@ -143,7 +144,7 @@ std::string sentenceOf(const WorkPrecision& comparison) {
   std::string text = scene.title.empty() ? std::string() : scene.title + "; ";
   return text + fmt::format("{} line{} of {} elements, 8 velocities in each region",
                             comparison.lines, comparison.lines == 1 ? "" : "s",
-                            scene.surface.elements);
+                            LineSource(scene, 1).elements());
 }
 
 }  // namespace

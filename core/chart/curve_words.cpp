@@ -30,7 +30,7 @@ std::string inWords(const Parameter& row, const Scene& scene) {
   const ParameterValue value = valueOf(row, scene);
   const auto* real = std::get_if<double>(&value);
   const auto* whole = std::get_if<std::int64_t>(&value);
-  if (real && *real == 0 && value == defaultOf(row)) return {};
+  if (real && *real == 0 && (value == defaultOf(row) || isLeftToProfile(row, scene, 0))) return {};
   if (real && row.unit.empty()) return fmt::format("{} = {:g}", printed(row.symbol), *real);
   if (real) return fmt::format("{} = {}", printed(row.symbol), printedQuantity(*real, row.unit));
   if (whole && *whole > 0) return fmt::format("{} = {}", printed(row.symbol), *whole);

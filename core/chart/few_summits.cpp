@@ -35,7 +35,7 @@ double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points
 }
 
 std::optional<VelocityRange> fewSummitsWithin(double velocity, double first, double last) {
-  if (!(velocity < last)) return std::nullopt;
+  if (!std::isfinite(velocity) || velocity >= last) return std::nullopt;
   return VelocityRange{std::max(velocity, first), last};
 }
 

@@ -44,12 +44,6 @@ Scene& readable(const Scene& scene) {
   throw InputError("", std::string(parameter.key), std::move(message));
 }
 
-/// Zero stands for "as the profile's file says".
-bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number) {
-  return number == 0 && scene.surface.kind == SurfaceKind::Profile &&
-         (parameter.key == "surface.length" || parameter.key == "surface.elements");
-}
-
 double numberFrom(const Parameter& parameter, const ParameterValue& value) {
   const double number = std::visit(
       Overloaded{[](double real) { return real; },
@@ -117,6 +111,11 @@ void setArms(const Parameter& parameter, const ArmsField& field, Scene& scene,
 }
 
 }  // namespace
+
+bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number) {
+  return number == 0 && scene.surface.kind == SurfaceKind::Profile &&
+         (parameter.key == "surface.length" || parameter.key == "surface.elements");
+}
 
 bool isApplicable(const Parameter& parameter, const Scene& scene) {
   if (parameter.key == "accuracy.oversampling" && choosesAccuracy(scene)) return false;

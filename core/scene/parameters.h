@@ -109,4 +109,8 @@ std::optional<AllowedRange> allowedRange(const Parameter& parameter);
 /// "0 to 1", "1e-6 to 1e15 Pa", "one of nodal, linear, cubic", "text".
 std::string allowedText(const Parameter& parameter);
 
+/// Whether this number of the parameter stands for "as the profile's file says": a 0 of its length
+/// or its elements.
+bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number);
+
 }  // namespace asperity

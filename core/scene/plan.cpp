@@ -154,6 +154,7 @@ std::string whySweep(const Scene& scene, bool runs) {
 }
 
 std::string whyAveraging(const Scene& scene, bool runs) {
+  if (runs && choosesAccuracy(scene)) return "as many random lines as the target accuracy needs";
   if (runs) return fmt::format("{} random lines", scene.ensemble.realizations);
   return isRandom(scene) ? "one line is enough" : "the line is not random";
 }

@@ -435,6 +435,10 @@
         <translation>%1 innere Variablen je Element</translation>
     </message>
     <message>
+        <source>as many random lines as the target accuracy needs</source>
+        <translation>so viele zufällige Linien, wie die verlangte Genauigkeit braucht</translation>
+    </message>
+    <message>
         <source>%1 random lines</source>
         <translation>%1 Zufallslinien</translation>
     </message>
