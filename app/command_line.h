@@ -100,7 +100,7 @@ std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const 
 /// Does the work; bad input that names neither a file of its own nor an option is said of the
 /// scene's file.
 template <class Work>
-auto saidOfScene(const CommonOptions& options, const Work& work) {
+auto withSceneContext(const CommonOptions& options, const Work& work) {
   try {
     return work();
   } catch (const InputError& error) {

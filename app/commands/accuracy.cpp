@@ -11,15 +11,15 @@
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/work_precision_sheet.h"
-#include "core/run/motion_accuracy.h"
 #include "core/base/atomic_file.h"
+#include "core/run/motion_accuracy.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
-#include "ui/language/translated.h"
-#include "ui/language/words.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/picture_origin.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -39,7 +39,7 @@ WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
   options.progress = [&bar](double part) {
     bar.show(static_cast<std::int64_t>(1000 * part), 1000);
   };
-  return saidOfScene(common, [&] {
+  return withSceneContext(common, [&] {
     WorkPrecision comparison = workPrecision(scene, options);
     addMarchErrors(comparison);
     return comparison;
@@ -119,7 +119,7 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
 
 int runAccuracy(const AccuracyCommand& command) {
   const Scene scene = sceneOf(command.common);
-  saidOfScene(command.common, [&] { needSteadySliding(scene, "asperity accuracy"); });
+  withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity accuracy"); });
   makeFolder(command.output);
   for (const char* name : kFiles) {
     checkWritable(fileIn(command.output, name));

@@ -3,16 +3,16 @@
 
 #include "app/command_line.h"
 #include "app/output.h"
+#include "core/base/input_error.h"
+#include "core/base/printable_text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/law.h"
 #include "core/material/element_law.h"
-#include "core/base/input_error.h"
-#include "core/base/printable_text.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {
@@ -47,7 +47,7 @@ std::string summaryOf(const Scene& scene, const LineSource& source, const LawInp
 
 int runCheck(const CommonOptions& command) {
   const Scene scene = sceneOf(command);
-  saidOfScene(command, [&] {
+  withSceneContext(command, [&] {
     const LineSource source(scene, pointsPerElement(scene));
     printSummary(command.json, command.quiet, summaryOf(scene, source, lawInputOf(scene, source)));
   });

@@ -10,17 +10,17 @@
 #include "app/picture_composer.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
 #include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
-#include "core/base/atomic_file.h"
 #include "core/scene/effects.h"
-#include "core/base/input_error.h"
 #include "core/scene/provenance.h"
-#include "ui/language/translated.h"
-#include "ui/language/words.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -32,7 +32,7 @@ Curve compute(const Scene& scene, const CommonOptions& common) {
   options.progress = [&bar](const CurveProgress& progress) {
     bar.show(progress.realizationsDone, progress.realizationsTotal);
   };
-  return saidOfScene(common, [&] { return curveOf(scene, options); });
+  return withSceneContext(common, [&] { return curveOf(scene, options); });
 }
 
 void writePictures(const CurveCommand& command, const CurveSet& set, const PictureStyle& style) {
@@ -111,7 +111,7 @@ std::string commentOf(const CurveSet& set, const CurveChoice& choice) {
 
 int runCurve(const CurveCommand& command) {
   const Scene scene = sceneOf(command.common);
-  saidOfScene(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
+  withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
@@ -120,7 +120,7 @@ int runCurve(const CurveCommand& command) {
   const PictureStyle style = styleOf(command.picture, {1200, 800, "print"});
   checkCurves(command.curves, scene);
   const Curve curve = compute(scene, command.common);
-  const CurveSet set = saidOfScene(command.common, [&] {
+  const CurveSet set = withSceneContext(command.common, [&] {
     return curvesOf(command.curves, scene, curve.points, command.common);
   });
   for (const std::string& output : command.outputs) {

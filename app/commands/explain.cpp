@@ -11,7 +11,7 @@ namespace asperity {
 
 int runExplain(const ExplainCommand& command) {
   const Scene scene = sceneOf(command.common);
-  saidOfScene(command.common, [&] {
+  withSceneContext(command.common, [&] {
     Explanation explanation = explainRun(scene, command.common.threads);
     if (command.analyze) analyzeRun(explanation, command.common.threads);
     printSummary(command.common.json, command.common.quiet, explanationText(explanation));

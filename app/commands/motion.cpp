@@ -14,10 +14,10 @@
 #include "app/progress_bar.h"
 #include "core/base/atomic_file.h"
 #include "core/scene/provenance.h"
-#include "ui/language/translated.h"
-#include "ui/language/words.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -29,7 +29,7 @@ MotionTable compute(const Scene& scene, const MotionCommand& command) {
   options.lines = command.lines;
   options.threads = command.common.threads;
   options.progress = [&bar](std::int64_t done, std::int64_t total) { bar.show(done, total); };
-  return saidOfScene(command.common, [&] { return marchMotion(scene, options); });
+  return withSceneContext(command.common, [&] { return marchMotion(scene, options); });
 }
 
 void writePicture(const std::string& output, const Scene& scene, const MotionTable& table,

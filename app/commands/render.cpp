@@ -17,15 +17,15 @@
 #include "app/sequence_files.h"
 #include "core/accuracy/target_curve.h"
 #include "core/base/atomic_file.h"
-#include "core/scene/effects.h"
 #include "core/base/input_error.h"
+#include "core/scene/effects.h"
 #include "core/scene/provenance.h"
-#include "ui/language/language.h"
-#include "ui/language/translated.h"
-#include "ui/language/words.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -64,7 +64,7 @@ class Rendering {
     checkUsage();
     checkParts();
     if (showsCurve()) checkCurves(command.curves, scene_);
-    saidOfScene(command_.common, [&] {
+    withSceneContext(command_.common, [&] {
       checkLayout();
       frames_.emplace(scene_, command_.time, kind_ == Kind::Picture, command_.view.fields(overlay_),
                       command_.view.finest());

@@ -9,11 +9,11 @@
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "core/surface/surface_file.h"
+#include "ui/contact/surface_picture.h"
+#include "ui/draw/picture_origin.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/draw/picture_origin.h"
-#include "ui/contact/surface_picture.h"
-#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {
@@ -51,7 +51,7 @@ int runSurface(const SurfaceCommand& command) {
   checkOutputs(command.outputs, {".csv", ".json", ".png"});
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
-  saidOfScene(command.common, [&] {
+  withSceneContext(command.common, [&] {
     const LineSource source(scene, pointsPerElement(scene));
     const Line line = source.make(0);
     for (const std::string& output : command.outputs) writeSurface(output, scene, source, line);

@@ -145,7 +145,7 @@ double memoryOfCurve(const Scene& scene, int threads) {
   const double elements = elementsOf(scene);
   const double nodes = elements * static_cast<double>(pointsPerElementOfCurve(scene));
   constexpr double kNumber = sizeof(double);
-  // Numbers a node: Line, TravelLine with its blocks, and the buffers of the transform.
+  // Numbers a node: Line, PreparedProfile with its blocks, and the buffers of the transform.
   const double ofLine = scheme == Scheme::Linear && isRandom ? 1 : 2;
   const double ofTravel = scheme == Scheme::Cubic    ? 3 + 5 * 4.0 / 3
                           : scheme == Scheme::Linear ? 2 + 5 / 3.0

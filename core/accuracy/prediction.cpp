@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "core/accuracy/pilot.h"
-#include "core/base/processor_time.h"
 #include "core/accuracy/target_curve.h"
+#include "core/base/processor_time.h"
 #include "core/contact/steady_solver.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/running_mean.h"
@@ -41,7 +41,7 @@ class Pilot {
   std::vector<double> slide(std::int64_t realization) {
     const double begin = threadSeconds();
     source_.makeInto(line_, realization);
-    prepareTravelInto(travel_, line_, scene_.accuracy.scheme);
+    prepareProfileInto(travel_, line_, scene_.accuracy.scheme);
     const double made = threadSeconds();
     sliding_.sweep(travel_, scene_.load, velocities_, row_);
     making_.push_back(made - begin);
@@ -68,11 +68,11 @@ class Pilot {
  private:
   Scene scene_;
   LineSource source_;
-  SceneSliding sliding_;
+  SteadySolver sliding_;
   std::vector<double> velocities_;
   std::vector<SteadyResult> row_;
   Line line_;
-  TravelLine travel_;
+  PreparedProfile travel_;
   double residual_ = 0;
   std::vector<double> making_, sweeping_;  // s, of each line
 };

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/paper/literal_march.h"
 #include "core/base/processor_time.h"
-#include "core/contact/steady_solver.h"
 #include "core/contact/balance_error.h"
+#include "core/contact/steady_solver.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/regions.h"
 #include "core/friction/running_mean.h"
 #include "core/material/element_law.h"
+#include "core/paper/literal_march.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -41,7 +41,7 @@ double quantile(std::vector<double> values, double part) {
 /// One resolution of all lines, ready to slide on.
 struct Prepared {
   Scene scene;  // with the scheme of the method
-  std::vector<TravelLine> lines;
+  std::vector<PreparedProfile> lines;
   double lineSeconds = 0;
 };
 
@@ -59,7 +59,7 @@ Prepared prepare(const Scene& scene, const MethodChoice& choice, std::int64_t li
   for (std::int64_t r = 0; r < lines; ++r) {
     const double start = threadSeconds();
     source.makeInto(line, r);
-    prepared.lines.push_back(prepareTravel(line, prepared.scene.accuracy.scheme));
+    prepared.lines.push_back(prepareProfile(line, prepared.scene.accuracy.scheme));
     seconds.push_back(threadSeconds() - start);
   }
   prepared.lineSeconds = median(seconds);
@@ -68,10 +68,10 @@ Prepared prepare(const Scene& scene, const MethodChoice& choice, std::int64_t li
 
 /// mu of every line and velocity: [line * velocities + i].
 std::vector<double> slideAll(const Prepared& prepared, const std::vector<double>& velocities) {
-  const SceneSliding sliding(prepared.scene);
+  const SteadySolver sliding(prepared.scene);
   std::vector<double> mu;
   std::vector<SteadyResult> row(velocities.size());
-  for (const TravelLine& line : prepared.lines) {
+  for (const PreparedProfile& line : prepared.lines) {
     sliding.sweep(line, prepared.scene.load, velocities, row);
     for (std::size_t i = 0; i < row.size(); ++i) {
       requireBalance(row[i], velocities[i]);
@@ -285,7 +285,7 @@ class Comparison {
     scene.accuracy.targetRelativeError = 0;
     scene.accuracy.oversampling = pointsPerElementOfCurve(scene_);
     const LineSource source(scene, pointsPerElementOfCurve(scene));
-    const SceneSliding sliding(scene);
+    const SteadySolver sliding(scene);
     const std::vector<double> velocity{
         std::sqrt(region.velocities.front() * region.velocities.back())};
     const std::int64_t count =
@@ -293,13 +293,13 @@ class Comparison {
                   std::max<std::int64_t>(16, kMostNodes * 4 / source.elements())});
     std::vector<double> mu;
     Line line;
-    TravelLine travel;
+    PreparedProfile travel;
     std::vector<SteadyResult> row(1);
     RunningMean all;
     for (std::int64_t r = 0; r < count; ++r) {
       if (options_.stop.stop_requested()) throw StudyStopped{};
       source.makeInto(line, r);
-      prepareTravelInto(travel, line, scene.accuracy.scheme);
+      prepareProfileInto(travel, line, scene.accuracy.scheme);
       sliding.sweep(travel, scene.load, velocity, row);
       mu.push_back(row[0].mu);
       all.add(row[0].mu);

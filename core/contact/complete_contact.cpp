@@ -9,7 +9,7 @@ namespace {
 /// take(level, block) for the largest blocks that together are the whole segments; ends where it
 /// returns false.
 template <class Take>
-bool forLargestBlocks(const TravelLine& line, const Take& take) {
+bool forLargestBlocks(const PreparedProfile& line, const Take& take) {
   for (std::size_t place = 0; place < line.blockCount(0);) {
     std::size_t level = line.blocks.size() - 1;
     const auto fits = [&] {
@@ -26,7 +26,7 @@ bool forLargestBlocks(const TravelLine& line, const Take& take) {
 /// Looks for depth that the line needs beyond what is known: p / 4G = d - rise - c rise'.
 class Needed {
  public:
-  Needed(const TravelLine& line, double memory, double known)
+  Needed(const PreparedProfile& line, double memory, double known)
       : line_(line), memory_(memory), most_(known) {}
 
   double most() const { return most_; }
@@ -81,23 +81,23 @@ class Needed {
     return most;
   }
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   double memory_, most_;
 };
 
 }  // namespace
 
-bool isContactComplete(const TravelLine& line, double depth, double memoryLength) {
+bool isContactComplete(const PreparedProfile& line, double depth, double memoryLength) {
   return Needed(line, memoryLength, depth).isEnough();
 }
 
-double completeAbove(const TravelLine& line, double memoryLength) {
+double completeAbove(const PreparedProfile& line, double memoryLength) {
   Needed needed(line, memoryLength, 0);
   needed.raise();
   return needed.most();
 }
 
-StateSums completeState(const TravelLine& line, double depth, double memoryLength) {
+StateSums completeState(const PreparedProfile& line, double depth, double memoryLength) {
   double slopes = line.bounds(0).slopeSquared + line.bounds(line.segments() - 1).slopeSquared;
   forLargestBlocks(line, [&](std::size_t level, std::size_t block) {
     slopes += line.block(level, block).slopeSquared;

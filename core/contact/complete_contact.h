@@ -13,17 +13,17 @@ namespace asperity {
 
 /// Whether pressure is above 0 along the whole line at this depth (m). memoryLength: c = v tau (m).
 /// Cheap where the answer is clear.
-bool isContactComplete(const TravelLine& line, double depth, double memoryLength);
+bool isContactComplete(const PreparedProfile& line, double depth, double memoryLength);
 
 /// The depth (m) above which it is: max(rise + c rise').
-double completeAbove(const TravelLine& line, double memoryLength);
+double completeAbove(const PreparedProfile& line, double memoryLength);
 
 /// The depth (m) at which complete contact carries a load = F_N / 4G (m^2).
-inline double depthOfComplete(const TravelLine& line, double load) {
+inline double depthOfComplete(const PreparedProfile& line, double load) {
   return load / line.length + line.meanRise;
 }
 
 /// What a result states of complete contact at that depth; absoluteSlope is not gathered: NaN.
-StateSums completeState(const TravelLine& line, double depth, double memoryLength);
+StateSums completeState(const PreparedProfile& line, double depth, double memoryLength);
 
 }  // namespace asperity

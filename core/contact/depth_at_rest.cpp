@@ -10,7 +10,7 @@ namespace {
 
 /// Force at rest, looked up in the blocks: those above the depth carry nothing, those below it
 /// their mean, and only those that it cuts are opened. Single segments count by their mean.
-ForceSums forceAtRest(const TravelLine& line, double depth) {
+ForceSums forceAtRest(const PreparedProfile& line, double depth) {
   ForceSums sums;
   const auto carry = [&](const SegmentBounds& block, double length) {
     if (depth * length <= block.riseIntegral) return;
@@ -36,7 +36,7 @@ ForceSums forceAtRest(const TravelLine& line, double depth) {
 
 }  // namespace
 
-double depthAtRest(const TravelLine& line, double load, const std::stop_token& stop) {
+double depthAtRest(const PreparedProfile& line, double load, const std::stop_token& stop) {
   constexpr int kMostSteps = 12;
   constexpr double kCloseEnough = 1e-3;
   double depth = load / line.length + line.meanRise;

@@ -9,6 +9,6 @@ namespace asperity {
 
 /// A depth (m) close to that which carries the load (m^2, per 4G) at rest, of resolved lines.
 /// Sliding carries more. Where `stop` is requested any depth comes back, soon.
-double depthAtRest(const TravelLine& line, double load, const std::stop_token& stop = {});
+double depthAtRest(const PreparedProfile& line, double load, const std::stop_token& stop = {});
 
 }  // namespace asperity

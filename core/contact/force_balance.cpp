@@ -12,7 +12,7 @@ namespace {
 /// Newton's iteration with the bracket it has found so far.
 class Iteration {
  public:
-  Iteration(const TravelLine& line, double memory, double load)
+  Iteration(const PreparedProfile& line, double memory, double load)
       // Full contact is the lightest way to carry a load at a depth: the root is not beyond it.
       : line_(line),
         memory_(memory),
@@ -50,14 +50,15 @@ class Iteration {
     return next >= low_ && next <= high_ ? next : 0.5 * (low_ + high_);
   }
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   double memory_, load_, low_, high_;
   Balance best_;
 };
 
 }  // namespace
 
-Balance balanceResolved(const TravelLine& line, double memoryLength, double load, double guess) {
+Balance balanceResolved(const PreparedProfile& line, double memoryLength, double load,
+                        double guess) {
   return Iteration(line, memoryLength, load).run(guess);
 }
 

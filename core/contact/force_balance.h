@@ -27,7 +27,8 @@ struct Balance {
 };
 
 /// load = F_N / 4G (m^2, > 0). guess: a depth near the answer (m), or 0.
-Balance balanceResolved(const TravelLine& line, double memoryLength, double load, double guess = 0);
+Balance balanceResolved(const PreparedProfile& line, double memoryLength, double load,
+                        double guess = 0);
 
 struct NodalBalance {
   Balance balance;
@@ -36,6 +37,6 @@ struct NodalBalance {
       1;  // of the load that the entering element would carry; 1: none is partial
 };
 
-NodalBalance balanceNodal(const TravelLine& line, double memoryLength, double load);
+NodalBalance balanceNodal(const PreparedProfile& line, double memoryLength, double load);
 
 }  // namespace asperity

@@ -25,7 +25,7 @@ std::size_t columnInOrder(std::size_t n, std::size_t count) {
 }
 
 /// ln(depth / depth at rest) of the other line: 0 at rest and in full contact, negative in between.
-double DepthTable::expected(std::size_t row, std::size_t column) const {
+double InitialGuess::expected(std::size_t row, std::size_t column) const {
   if (others.empty()) return 0;
   const SteadyResult& other = others[row * velocities.size() + column];
   if (!(other.depthAtRest > 0)) return 0;
@@ -34,12 +34,12 @@ double DepthTable::expected(std::size_t row, std::size_t column) const {
 }
 
 /// What this line has beyond that.
-double DepthTable::excess(std::size_t row, std::size_t column) const {
+double InitialGuess::excess(std::size_t row, std::size_t column) const {
   return std::log(at(row, column).indentation / rests[row % kRests]) - expected(row, column);
 }
 
 /// The excess by Lagrange's polynomial in the logarithm of the force, through the rows before.
-double DepthTable::fromForces(std::size_t row, std::size_t column) const {
+double InitialGuess::fromForces(std::size_t row, std::size_t column) const {
   constexpr std::size_t kMostRows = kRests - 1;
   std::size_t rows = 0;
   double x[kMostRows], y[kMostRows];
@@ -59,7 +59,7 @@ double DepthTable::fromForces(std::size_t row, std::size_t column) const {
   return sum;
 }
 
-double DepthTable::guess(std::size_t row, std::size_t column) const {
+double InitialGuess::guess(std::size_t row, std::size_t column) const {
   const std::size_t count = velocities.size();
   std::size_t left = column, right = column;
   while (left > 0 && !isKnown(row, left - 1)) --left;

@@ -11,7 +11,7 @@ namespace asperity {
 
 /// results[row * velocities.size() + column], a row for each force (N, ascending), a column for
 /// each velocity (m/s, ascending); passes is 0 where a result is still to come.
-struct DepthTable {
+struct InitialGuess {
   std::span<const double> forces, velocities;
   std::span<SteadyResult> results;
   /// Those of another line with the same spectrum, or none: depths over those at rest are alike.

@@ -24,13 +24,14 @@ void addBalance(SteadyResult& result, const Balance& balance) {
   result.residual = balance.residual;
 }
 
-StateSums sumsAt(const TravelLine& line, double depth, double memory, NodeShape* shape = nullptr) {
+StateSums sumsAt(const PreparedProfile& line, double depth, double memory,
+                 NodeShape* shape = nullptr) {
   return line.scheme == Scheme::Nodal ? nodalStateAt(line, depth, memory, shape).sums
                                       : stateAt(line, depth, memory, shape);
 }
 
 /// Complete contact is the whole line, of which a sum of a million lengths falls short.
-StateSums sumsAt(const TravelLine& line, double depth, double memory, bool isComplete) {
+StateSums sumsAt(const PreparedProfile& line, double depth, double memory, bool isComplete) {
   StateSums sums = sumsAt(line, depth, memory);
   if (isComplete) sums.contactLength = line.length;
   return sums;
@@ -38,7 +39,7 @@ StateSums sumsAt(const TravelLine& line, double depth, double memory, bool isCom
 
 }  // namespace
 
-SteadyResult steadyResultOf(const TravelLine& line, const SlidingConditions& conditions,
+SteadyResult steadyResultOf(const PreparedProfile& line, const SlidingConditions& conditions,
                             double depth, const StateSums& sums) {
   const double stiffness = 4 * conditions.shearModulus;
   const bool nodal = line.scheme == Scheme::Nodal;
@@ -68,7 +69,7 @@ SteadyStatus statusOf(const SteadyResult& result) {
   return isMet && apart <= kForcesAgree ? SteadyStatus::Balanced : SteadyStatus::NotBalanced;
 }
 
-SteadyResult resultOfNodal(const TravelLine& line, const SlidingConditions& conditions,
+SteadyResult resultOfNodal(const PreparedProfile& line, const SlidingConditions& conditions,
                            const NodalBalance& nodal) {
   SteadyResult result = steadyResultOf(line, conditions, nodal.balance.depth, nodal.state.sums);
   addBalance(result, nodal.balance);
@@ -76,7 +77,7 @@ SteadyResult resultOfNodal(const TravelLine& line, const SlidingConditions& cond
   return result;
 }
 
-SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& conditions,
+SteadyResult slideAtForce(const PreparedProfile& line, const SlidingConditions& conditions,
                           double normalForce, double guess) {
   const double memory = memoryOf(conditions);
   const double load = normalForce / (4 * conditions.shearModulus);
@@ -99,7 +100,7 @@ SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& condi
   return result;
 }
 
-SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& conditions,
+SteadyResult slideAtDepth(const PreparedProfile& line, const SlidingConditions& conditions,
                           double depth) {
   const double memory = memoryOf(conditions);
   const bool isComplete = line.scheme != Scheme::Nodal && isContactComplete(line, depth, memory);
@@ -115,13 +116,13 @@ SlidingConditions conditionsOf(const Scene& scene, double velocity) {
   return {law.equilibriumModulus, law.relaxationTime, velocity};
 }
 
-SteadyResult slideAtLoad(const TravelLine& line, const SlidingConditions& conditions,
+SteadyResult slideAtLoad(const PreparedProfile& line, const SlidingConditions& conditions,
                          const Load& load, double guess) {
   return load.kind == LoadKind::Force ? slideAtForce(line, conditions, load.normalForce, guess)
                                       : slideAtDepth(line, conditions, load.depth);
 }
 
-NodeShape shapeAt(const TravelLine& line, const SlidingConditions& conditions, double depth) {
+NodeShape shapeAt(const PreparedProfile& line, const SlidingConditions& conditions, double depth) {
   NodeShape shape;
   sumsAt(line, depth, memoryOf(conditions), &shape);
   return shape;

@@ -1,6 +1,6 @@
 // Steady sliding of one line at one velocity: the answer in SI units.
 // Kelvin elements with stiffness 4G and damping 4 eta per length (Li et al. 2013, Eqs. 1 to 4).
-// Threading: functions of their arguments; a TravelLine is shared freely.
+// Threading: functions of their arguments; a PreparedProfile is shared freely.
 // Failure: no exception; `status` says whether the balance was met, `residual` how far.
 #pragma once
 
@@ -20,7 +20,7 @@ inline constexpr double kForcesAgree = 1e-4;
 struct SlidingConditions {
   double shearModulus = 0;    // Pa, G
   double relaxationTime = 0;  // s, tau; 0: elastic
-  double velocity = 0;        // m/s, >= 0; the direction is the TravelLine's
+  double velocity = 0;        // m/s, >= 0; the direction is the PreparedProfile's
 };
 
 struct SteadyResult {
@@ -37,8 +37,8 @@ struct SteadyResult {
   double forceFromPressure = 0;  // N, integral of p over contact; equal in steady sliding
   double marginalShare = 1;      // nodal: load share of the element on the edge; 1: none
   int passes = 0;
-  double residual = 0;      // |F_N - wanted| / wanted; with arms also of their closure
-  double closure = 0;       // elements with arms: change over a period, relative
+  double residual = 0;          // |F_N - wanted| / wanted; with arms also of their period
+  double periodicityError = 0;  // elements with arms: change over a period, relative
   double depthAtRest = 0;   // m, to some digits, under that force; of sweeps over resolved lines
   double muInterface = 0;   // of local friction, beside mu, which is that of the deformation
   double rmsSlopeLine = 0;  // of the whole line; of realizations, which may differ in it
@@ -47,23 +47,23 @@ struct SteadyResult {
 };
 
 /// Sums of a pass in SI units; status, passes and residual are left to the caller.
-SteadyResult steadyResultOf(const TravelLine& line, const SlidingConditions& conditions,
+SteadyResult steadyResultOf(const PreparedProfile& line, const SlidingConditions& conditions,
                             double depth, const StateSums& sums);
 
 /// The status that residual and forces of a resolved line's result call for.
 SteadyStatus statusOf(const SteadyResult& result);
 
 /// A balance of the paper's elements in SI units.
-SteadyResult resultOfNodal(const TravelLine& line, const SlidingConditions& conditions,
+SteadyResult resultOfNodal(const PreparedProfile& line, const SlidingConditions& conditions,
                            const NodalBalance& nodal);
 
 /// At a constant normal force (N, > 0). guess: indentation nearby (m), or 0; it changes the cost,
 /// not the answer beyond the residual.
-SteadyResult slideAtForce(const TravelLine& line, const SlidingConditions& conditions,
+SteadyResult slideAtForce(const PreparedProfile& line, const SlidingConditions& conditions,
                           double normalForce, double guess = 0);
 
 /// At a constant indentation (m, > 0).
-SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& conditions,
+SteadyResult slideAtDepth(const PreparedProfile& line, const SlidingConditions& conditions,
                           double depth);
 
 /// What the scene says of the elastomer, at this velocity; without its arms, which only
@@ -71,10 +71,10 @@ SteadyResult slideAtDepth(const TravelLine& line, const SlidingConditions& condi
 SlidingConditions conditionsOf(const Scene& scene, double velocity);
 
 /// At the scene's load, whichever it is.
-SteadyResult slideAtLoad(const TravelLine& line, const SlidingConditions& conditions,
+SteadyResult slideAtLoad(const PreparedProfile& line, const SlidingConditions& conditions,
                          const Load& load, double guess = 0);
 
 /// Shape of the elastomer at that indentation, at the line's nodes in travel order.
-NodeShape shapeAt(const TravelLine& line, const SlidingConditions& conditions, double depth);
+NodeShape shapeAt(const PreparedProfile& line, const SlidingConditions& conditions, double depth);
 
 }  // namespace asperity

@@ -1,15 +1,15 @@
 #include "core/contact/steady_solver.h"
 
+#include "core/base/input_error.h"
 #include "core/contact/complete_contact.h"
 #include "core/contact/interface.h"
 #include "core/contact/sweep.h"
 #include "core/scene/effects.h"
-#include "core/base/input_error.h"
 #include "core/scene/plan.h"
 
 namespace asperity {
 
-SceneSliding::SceneSliding(const Scene& scene)
+SteadySolver::SteadySolver(const Scene& scene)
     : load_(scene.load),
       interface_(scene.interface),
       hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
@@ -21,29 +21,29 @@ SceneSliding::SceneSliding(const Scene& scene)
   if (hasArms_) modes_ = retardationModes(law_);
 }
 
-SlidingConditions SceneSliding::conditions(double velocity) const {
+SlidingConditions SteadySolver::conditions(double velocity) const {
   return {law_.equilibriumModulus, law_.relaxationTime, velocity};
 }
 
 /// At rest every arm has relaxed.
-bool SceneSliding::hasArmsAt(double velocity) const {
+bool SteadySolver::hasArmsAt(double velocity) const {
   return hasArms_ && velocity > 0;
 }
 
-void SceneSliding::addInterface(const TravelLine& line, SteadyResult& result) const {
+void SteadySolver::addInterface(const PreparedProfile& line, SteadyResult& result) const {
   if (!hasInterface_) return;
   countStage(Stage::Interface);
   result.muInterface =
       localFriction(interface_, result.normalForce, result.contactFraction * line.length);
 }
 
-void SceneSliding::countSteady(const Load& load) const {
+void SteadySolver::countSteady(const Load& load) const {
   countStage(Stage::SteadyPass);
   if (load.kind == LoadKind::Force) countStage(Stage::ForceBalance);
   if (law_.kind() != ElementKind::Elastic) countStage(Stage::FreeSurface);
 }
 
-bool SceneSliding::sweepArms(const TravelLine& line, const Load& load,
+bool SteadySolver::sweepArms(const PreparedProfile& line, const Load& load,
                              std::span<const double> velocities, std::span<SteadyResult> results,
                              const std::stop_token& stop) const {
   ArmState last;
@@ -56,7 +56,7 @@ bool SceneSliding::sweepArms(const TravelLine& line, const Load& load,
   return true;
 }
 
-bool SceneSliding::sweep(const TravelLine& line, const Load& load,
+bool SteadySolver::sweep(const PreparedProfile& line, const Load& load,
                          std::span<const double> velocities, std::span<SteadyResult> results,
                          const std::stop_token& stop, std::span<const SteadyResult> others) const {
   countSteady(load);
@@ -69,7 +69,7 @@ bool SceneSliding::sweep(const TravelLine& line, const Load& load,
   return done;
 }
 
-SteadyState SceneSliding::at(const TravelLine& line, double velocity) const {
+SteadyState SteadySolver::at(const PreparedProfile& line, double velocity) const {
   countSteady(load_);
   SteadyState state;
   if (hasArmsAt(velocity)) {
@@ -82,17 +82,17 @@ SteadyState SceneSliding::at(const TravelLine& line, double velocity) const {
   return state;
 }
 
-bool SceneSliding::isComplete(const TravelLine& line, double depth, double velocity) const {
+bool SteadySolver::isComplete(const PreparedProfile& line, double depth, double velocity) const {
   return hasArmsAt(velocity) ? ArmSolver(line, law_, modes_, velocity).isContactComplete(depth)
                              : isContactComplete(line, depth, velocity * law_.relaxationTime);
 }
 
-double SceneSliding::completeAbove(const TravelLine& line, double velocity) const {
+double SteadySolver::completeAbove(const PreparedProfile& line, double velocity) const {
   return hasArmsAt(velocity) ? ArmSolver(line, law_, modes_, velocity).completeAbove()
                              : asperity::completeAbove(line, velocity * law_.relaxationTime);
 }
 
-SteadyShape SceneSliding::shape(const TravelLine& line, double velocity,
+SteadyShape SteadySolver::shape(const PreparedProfile& line, double velocity,
                                 const SteadyState& state) const {
   countStage(Stage::Shape);
   SteadyShape shape;

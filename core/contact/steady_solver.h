@@ -29,33 +29,33 @@ struct SteadyShape {
   std::vector<double> modes;  // m, [node][mode] of elements with arms; else empty
 };
 
-class SceneSliding {
+class SteadySolver {
  public:
-  explicit SceneSliding(const Scene& scene);
+  explicit SteadySolver(const Scene& scene);
 
   const ElementLaw& law() const { return law_; }
   const RetardationModes& modes() const { return modes_; }
 
   /// results[i] is for velocities[i] (m/s, ascending); others: of another line; as slideSweep.
-  bool sweep(const TravelLine& line, const Load& load, std::span<const double> velocities,
+  bool sweep(const PreparedProfile& line, const Load& load, std::span<const double> velocities,
              std::span<SteadyResult> results, const std::stop_token& stop = {},
              std::span<const SteadyResult> others = {}) const;
 
   /// Under the scene's load. velocity: m/s, >= 0.
-  SteadyState at(const TravelLine& line, double velocity) const;
+  SteadyState at(const PreparedProfile& line, double velocity) const;
   /// Whether everything is in contact at this depth (m), and the depth above which it is. Not for
   /// nodal.
-  bool isComplete(const TravelLine& line, double depth, double velocity) const;
-  double completeAbove(const TravelLine& line, double velocity) const;
-  SteadyShape shape(const TravelLine& line, double velocity, const SteadyState& state) const;
+  bool isComplete(const PreparedProfile& line, double depth, double velocity) const;
+  double completeAbove(const PreparedProfile& line, double velocity) const;
+  SteadyShape shape(const PreparedProfile& line, double velocity, const SteadyState& state) const;
 
  private:
   SlidingConditions conditions(double velocity) const;
   bool hasArmsAt(double velocity) const;
-  bool sweepArms(const TravelLine& line, const Load& load, std::span<const double> velocities,
+  bool sweepArms(const PreparedProfile& line, const Load& load, std::span<const double> velocities,
                  std::span<SteadyResult> results, const std::stop_token& stop) const;
   void countSteady(const Load& load) const;
-  void addInterface(const TravelLine& line, SteadyResult& result) const;
+  void addInterface(const PreparedProfile& line, SteadyResult& result) const;
 
   Load load_;
   Interface interface_;

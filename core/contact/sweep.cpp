@@ -5,21 +5,21 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/flush_denormals.h"
 #include "core/contact/complete_contact.h"
 #include "core/contact/depth_at_rest.h"
 #include "core/contact/initial_guess.h"
-#include "core/base/flush_denormals.h"
-#include "core/contact/kernels/lane_pass.h"
 #include "core/contact/kernels/cubic_kernel.h"
-#include "core/contact/kernels/nodal_group.h"
+#include "core/contact/kernels/lane_pass.h"
 #include "core/contact/kernels/linear_kernel.h"
+#include "core/contact/kernels/nodal_group.h"
 #include "core/contact/kernels/stream_balance.h"
 #include "core/scene/plan.h"
 
 namespace asperity {
 namespace {
 
-SteadyResult resultOf(const TravelLine& line, double stiffness, double velocity,
+SteadyResult resultOf(const PreparedProfile& line, double stiffness, double velocity,
                       const PassSums& sums, double depth) {
   constexpr double kNotGathered = std::numeric_limits<double>::quiet_NaN();
   SteadyResult result;
@@ -38,7 +38,7 @@ SteadyResult resultOf(const TravelLine& line, double stiffness, double velocity,
 }
 
 /// Whether contact is complete, and then what a pass would find: no edge of contact is sought.
-bool takeComplete(const TravelLine& line, double depth, double memory, PassSums& sums) {
+bool takeComplete(const PreparedProfile& line, double depth, double memory, PassSums& sums) {
   if (!isContactComplete(line, depth, memory)) return false;
   const StateSums state = completeState(line, depth, memory);
   sums = {state.depth,
@@ -54,8 +54,8 @@ bool takeComplete(const TravelLine& line, double depth, double memory, PassSums&
 /// All balances of a table, each in the first lane that is free.
 class SweepQueue final : public PassQueue {
  public:
-  SweepQueue(const TravelLine& line, const SlidingConditions& conditions, const DepthTable& table,
-             const std::stop_token& stop)
+  SweepQueue(const PreparedProfile& line, const SlidingConditions& conditions,
+             const InitialGuess& table, const std::stop_token& stop)
       : line_(line),
         stiffness_(4 * conditions.shearModulus),
         tau_(conditions.relaxationTime),
@@ -64,7 +64,7 @@ class SweepQueue final : public PassQueue {
 
   bool isStopped() const override { return stop_.stop_requested(); }
 
-  bool begin(std::size_t lane, PassTask& task) override {
+  bool begin(std::size_t lane, PassRequest& task) override {
     Lane& one = lanes_[lane];
     do {
       if (begun_ == table_.results.size() || isStopped()) return false;
@@ -79,10 +79,10 @@ class SweepQueue final : public PassQueue {
 
   bool hasSearched() const { return hasSearched_; }
 
-  bool next(std::size_t lane, const PassSums& sums, PassTask& task) override {
+  bool next(std::size_t lane, const PassSums& sums, PassRequest& task) override {
     Lane& one = lanes_[lane];
     one.balance.take(sums, one.load);
-    looksOf(one.column) = sums.looks;
+    looksOf(one.column) = sums.segmentsInspected;
     if (!one.balance.isDone()) {
       task = taskOf(one);
       return !isStopped();
@@ -106,7 +106,7 @@ class SweepQueue final : public PassQueue {
     one.column = columnInOrder(begun_ % columns, columns);
     ++begun_;
     one.load = table_.forces[one.row] / stiffness_;
-    double& rest = table_.rests[one.row % DepthTable::kRests];
+    double& rest = table_.rests[one.row % InitialGuess::kRests];
     if (one.row != restRow_) {
       rest = depthAtRest(line_, one.load, stop_);
       restRow_ = one.row;
@@ -134,18 +134,19 @@ class SweepQueue final : public PassQueue {
   double memoryOf(const Lane& one) const { return table_.velocities[one.column] * tau_; }
 
   /// Long passes are cut, by what the last one at this velocity cost, or might.
-  PassTask taskOf(const Lane& one) {
+  PassRequest taskOf(const Lane& one) {
     constexpr double kLooksOfPart = 48, kMostParts = 4096, kSegmentsToALook = 1024;
-    double& looks = looksOf(one.column);
-    if (looks == 0) looks = static_cast<double>(line_.segments()) / kSegmentsToALook;
-    const double parts = std::clamp(looks / kLooksOfPart, 1.0, kMostParts);
+    double& segmentsInspected = looksOf(one.column);
+    if (segmentsInspected == 0)
+      segmentsInspected = static_cast<double>(line_.segments()) / kSegmentsToALook;
+    const double parts = std::clamp(segmentsInspected / kLooksOfPart, 1.0, kMostParts);
     return {one.balance.depth(), memoryOf(one), static_cast<int>(parts)};
   }
   double& looksOf(std::size_t column) { return looks_[column % looks_.size()]; }
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   double stiffness_, tau_;
-  DepthTable table_;
+  InitialGuess table_;
   std::stop_token stop_;
   std::size_t begun_ = 0, restRow_ = std::numeric_limits<std::size_t>::max();
   bool hasSearched_ = false;
@@ -156,7 +157,7 @@ class SweepQueue final : public PassQueue {
 /// One pass for each velocity at a given depth.
 class DepthQueue final : public PassQueue {
  public:
-  DepthQueue(const TravelLine& line, const SlidingConditions& conditions, double depth,
+  DepthQueue(const PreparedProfile& line, const SlidingConditions& conditions, double depth,
              std::span<const double> velocities, std::span<SteadyResult> results,
              const std::stop_token& stop)
       : line_(line),
@@ -168,7 +169,7 @@ class DepthQueue final : public PassQueue {
 
   bool isStopped() const override { return stop_.stop_requested(); }
 
-  bool begin(std::size_t lane, PassTask& task) override {
+  bool begin(std::size_t lane, PassRequest& task) override {
     for (; begun_ < velocities_.size() && !isStopped(); ++begun_) {
       const double memory = velocities_[begun_] * conditions_.relaxationTime;
       PassSums sums;
@@ -184,7 +185,7 @@ class DepthQueue final : public PassQueue {
     return false;
   }
 
-  bool next(std::size_t lane, const PassSums& sums, PassTask& task) override {
+  bool next(std::size_t lane, const PassSums& sums, PassRequest& task) override {
     finish(columns_[lane], sums);
     return begin(lane, task);
   }
@@ -198,7 +199,7 @@ class DepthQueue final : public PassQueue {
     results_[column].passes = 1;
   }
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   SlidingConditions conditions_;
   double depth_;
   std::span<const double> velocities_;
@@ -209,7 +210,7 @@ class DepthQueue final : public PassQueue {
   std::array<std::size_t, kMostStreams> columns_{};
 };
 
-void runPasses(const TravelLine& line, PassQueue& queue) {
+void runPasses(const PreparedProfile& line, PassQueue& queue) {
   line.scheme == Scheme::Linear ? passStraight(line, queue) : passLanes(line, queue);
 }
 
@@ -232,7 +233,7 @@ LaneValues guessesFor(std::span<const double> velocities, std::span<const double
 }
 
 /// Neighbouring velocities of the separate elements go side by side, group after group.
-bool sweepNodal(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
+bool sweepNodal(const PreparedProfile& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
                 const std::stop_token& stop) {
   NodalGroup group(line, conditions, load);
@@ -250,7 +251,7 @@ bool sweepNodal(const TravelLine& line, const SlidingConditions& conditions, con
 
 }  // namespace
 
-bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
+bool slideAtForces(const PreparedProfile& line, const SlidingConditions& conditions,
                    std::span<const double> forces, std::span<const double> velocities,
                    std::span<SteadyResult> results, const std::stop_token& stop,
                    std::span<const SteadyResult> others) {
@@ -273,7 +274,7 @@ bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
   return true;
 }
 
-bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
+bool slideSweep(const PreparedProfile& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
                 const std::stop_token& stop, std::span<const SteadyResult> others) {
   if (load.kind == LoadKind::Force)

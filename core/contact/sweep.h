@@ -7,8 +7,8 @@
 #include <span>
 #include <stop_token>
 
-#include "core/contact/steady_sliding.h"
 #include "core/contact/line/prepared_profile.h"
+#include "core/contact/steady_sliding.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -18,7 +18,7 @@ namespace asperity {
 /// requested in between, which is looked at inside passes too; `passes` is 0 in results that are
 /// then missing. others: the results of another line with the same spectrum at the same loads and
 /// velocities, or none; they change the cost, not the answer beyond the residual.
-bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, const Load& load,
+bool slideSweep(const PreparedProfile& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
                 const std::stop_token& stop = {}, std::span<const SteadyResult> others = {});
 
@@ -27,7 +27,7 @@ bool slideSweep(const TravelLine& line, const SlidingConditions& conditions, con
 /// is for forces[k] and velocities[i].
 /// Steady sliding depends on F_N / G alone, and on F_N / (G h) with mu in units of the rms slope:
 /// moduli and rms heights of one line are forces too.
-bool slideAtForces(const TravelLine& line, const SlidingConditions& conditions,
+bool slideAtForces(const PreparedProfile& line, const SlidingConditions& conditions,
                    std::span<const double> forces, std::span<const double> velocities,
                    std::span<SteadyResult> results, const std::stop_token& stop = {},
                    std::span<const SteadyResult> others = {});

@@ -27,7 +27,7 @@ std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose) {
   std::vector<PlanStage> stages = planOf(scene, purpose);
   PlanStage& search = stages[static_cast<std::size_t>(Stage::ContactSearch)];
   if (!search.runs || scene.accuracy.scheme == Scheme::Nodal) return stages;
-  const SceneSliding sliding(scene);
+  const SteadySolver sliding(scene);
   const std::int64_t points =
       purpose == Purpose::Curve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
   // What a long line would say costs as much as to slide it.
@@ -35,7 +35,8 @@ std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose) {
                                     ? scene.surface.elements
                                     : expectedRows(scene.folder / scene.surface.file);
   if (elements * points > kLongLine) return stages;
-  const TravelLine line = prepareTravel(LineSource(scene, points).make(0), scene.accuracy.scheme);
+  const PreparedProfile line =
+      prepareProfile(LineSource(scene, points).make(0), scene.accuracy.scheme);
   const double depth =
       scene.load.kind == LoadKind::Indentation
           ? scene.load.depth

@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// planOf, with the contact search as it is on the first line. Failure: as SceneSliding and
+/// planOf, with the contact search as it is on the first line. Failure: as SteadySolver and
 /// LineSource.
 std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose);
 

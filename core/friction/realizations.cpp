@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/contact/steady_solver.h"
-#include "core/contact/balance_error.h"
 #include "core/base/jobs.h"
+#include "core/contact/balance_error.h"
+#include "core/contact/steady_solver.h"
 
 namespace asperity {
 namespace {
@@ -19,7 +19,7 @@ using Results = std::vector<SteadyResult>;
 /// cancelled ensemble would wait for that. Lines far shorter than the last one begin afresh.
 struct Memory {
   Line line;
-  TravelLine travel;
+  PreparedProfile travel;
 
   static Memory& forNodes(std::int64_t nodes) {
     constexpr std::int64_t kMostSpare = 16;
@@ -53,7 +53,7 @@ class Realizations {
     // A long line takes as long as all the rest.
     const Slopes slopes = scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted;
     if (!task_.source.makeInto(memory.line, realization, slopes, stop_) ||
-        !prepareTravelInto(memory.travel, memory.line, scheme, Direction::Forward, stop_))
+        !prepareProfileInto(memory.travel, memory.line, scheme, Direction::Forward, stop_))
       return {};
     std::size_t count = 0;
     for (const LoadCase& one : task_.cases) count += one.velocities.size();
@@ -79,7 +79,7 @@ class Realizations {
   }
 
   const RealizationTask& task_;
-  SceneSliding sliding_;
+  SteadySolver sliding_;
   Results first_;
   const std::stop_token& stop_;
   Jobs jobs_;

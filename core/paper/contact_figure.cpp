@@ -17,7 +17,7 @@ namespace {
 
 struct Contact {
   Line line;
-  TravelLine travel;
+  PreparedProfile travel;
   SteadyResult steady;
   std::vector<double> depth, pressure;  // at the line's nodes; m and N/m
 };
@@ -25,7 +25,7 @@ struct Contact {
 Contact contactOf(const Scene& scene) {
   const LineSource source(scene, pointsPerElementOfCurve(scene));  // as all figures
   Contact contact{source.make(0), {}, {}, {}, {}};
-  contact.travel = prepareTravel(contact.line, scene.accuracy.scheme);
+  contact.travel = prepareProfile(contact.line, scene.accuracy.scheme);
   const SlidingConditions conditions = conditionsOf(scene, scene.sliding.velocity);
   contact.steady = slideAtLoad(contact.travel, conditions, scene.load);
   const NodeShape shape = shapeAt(contact.travel, conditions, contact.steady.indentation);

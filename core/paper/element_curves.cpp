@@ -3,10 +3,10 @@
 #include <cmath>
 #include <memory>
 
-#include "core/paper/literal_march.h"
+#include "core/base/jobs.h"
 #include "core/contact/march/time_march.h"
 #include "core/friction/fit.h"
-#include "core/base/jobs.h"
+#include "core/paper/literal_march.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -65,7 +65,7 @@ struct Start {
 
 Start steadyStart(const Line& line, Scheme scheme, const SlidingConditions& conditions,
                   double force) {
-  const TravelLine travel = prepareTravel(line, scheme);
+  const PreparedProfile travel = prepareProfile(line, scheme);
   const SteadyResult steady = slideAtForce(travel, conditions, force);
   const NodeShape shape = shapeAt(travel, conditions, steady.indentation);
   return {inLineOrder(travel, shape.depth), steady.indentation, travel.lowestHeight};

@@ -14,7 +14,7 @@ LoadShares::LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int
   const std::size_t cells = cellOf(cases_.size(), 0);
   std::vector<std::vector<Sums>> each(static_cast<std::size_t>(lines));
   Jobs(options.threads).run(lines, [&](std::int64_t r) {
-    const TravelLine line = prepareTravel(source.make(r), scene.accuracy.scheme);
+    const PreparedProfile line = prepareProfile(source.make(r), scene.accuracy.scheme);
     std::vector<Sums>& sums = each[static_cast<std::size_t>(r)];
     for (const LoadCase& one : cases_)
       for (const double velocity : one.velocities) {
@@ -40,8 +40,8 @@ void LoadShares::Sums::add(const Sums& other) {
 }
 
 /// Material travels towards larger s: a side is a leading one where the rise falls along s.
-LoadShares::Sums LoadShares::sumsOf(const TravelLine& line, const SlidingConditions& conditions,
-                                    double force) {
+LoadShares::Sums LoadShares::sumsOf(const PreparedProfile& line,
+                                    const SlidingConditions& conditions, double force) {
   const SteadyResult result = slideAtForce(line, conditions, force);
   const NodeShape shape = shapeAt(line, conditions, result.indentation);
   Sums sums;

@@ -39,7 +39,8 @@ class LoadShares {
     void add(const Sums& other);
   };
 
-  static Sums sumsOf(const TravelLine& line, const SlidingConditions& conditions, double force);
+  static Sums sumsOf(const PreparedProfile& line, const SlidingConditions& conditions,
+                     double force);
   std::size_t cellOf(std::size_t j, std::size_t i) const;
   Sums sums(std::size_t j, std::size_t i, int leftOut) const;
 

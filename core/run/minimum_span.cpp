@@ -12,7 +12,7 @@ constexpr double kAir = 0.12;          // of the range, on either side
 
 }  // namespace
 
-StripFloors stripFloors(std::span<const TransientSample> samples, double spacing, double period) {
+MinimumSpan minimumSpan(std::span<const TransientSample> samples, double spacing, double period) {
   double length = 0, fraction = 0, count = 0;
   for (const TransientSample& sample : samples) {
     if (!(sample.contactLength > 0)) continue;

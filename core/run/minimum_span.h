@@ -12,12 +12,12 @@ namespace asperity {
 /// ripple of some 1/n in friction and contact length, smaller by the root of the number of
 /// contacts. It is the march's and not the elastomer's, so it must not fill a strip. The
 /// indentation hardly notices: an element enters it with no load.
-struct StripFloors {
+struct MinimumSpan {
   double friction = 0, indentation = 0, contactLength = 0;
 };
 
 /// spacing and period of the line in m; 0: not known, nothing is held back.
-StripFloors stripFloors(std::span<const TransientSample> samples, double spacing, double period);
+MinimumSpan minimumSpan(std::span<const TransientSample> samples, double spacing, double period);
 
 struct AxisEnds {
   double from = 0, to = 1;

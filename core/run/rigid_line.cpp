@@ -11,7 +11,7 @@
 namespace asperity {
 
 RigidLine::RigidLine(Line made, Scheme scheme)
-    : line(std::make_shared<Line>(std::move(made))), travel(prepareTravel(*line, scheme)) {}
+    : line(std::make_shared<Line>(std::move(made))), travel(prepareProfile(*line, scheme)) {}
 
 RigidLine::RigidLine(const Scene& scene, std::int64_t realization)
     : RigidLine(LineSource(scene, pointsPerElement(scene)).make(realization),
@@ -41,7 +41,7 @@ MarchLoad marchLoadOf(const Load& load) {
   return {load.kind, load.normalForce, load.depth};
 }
 
-TimeMarch steadyMarch(const RigidLine& rigid, const SceneSliding& sliding, double velocity,
+TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, double velocity,
                       const SteadyState& state, double distance) {
   const SteadyShape shape = sliding.shape(rigid.travel, velocity, state);
   const Line& line = *rigid.line;

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/contact/steady_solver.h"
-#include "core/contact/march/time_march.h"
 #include "core/contact/line/prepared_profile.h"
+#include "core/contact/march/time_march.h"
+#include "core/contact/steady_solver.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -22,7 +22,7 @@ struct RigidLine {
   RigidLine coarser(std::size_t every) const;
 
   std::shared_ptr<const Line> line;
-  TravelLine travel;
+  PreparedProfile travel;
 
  private:
   RigidLine(Line made, Scheme scheme);
@@ -31,7 +31,7 @@ struct RigidLine {
 MarchLoad marchLoadOf(const Load& load);
 
 /// The steady state, with the line moved to the node nearest to `distance` (m).
-TimeMarch steadyMarch(const RigidLine& rigid, const SceneSliding& sliding, double velocity,
+TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, double velocity,
                       const SteadyState& state, double distance = 0);
 
 /// Pressed in at rest for ever, the line moved by `distance` (m): nothing creeps. Throws InputError

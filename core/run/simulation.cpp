@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/march/dissipation.h"
-#include "core/contact/interface.h"
-#include "core/contact/steady_solver.h"
 #include "core/contact/balance_error.h"
+#include "core/contact/interface.h"
+#include "core/contact/march/dissipation.h"
+#include "core/contact/steady_solver.h"
 #include "core/run/contact_age.h"
 #include "core/run/rigid_line.h"
 #include "core/run/steady_frames.h"
@@ -84,7 +84,7 @@ struct Simulation::Ready {
   std::uint64_t number;
   std::shared_ptr<const RigidLine> rigid;
   bool isSteady;
-  std::optional<SceneSliding> sliding;  // with `steady`, in steady sliding
+  std::optional<SteadySolver> sliding;  // with `steady`, in steady sliding
   SteadyState steady;
   double greatestPressure = 0;         // N/m, in the steady state
   std::optional<Transient> transient;  // as it begins, of other motions

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/balance_error.h"
 #include "core/contact/march/dissipation.h"
 #include "core/contact/steady_solver.h"
-#include "core/contact/balance_error.h"
 #include "core/run/contact_age.h"
 #include "core/scene/effects.h"
 #include "core/surface/line_source.h"
@@ -17,7 +17,7 @@ namespace {
 /// them.
 constexpr double kPicturePoints = 8192, kMostPoints = 1 << 20;
 
-SteadyState solve(const SceneSliding& sliding, const TravelLine& line, double velocity) {
+SteadyState solve(const SteadySolver& sliding, const PreparedProfile& line, double velocity) {
   SteadyState state = sliding.at(line, velocity);
   requireBalance(state.result, velocity);
   return state;
@@ -28,7 +28,7 @@ void rotate(std::vector<double>& values, std::int64_t shift) {
 }
 
 /// W/m in the dashpots at the shape's points, in travel order.
-std::vector<double> steadyPower(const SceneSliding& sliding, const SteadyShape& shape) {
+std::vector<double> steadyPower(const SteadySolver& sliding, const SteadyShape& shape) {
   const RetardationModes modes = retardationModes(sliding.law());
   const std::size_t starts = shape.nodes.depth.size();
   std::vector<double> amplitudes(modes.modes() * starts);
@@ -53,10 +53,10 @@ std::int64_t pointsToDraw(const Scene& scene, const LineSource& own, double seen
 }  // namespace
 
 Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
-                 const SceneSliding& sliding, const SteadyState& shown, const SteadyResult& facts,
+                 const SteadySolver& sliding, const SteadyState& shown, const SteadyResult& facts,
                  const FrameFields& fields) {
   const Line& line = *rigid.line;
-  const TravelLine& travel = rigid.travel;
+  const PreparedProfile& travel = rigid.travel;
   const double velocity = scene->sliding.velocity;
   const SteadyShape shape = sliding.shape(travel, velocity, shown);
   Frame frame;
@@ -104,10 +104,10 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields
     : scene_(std::move(scene)) {
   const Accuracy& accuracy = scene_->accuracy;
   needSteadySliding(*scene_, "a picture of one shape");
-  const SceneSliding sliding(*scene_);
+  const SteadySolver sliding(*scene_);
   const double velocity = scene_->sliding.velocity;
   const LineSource own(*scene_, pointsPerElement(*scene_));
-  result_ = solve(sliding, prepareTravel(own.make(0), accuracy.scheme), velocity).result;
+  result_ = solve(sliding, prepareProfile(own.make(0), accuracy.scheme), velocity).result;
   const RigidLine drawn = RigidLine::withPoints(*scene_, pointsToDraw(*scene_, own, seen));
   const SteadyState shown = solve(sliding, drawn.travel, velocity);
   still_ = stillFrame(scene_, drawn, sliding, shown, result_, fields);

@@ -17,7 +17,7 @@ namespace asperity {
 /// are those of the line's points in one and the same pass: of Kelvin elements p = 4 (G |u| + eta v
 /// dz/dx) holds at each point in contact. facts: what the frame states.
 Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
-                 const SceneSliding& sliding, const SteadyState& shown, const SteadyResult& facts,
+                 const SteadySolver& sliding, const SteadyState& shown, const SteadyResult& facts,
                  const FrameFields& fields);
 
 /// Moves the line and all that belongs to it by whole points, towards +x.

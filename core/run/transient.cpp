@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
-#include "core/contact/interface.h"
 #include "core/contact/balance_error.h"
+#include "core/contact/interface.h"
 #include "core/run/contact_age.h"
 #include "core/scene/effects.h"
 #include "core/scene/plan.h"
@@ -25,7 +25,7 @@ TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
     countStage(Stage::StartFromRest);
     return restingMarch(rigid, scene);
   }
-  const SceneSliding sliding(scene);
+  const SteadySolver sliding(scene);
   const SteadyState state = sliding.at(rigid.travel, scene.sliding.velocity);
   requireBalance(state.result, scene.sliding.velocity);
   return steadyMarch(rigid, sliding, scene.sliding.velocity, state);

@@ -49,7 +49,7 @@ void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
 
 DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
                             double spacing, double period) {
-  const StripFloors floors = stripFloors(samples, spacing, period);
+  const MinimumSpan floors = minimumSpan(samples, spacing, period);
   DiagramSheet sheet;
   sheet.columns = 1;
   sheet.sharesAxis = true;

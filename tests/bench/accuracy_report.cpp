@@ -216,7 +216,7 @@ GivenLine makeGivenLine(const std::filesystem::path& folder, std::mt19937& rando
   scene.sweep = {1e-5, 1e3, 9};
   const std::vector<double> velocities = sweepVelocities(scene.sweep);
   given.truth.resize(velocities.size());
-  SceneSliding(scene).sweep(prepareTravel(LineSource(scene, 256).make(0), Scheme::Cubic),
+  SteadySolver(scene).sweep(prepareProfile(LineSource(scene, 256).make(0), Scheme::Cubic),
                             scene.load, velocities, given.truth);
   return given;
 }
@@ -314,7 +314,7 @@ std::string mirrors(bool isQuick) {
       const Line lines[3] = {line, upsideDown(line), backwards(line)};
       for (std::size_t kind = 0; kind < 3; ++kind) {
         std::vector<SteadyResult> row(velocities.size());
-        slideSweep(prepareTravel(lines[kind], Scheme::Cubic), conditionsOf(scene, 0), scene.load,
+        slideSweep(prepareProfile(lines[kind], Scheme::Cubic), conditionsOf(scene, 0), scene.load,
                    velocities, row);
         for (std::size_t i = 0; i < row.size(); ++i) mu[kind][i].push_back(row[i].mu);
       }

@@ -7,17 +7,17 @@
 namespace asperity::bench {
 namespace {
 
-Body shipped(const TravelLine& line, double force) {
+Body shipped(const PreparedProfile& line, double force) {
   return [&line, force] { return shippedSweep(line, force, nearlyOneVelocity()); };
 }
 
 void addGrid(std::int64_t elements, const Contact& contact) {
   addCase(gridName("shipped", elements, contact.name), [=] {
-    const TravelLine& line = travelLine({elements});
+    const PreparedProfile& line = travelLine({elements});
     return shipped(line, forceForContact(line, contact.fraction));
   });
   const auto scalar = [=]() -> Body {
-    const TravelLine& line = travelLine({elements});
+    const PreparedProfile& line = travelLine({elements});
     const double force = forceForContact(line, contact.fraction);
     return [&line, force] { return scalarSweep(line, force, {&kSlow, 1}, false); };
   };
@@ -30,12 +30,12 @@ void addGrid(std::int64_t elements, const Contact& contact) {
 void addGrowthCases(bool /*quick*/) {
   for (const double fraction : kFractions)
     addCase(fractionName(fraction), [=] {
-      const TravelLine& line = travelLine({5000});
+      const PreparedProfile& line = travelLine({5000});
       return shipped(line, forceForContact(line, fraction));
     });
   for (const std::int64_t elements : kSameContact)
     addCase(sameContactName(elements), [=] {
-      const TravelLine& line = travelLine({elements});
+      const PreparedProfile& line = travelLine({elements});
       const double fraction = kContactElements / static_cast<double>(elements);
       return shipped(line, forceForContact(line, fraction));
     });

@@ -32,7 +32,7 @@ struct Steady {
 };
 
 Steady steadyAt(std::int64_t elements, double force) {
-  const TravelLine line = prepareTravel(nodeLine(elements), Scheme::Nodal);
+  const PreparedProfile line = prepareProfile(nodeLine(elements), Scheme::Nodal);
   const SlidingConditions conditions{kModulus, kRelaxation, kSlow};
   const double indentation = slideAtForce(line, conditions, force).indentation;
   Steady steady{inLineOrder(line, shapeAt(line, conditions, indentation).depth), indentation};

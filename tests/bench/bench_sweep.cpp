@@ -11,7 +11,7 @@
 namespace asperity::bench {
 namespace {
 
-using Lines = std::vector<const TravelLine*>;
+using Lines = std::vector<const PreparedProfile*>;
 
 Lines linesOf(const Resolution& resolution, int count) {
   Lines lines;
@@ -26,7 +26,7 @@ Body over(const Resolution& resolution, int lineCount, const std::vector<double>
           const Sweep& sweep) {
   return [lines = linesOf(resolution, lineCount), forces, sweep] {
     Tally tally{0};
-    for (const TravelLine* line : lines)
+    for (const PreparedProfile* line : lines)
       for (const double force : forces) add(tally, sweep(*line, force));
     return tally;
   };
@@ -34,11 +34,12 @@ Body over(const Resolution& resolution, int lineCount, const std::vector<double>
 
 /// The shipped path at these forces on each line.
 Body shipped(const Resolution& resolution, int lineCount, const std::vector<double>& forces) {
-  const TravelLine& another = travelLine({5000, resolution.scheme, resolution.oversampling, 100});
+  const PreparedProfile& another =
+      travelLine({5000, resolution.scheme, resolution.oversampling, 100});
   std::map<double, std::vector<SteadyResult>> others;
   for (const double force : forces)
     others[force] = shippedResults(another, force, figure2Velocities());
-  return over(resolution, lineCount, forces, [others](const TravelLine& line, double force) {
+  return over(resolution, lineCount, forces, [others](const PreparedProfile& line, double force) {
     return shippedSweep(line, force, figure2Velocities(), others.at(force));
   });
 }
@@ -62,9 +63,10 @@ void addShipped(const Resolution& resolution, int lineCount) {
 void addScalar(const Resolution& resolution) {
   for (const bool warm : {false, true})
     addCase(figure2Name(warm ? "scalar_pass_warm" : "scalar_pass_cold", resolution.name), [=] {
-      return over(resolution, 1, {kFigure2Force}, [warm](const TravelLine& line, double force) {
-        return scalarSweep(line, force, figure2Velocities(), warm);
-      });
+      return over(resolution, 1, {kFigure2Force},
+                  [warm](const PreparedProfile& line, double force) {
+                    return scalarSweep(line, force, figure2Velocities(), warm);
+                  });
     });
 }
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/contact/interface.h"
-#include "core/contact/steady_solver.h"
 #include "core/contact/march/time_march.h"
+#include "core/contact/steady_solver.h"
 #include "core/surface/line_source.h"
 #include "tests/bench/instructions.h"
 #include "tests/bench/machine.h"
@@ -111,8 +111,9 @@ Scene sceneOf(const Law& law, Scheme scheme, LoadKind load, bool hasInterface) {
 /// 16 velocities, each balanced, on the scene's line.
 std::function<Work()> steadyWork(const Scene& scene) {
   const Line line = LineSource(scene, pointsPerElement(scene)).make(0);
-  const auto travel = std::make_shared<TravelLine>(prepareTravel(line, scene.accuracy.scheme));
-  const auto sliding = std::make_shared<SceneSliding>(scene);
+  const auto travel =
+      std::make_shared<PreparedProfile>(prepareProfile(line, scene.accuracy.scheme));
+  const auto sliding = std::make_shared<SteadySolver>(scene);
   return [travel, sliding, load = scene.load] {
     const std::vector<double> velocities = logarithmic(0.01, 1, 16);
     std::vector<SteadyResult> results(velocities.size());
@@ -130,7 +131,7 @@ std::function<Work()> steadyWork(const Scene& scene) {
 std::function<Work()> marchWork(const Scene& scene) {
   const auto line =
       std::make_shared<const Line>(LineSource(scene, pointsPerElement(scene)).make(0));
-  const double lowest = prepareTravel(*line, scene.accuracy.scheme).lowestHeight;
+  const double lowest = prepareProfile(*line, scene.accuracy.scheme).lowestHeight;
   const auto march = std::make_shared<TimeMarch>(line, lowest, lawOf(scene.elastomer));
   const MarchLoad load{scene.load.kind, kForce, kDepth};
   march->settleAtRest(load);

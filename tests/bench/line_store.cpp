@@ -9,7 +9,7 @@
 namespace asperity::bench {
 namespace {
 
-std::map<LineKey, TravelLine> travelLines;
+std::map<LineKey, PreparedProfile> travelLines;
 std::map<std::pair<std::int64_t, std::int64_t>, Line> nodeLines;
 
 const Scene& figure2() {
@@ -27,11 +27,11 @@ Scene sceneOf(const LineKey& key) {
   return scene;
 }
 
-const TravelLine& travelLine(const LineKey& key) {
+const PreparedProfile& travelLine(const LineKey& key) {
   auto found = travelLines.find(key);
   if (found == travelLines.end()) {
     const Line line = LineSource(sceneOf(key), key.oversampling).make(key.realization);
-    found = travelLines.emplace(key, prepareTravel(line, key.scheme)).first;
+    found = travelLines.emplace(key, prepareProfile(line, key.scheme)).first;
   }
   return found->second;
 }

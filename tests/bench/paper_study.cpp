@@ -86,10 +86,10 @@ class Study {
   }
 
   void makeLine(const LineSource& source, Scheme scheme, std::int64_t realization,
-                TravelLine& line) {
+                PreparedProfile& line) {
     source.makeInto(points_, realization,
                     scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted);
-    prepareTravelInto(line, points_, scheme);
+    prepareProfileInto(line, points_, scheme);
   }
 
   void simulate(const std::vector<double>& forces) {
@@ -119,7 +119,7 @@ class Study {
   std::vector<SteadyResult> results_, others_;
   double weight_;
   Line points_;
-  TravelLine line_, another_;
+  PreparedProfile line_, another_;
   std::size_t current_ = 0;  // series
   StudyEstimate estimate_;
 };

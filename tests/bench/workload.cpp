@@ -40,7 +40,7 @@ std::vector<double> figure4Forces() {
   return logarithmic(1e-3, 1e2, 20);
 }
 
-double forceForContact(const TravelLine& line, double fraction) {
+double forceForContact(const PreparedProfile& line, double fraction) {
   const SlidingConditions conditions{kModulus, kRelaxation, kSlow};
   double low = 0, high = 1e-9;
   const auto reaches = [&](double depth) {
@@ -55,7 +55,7 @@ double forceForContact(const TravelLine& line, double fraction) {
   return fraction >= 1 ? 1.2 * force : force;
 }
 
-std::vector<SteadyResult> shippedResults(const TravelLine& line, double force,
+std::vector<SteadyResult> shippedResults(const PreparedProfile& line, double force,
                                          std::span<const double> velocities) {
   std::vector<SteadyResult> results(velocities.size());
   Load load;
@@ -64,7 +64,7 @@ std::vector<SteadyResult> shippedResults(const TravelLine& line, double force,
   return results;
 }
 
-Tally shippedSweep(const TravelLine& line, double force, std::span<const double> velocities,
+Tally shippedSweep(const PreparedProfile& line, double force, std::span<const double> velocities,
                    std::span<const SteadyResult> others) {
   static std::vector<SteadyResult> results;
   results.resize(velocities.size());
@@ -76,7 +76,7 @@ Tally shippedSweep(const TravelLine& line, double force, std::span<const double>
   return tally;
 }
 
-Tally scalarSweep(const TravelLine& line, double force, std::span<const double> velocities,
+Tally scalarSweep(const PreparedProfile& line, double force, std::span<const double> velocities,
                   bool warm) {
   Tally tally{static_cast<double>(velocities.size())};
   double guess = 0;

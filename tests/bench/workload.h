@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/contact/steady_sliding.h"
 #include "core/contact/line/prepared_profile.h"
+#include "core/contact/steady_sliding.h"
 #include "tests/bench/samples.h"
 
 namespace asperity::bench {
@@ -30,21 +30,21 @@ std::vector<double> figure4Forces();
 std::vector<double> logarithmic(double low, double high, int count);
 
 /// The force (N) at which this part of the line is in contact at kSlow; 1: just full contact.
-double forceForContact(const TravelLine& line, double fraction);
+double forceForContact(const PreparedProfile& line, double fraction);
 
 /// The shipped path: the whole sweep at one force. Every balance is checked to be met; throws
 /// std::runtime_error where one is not.
 /// others: of another line, as in every ensemble; or none.
-Tally shippedSweep(const TravelLine& line, double force, std::span<const double> velocities,
+Tally shippedSweep(const PreparedProfile& line, double force, std::span<const double> velocities,
                    std::span<const SteadyResult> others = {});
 
 /// What the shipped path finds; for the others of shippedSweep.
-std::vector<SteadyResult> shippedResults(const TravelLine& line, double force,
+std::vector<SteadyResult> shippedResults(const PreparedProfile& line, double force,
                                          std::span<const double> velocities);
 
 /// One velocity after the other by the scalar pass, each from the last indentation (warm) or from
 /// nothing (cold).
-Tally scalarSweep(const TravelLine& line, double force, std::span<const double> velocities,
+Tally scalarSweep(const PreparedProfile& line, double force, std::span<const double> velocities,
                   bool warm);
 
 void add(Tally& sum, const Tally& part);

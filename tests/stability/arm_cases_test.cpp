@@ -73,11 +73,11 @@ TEST(ArmCases, ArmsOfNoTimeAreAsGood) {
          {std::vector<Arm>{{1e7, shortest}}, std::vector<Arm>{{1e7, 1e-3}, {1e15, shortest}},
           std::vector<Arm>{{1e7, 1e12}, {3e6, 2 * shortest}, {1e15, shortest}}}) {
       Scene scene = sceneOf({"", "", arms}, Scheme::Cubic);
-      const TravelLine line = prepareTravel(LineSource(scene, 2).make(0), Scheme::Cubic);
-      const SteadyResult with = SceneSliding(scene).at(line, 1).result;
+      const PreparedProfile line = prepareProfile(LineSource(scene, 2).make(0), Scheme::Cubic);
+      const SteadyResult with = SteadySolver(scene).at(line, 1).result;
       std::erase_if(scene.elastomer.arms,
                     [](const Arm& arm) { return arm.relaxationTime < 1e-150; });
-      const SteadyResult without = SceneSliding(scene).at(line, 1).result;
+      const SteadyResult without = SteadySolver(scene).at(line, 1).result;
       EXPECT_FALSE(isRefused(with)) << with.residual;
       EXPECT_EQ(with.mu, without.mu);
       EXPECT_EQ(with.indentation, without.indentation);
@@ -89,10 +89,10 @@ TEST(ArmCases, ArmsOfNoTimeAreAsGood) {
 TEST(ArmCases, ADashpotOfNoTimeIsAsGood) {
   for (const double viscosity : {1e-144, 1e-300, 5e-324}) {
     Scene scene = sceneOf({"", "", {{1e7, 1e-3}}}, Scheme::Cubic);
-    const TravelLine line = prepareTravel(LineSource(scene, 2).make(0), Scheme::Cubic);
-    const SteadyResult without = SceneSliding(scene).at(line, 1).result;
+    const PreparedProfile line = prepareProfile(LineSource(scene, 2).make(0), Scheme::Cubic);
+    const SteadyResult without = SteadySolver(scene).at(line, 1).result;
     scene.elastomer.viscosity = viscosity;
-    const SteadyResult with = SceneSliding(scene).at(line, 1).result;
+    const SteadyResult with = SteadySolver(scene).at(line, 1).result;
     EXPECT_FALSE(isRefused(with)) << viscosity << ": " << with.residual;
     EXPECT_EQ(with.mu, without.mu) << viscosity;
   }
@@ -103,8 +103,8 @@ TEST(ArmCases, ADashpotOfNoTimeIsAsGood) {
 TEST(ArmCases, ASearchAmongNoNumbersEnds) {
   ::fedisableexcept(FE_INVALID | FE_DIVBYZERO);  // what the other tests end at is wanted here
   const Scene scene = sceneOf({"", "", {{1e7, 1e-3}, {1e6, 1}}}, Scheme::Cubic);
-  const TravelLine line = prepareTravel(LineSource(scene, 2).make(0), Scheme::Cubic);
-  const ElementLaw law = SceneSliding(scene).law();
+  const PreparedProfile line = prepareProfile(LineSource(scene, 2).make(0), Scheme::Cubic);
+  const ElementLaw law = SteadySolver(scene).law();
   RetardationModes modes = retardationModes(law);
   for (double& fluidity : modes.fluidity) fluidity = std::numeric_limits<double>::quiet_NaN();
   for (const LoadKind kind : {LoadKind::Force, LoadKind::Indentation}) {
@@ -140,9 +140,9 @@ TEST(ArmCases, Table) {
     for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
       SCOPED_TRACE(row.name);
       const Scene scene = sceneOf(row, scheme);
-      const SceneSliding sliding(scene);
+      const SteadySolver sliding(scene);
       const Line line = LineSource(scene, 2).make(0);
-      const SteadyState state = sliding.at(prepareTravel(line, scheme), row.velocity);
+      const SteadyState state = sliding.at(prepareProfile(line, scheme), row.velocity);
       const SteadyResult& result = state.result;
       const ReferenceResult reference =
           referenceWithArms(line, scheme, sliding.law(), row.velocity, scene.load,
@@ -158,7 +158,7 @@ TEST(ArmCases, Table) {
                  scheme == Scheme::Linear ? "linear" : "cubic", result.mu, result.passes,
                  worst.invariant, worst.value, error, kRelative + rounding, row.why);
       EXPECT_FALSE(isRefused(result)) << result.residual;
-      EXPECT_LE(reference.closure, 1e-16L) << "of the reference itself";
+      EXPECT_LE(reference.periodicityError, 1e-16L) << "of the reference itself";
       EXPECT_TRUE(error <= kRelative + rounding || apart <= kLeastMu)
           << result.mu << " is not " << reference.mu;
       for (const Finding& finding : findings)

@@ -124,7 +124,7 @@ void addConditions(Table& table) {
 
 /// The indentation from which on the line touches everywhere: max(z - c z'), over the segments.
 double fullContactDepth(const Line& line, double memory) {
-  const TravelLine travel = prepareTravel(line, Scheme::Cubic);
+  const PreparedProfile travel = prepareProfile(line, Scheme::Cubic);
   double depth = 0;
   for (std::size_t i = 0; i < travel.segments(); ++i) {
     const Cubic rise = travel.segment(i);

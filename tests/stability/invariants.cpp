@@ -20,11 +20,11 @@ double relative(double a, double b) {
   return std::abs(a - b) / std::max(std::abs(a), std::abs(b));
 }
 
-TravelLine travelOf(const Situation& situation, Direction direction = Direction::Forward) {
-  return prepareTravel(situation.line, situation.scheme, direction);
+PreparedProfile travelOf(const Situation& situation, Direction direction = Direction::Forward) {
+  return prepareProfile(situation.line, situation.scheme, direction);
 }
 
-double highestOf(const TravelLine& travel) {
+double highestOf(const PreparedProfile& travel) {
   return *std::max_element(travel.rise.begin(), travel.rise.end());
 }
 
@@ -96,7 +96,7 @@ double Finding::share() const {
 }
 
 SteadyResult solve(const Situation& situation, Path path) {
-  const TravelLine travel = travelOf(situation);
+  const PreparedProfile travel = travelOf(situation);
   if (path == Path::Plain) return slideAtLoad(travel, situation.conditions, situation.load);
   std::array<SteadyResult, 1> results;
   const std::array<double, 1> velocities{situation.conditions.velocity};
@@ -142,7 +142,7 @@ std::vector<Finding> resultFindings(const Situation& situation, const SteadyResu
 }
 
 std::vector<Finding> shapeFindings(const Situation& situation, double indentation) {
-  const TravelLine travel = travelOf(situation);
+  const PreparedProfile travel = travelOf(situation);
   const NodeShape shape = shapeAt(travel, situation.conditions, indentation);
   const double ulp = highestOf(travel) * kEpsilon;
   double negative = 0, through = 0, both = 0, infinite = 0;
@@ -161,7 +161,7 @@ std::vector<Finding> shapeFindings(const Situation& situation, double indentatio
 }
 
 Finding forceGrowsWithDepth(const Situation& situation, double indentation) {
-  const TravelLine travel = travelOf(situation);
+  const PreparedProfile travel = travelOf(situation);
   double worst = 0, last = 0;
   for (const double factor : {0.25, 0.5, 0.9, 1 - 1e-9, 1.0, 1 + 1e-9, 1.1, 2.0, 4.0}) {
     const double force =

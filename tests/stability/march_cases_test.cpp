@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "core/contact/march/time_march.h"
 #include "core/contact/line/prepared_profile.h"
+#include "core/contact/march/time_march.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -26,7 +26,7 @@ TimeMarch marchOf(const std::shared_ptr<const Line>& line, double tau) {
   Elastomer elastomer;
   elastomer.shearModulus = kModulus;
   elastomer.relaxationTime = tau;
-  return {line, prepareTravel(*line, Scheme::Cubic).lowestHeight, lawOf(elastomer)};
+  return {line, prepareProfile(*line, Scheme::Cubic).lowestHeight, lawOf(elastomer)};
 }
 
 /// How far a step is from what always holds.

@@ -13,8 +13,8 @@
 #include <fstream>
 #include <limits>
 
-#include "core/contact/steady_solver.h"
 #include "core/base/input_error.h"
+#include "core/contact/steady_solver.h"
 #include "core/scene/scene_file.h"
 #include "core/surface/line_source.h"
 #include "tests/stability/invariants.h"
@@ -40,11 +40,11 @@ double digitsLostBy(const ElementLaw& law, const Line& line, const SteadyResult&
   const auto [low, high] = std::minmax_element(line.height.begin(), line.height.end());
   const double largest = std::max(1.0, (*high - *low) / result.indentation);
   return stiffness / law.equilibriumModulus *
-         (16 * std::numeric_limits<double>::epsilon() * largest + result.closure);
+         (16 * std::numeric_limits<double>::epsilon() * largest + result.periodicityError);
 }
 
 /// How far mu is from the same computation in wider numbers.
-Finding referenceFinding(const Situation& situation, const SceneSliding& sliding,
+Finding referenceFinding(const Situation& situation, const SteadySolver& sliding,
                          const SteadyState& state) {
   const SteadyResult& result = state.result;
   const double velocity = situation.conditions.velocity;
@@ -54,7 +54,7 @@ Finding referenceFinding(const Situation& situation, const SceneSliding& sliding
                                    situation.load, result.indentation, state.arms.strain)
                : referenceSliding(situation.line, situation.scheme, situation.conditions,
                                   situation.load, result.indentation);
-  if (!(reference.closure <= 1e-13L)) return {"the reference closes", 1, 0};
+  if (!(reference.periodicityError <= 1e-13L)) return {"the reference closes", 1, 0};
   const bool nodal = situation.scheme == Scheme::Nodal;
   const Wide least = (nodal ? 1e-12L : 1e-15L) * situation.line.rmsSlope + 1e-80L;
   const Wide apart = std::max(std::abs(result.mu - reference.mu) - least, Wide(0));
@@ -71,9 +71,9 @@ std::string complaintAbout(const Scene& scene) {
     const Scene again = readScene(writeScene(scene), "scene", scene.folder);
     if (writeScene(again) != writeScene(scene)) return "does not read back as it was written";
     const LineSource source(scene, pointsPerElement(scene));
-    const SceneSliding sliding(scene);
+    const SteadySolver sliding(scene);
     const Line line = source.make(0);
-    const TravelLine travel = prepareTravel(line, scene.accuracy.scheme);
+    const PreparedProfile travel = prepareProfile(line, scene.accuracy.scheme);
     const SteadyState state = sliding.at(travel, scene.sliding.velocity);
     if (isRefused(state.result)) return "";
     if (!std::isfinite(state.result.mu) && state.result.normalForce > 0)

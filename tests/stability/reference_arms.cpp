@@ -287,11 +287,11 @@ class Closing {
     Vector unknown(strains.begin(), strains.end());
     if (load_ > 0) unknown.insert(unknown.begin(), depth_);
     ReferenceResult best;
-    best.closure = std::numeric_limits<Wide>::infinity();
+    best.periodicityError = std::numeric_limits<Wide>::infinity();
     for (int step = 0, stalled = 0; step < 40 && stalled < 3; ++step) {
       const Vector residual = residualAt(unknown);
-      stalled = worst_ < best.closure / 2 ? 0 : stalled + 1;
-      if (worst_ < best.closure)
+      stalled = worst_ < best.periodicityError / 2 ? 0 : stalled + 1;
+      if (worst_ < best.periodicityError)
         best = {depth_, pass_.dissipation() / pass_.depthSum(),
                 pass_.contact() / pass_.line().length, 1, worst_};
       if (worst_ < 1e-19L) break;

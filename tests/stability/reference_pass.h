@@ -11,11 +11,11 @@
 namespace asperity {
 
 struct ReferenceResult {
-  Wide indentation = 0;      // m
-  Wide mu = 0;               // resolved lines: from the power dissipated; nodal: Eq. (4)
-  Wide contactFraction = 0;  // of the period
-  Wide marginalShare = 1;    // nodal: of the load of the element on the edge; 1: none
-  Wide closure = 0;          // with arms: what is left of balance and period, relative
+  Wide indentation = 0;       // m
+  Wide mu = 0;                // resolved lines: from the power dissipated; nodal: Eq. (4)
+  Wide contactFraction = 0;   // of the period
+  Wide marginalShare = 1;     // nodal: of the load of the element on the edge; 1: none
+  Wide periodicityError = 0;  // with arms: what is left of balance and period, relative
 };
 
 /// Sliding towards +x under a load. guess: a depth nearby (m), or 0; it changes the cost only.

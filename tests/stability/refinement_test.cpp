@@ -19,7 +19,7 @@ std::array<double, 4> errorsOf(Scene scene, Scheme scheme) {
   const SlidingConditions conditions{scene.elastomer.shearModulus, scene.elastomer.relaxationTime,
                                      scene.sliding.velocity};
   const auto muAt = [&](int points, Scheme which) {
-    return slideAtLoad(prepareTravel(LineSource(scene, points).make(0), which), conditions,
+    return slideAtLoad(prepareProfile(LineSource(scene, points).make(0), which), conditions,
                        scene.load)
         .mu;
   };

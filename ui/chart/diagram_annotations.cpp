@@ -55,7 +55,7 @@ bool isInside(const Box& area, const Box& box) {
 
 /// The best box of this size near a place inside the area: little covered, little moved.
 std::optional<Box> boxNear(const Place& at, float width, float height, const Box& area,
-                           const CoverMap& map, float step, int rings) {
+                           const OccupancyGrid& map, float step, int rings) {
   constexpr int kAngles = 16;
   std::optional<Box> best;
   float least = 0;
@@ -96,7 +96,7 @@ std::vector<std::string> linesOf(const std::string& text, float size, float widt
 }
 
 /// A shade's name at its foot, in as many lines as it needs there; none where it is too slim.
-std::optional<PlacedLabel> placeShade(const SpanBox& shade, CoverMap& map,
+std::optional<PlacedLabel> placeShade(const SpanBox& shade, OccupancyGrid& map,
                                       const DiagramSizes& sizes) {
   const float size = sizes.legend, air = 0.25F * size;
   PlacedLabel out;
@@ -154,8 +154,8 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
   if (!layer.triangles.empty()) list.layers.push_back(std::move(layer));
 }
 
-std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes, CoverMap& map,
-                                     const DiagramSizes& sizes) {
+std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes,
+                                     OccupancyGrid& map, const DiagramSizes& sizes) {
   const float size = sizes.legend, air = 0.25F * size;
   std::vector<PlacedLabel> placed;
   for (const DiagramLabel& label : diagram.labels) {

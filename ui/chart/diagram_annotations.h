@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/draw/occupancy_grid.h"
 #include "ui/chart/diagram_axes.h"
+#include "ui/draw/occupancy_grid.h"
 
 namespace asperity {
 
@@ -29,8 +29,8 @@ inline constexpr float kTaken = 100;  // weight of what may not be covered at al
 /// Near their places, and names of shades at their feet, moved so that none covers another and
 /// little is covered of what the map has; adds them to the map. A label that finds no place is left
 /// out.
-std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes, CoverMap& map,
-                                     const DiagramSizes& sizes);
+std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes,
+                                     OccupancyGrid& map, const DiagramSizes& sizes);
 
 void addLabels(DrawList& list, const std::vector<PlacedLabel>& labels, const DiagramSizes& sizes,
                const Theme& theme);

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/language/translated.h"
 #include "ui/chart/diagram_annotations.h"
 #include "ui/chart/diagram_legend.h"
 #include "ui/draw/text_metrics.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 namespace {
@@ -114,9 +114,9 @@ class Panel {
     fit(overhang());
     styles_ = stylesOf(diagram_, sizes_, theme_, box.width);
     legend_ = legendFor(diagram_, styles_, sizes_.legend, 0.7F * box.width, 0.7F * box.height);
-    CoverMap series(box, 4 * sizes_.unit);
+    OccupancyGrid series(box, 4 * sizes_.unit);
     coverSeries(series, diagram_, styles_, axes_);
-    CoverMap map = series;
+    OccupancyGrid map = series;
     labels_ = placeLabels(diagram_, axes_, map, sizes_);
     placeLegend(map);
     if (hidden_ <= kHidden || labels_.empty()) return;
@@ -132,7 +132,7 @@ class Panel {
     }
   }
 
-  void placeLegend(const CoverMap& map) {
+  void placeLegend(const OccupancyGrid& map) {
     const float margin = std::round(9 * sizes_.unit);
     legendBox_ = legend_.empty() ? Box{} : freestPlace(map, legend_.width, legend_.height, margin);
     if (map.greatestUnder(legendBox_) >= kTaken) legendBox_ = {};

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/draw/colours.h"
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/marks.h"
 #include "ui/contact/smooth_line.h"
+#include "ui/draw/colours.h"
 #include "ui/draw/stroke_pattern.h"
 
 namespace asperity {
@@ -188,7 +188,7 @@ void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesS
         addCurve(list, diagram.series[i], styles[i], axes, sizes.unit, theme);
 }
 
-void coverSeries(CoverMap& map, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
+void coverSeries(OccupancyGrid& map, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
                  const DiagramAxes& axes) {
   for (std::size_t i = 0; i < diagram.series.size(); ++i) {
     const DiagramSeries& series = diagram.series[i];

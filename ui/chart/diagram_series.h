@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "ui/draw/occupancy_grid.h"
 #include "ui/chart/diagram_axes.h"
+#include "ui/draw/occupancy_grid.h"
 
 namespace asperity {
 
@@ -30,7 +30,7 @@ void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesS
                const DiagramAxes& axes, const DiagramSizes& sizes, const Theme& theme);
 
 /// Where the series are: 1 under curves and marks, less under bars and bands.
-void coverSeries(CoverMap& map, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
+void coverSeries(OccupancyGrid& map, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
                  const DiagramAxes& axes);
 
 }  // namespace asperity

@@ -94,7 +94,7 @@ void TransientStrips::paintEvent(QPaintEvent*) {
   paintLegend(painter, {16, 0, width() - 32.0, text + 14});
   const double each = (area.height() - 2 * kGap) / 3;
   QRectF strip(area.left(), area.top(), area.width(), each);
-  const StripFloors floors = samples_ ? stripFloors(*samples_, spacing_, period_) : StripFloors{};
+  const MinimumSpan floors = samples_ ? minimumSpan(*samples_, spacing_, period_) : MinimumSpan{};
   const auto next = [&](const QString& name, const char* unit, const Line& line, const Line& over,
                         double least) {
     paintStrip(painter, strip, unit, line, over, least);

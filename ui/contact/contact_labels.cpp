@@ -5,15 +5,15 @@
 #include <optional>
 
 #include "core/material/element_law.h"
-#include "ui/language/words.h"
-#include "ui/contact/label_placement.h"
-#include "ui/draw/colours.h"
 #include "ui/contact/contact_forces.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/contact_tags.h"
 #include "ui/contact/decimate.h"
+#include "ui/contact/label_placement.h"
 #include "ui/contact/narrow_contact.h"
+#include "ui/draw/colours.h"
 #include "ui/draw/text_metrics.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -227,7 +227,7 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
   if (layout.footer > 0 && footerWith(notes, note, layout)) return;
   for (const Tag& tag : tags) {
     if (!fits(tag)) continue;
-    const auto x = clearPlace(frame, layout, top, painter.width(tag), margin);
+    const auto x = labelPlacement(frame, layout, top, painter.width(tag), margin);
     if (x && liesThere(tag, *x)) return painter.paint(tag, {*x, top}, plate);
   }
 }

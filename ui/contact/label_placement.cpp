@@ -68,8 +68,8 @@ bool clearAcross(const Frame& frame, const ContactLayout& layout, float top) {
   return true;
 }
 
-std::optional<float> clearPlace(const Frame& frame, const ContactLayout& layout, float top,
-                                float width, float margin) {
+std::optional<float> labelPlacement(const Frame& frame, const ContactLayout& layout, float top,
+                                    float width, float margin) {
   const Box& plot = layout.plot;
   const auto isClear = [&](float x) {
     const float air = 0.5F * margin;  // less than margin: the axes' ends are no neighbours

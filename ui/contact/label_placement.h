@@ -15,8 +15,8 @@ bool clearAcross(const Frame& frame, const ContactLayout& layout, float top);
 
 /// The left end of a label `width` pixels wide below the row `top` that hides no contact now: at
 /// the left, at the right (`margin` from the axes) or in the middle; none where all of them would.
-std::optional<float> clearPlace(const Frame& frame, const ContactLayout& layout, float top,
-                                float width, float margin);
+std::optional<float> labelPlacement(const Frame& frame, const ContactLayout& layout, float top,
+                                    float width, float margin);
 
 /// Whether the rigid line, all of its period, stays below the pixel row `bottom`: then it never
 /// crosses a label above the row while it slides by.

@@ -7,14 +7,14 @@
 
 namespace asperity {
 
-CoverMap::CoverMap(const Box& area, float cell)
+OccupancyGrid::OccupancyGrid(const Box& area, float cell)
     : area_(area),
       cell_(std::max(cell, 1.0F)),
       columns_(std::max(1, static_cast<int>(std::ceil(area.width / cell_)))),
       rows_(std::max(1, static_cast<int>(std::ceil(area.height / cell_)))),
       weights_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-CoverMap::Cells CoverMap::cellsOf(const Box& box) const {
+OccupancyGrid::Cells OccupancyGrid::cellsOf(const Box& box) const {
   const auto index = [&](float pixels, int most) {
     return static_cast<int>(std::clamp(pixels / cell_, 0.0F, static_cast<float>(most)));
   };
@@ -25,7 +25,7 @@ CoverMap::Cells CoverMap::cellsOf(const Box& box) const {
           index(box.y - area_.y, rows_), above(box.bottom() - area_.y, rows_)};
 }
 
-void CoverMap::addLine(const std::vector<Place>& places, float weight) {
+void OccupancyGrid::addLine(const std::vector<Place>& places, float weight) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Place a = places[i], b = places[std::min(i + 1, places.size() - 1)];
     if (!std::isfinite(a.x + a.y + b.x + b.y)) continue;
@@ -38,7 +38,7 @@ void CoverMap::addLine(const std::vector<Place>& places, float weight) {
   }
 }
 
-void CoverMap::addBox(const Box& box, float weight) {
+void OccupancyGrid::addBox(const Box& box, float weight) {
   const Cells c = cellsOf(box);
   for (int row = c.top; row < c.bottom; ++row)
     for (int column = c.left; column < c.right; ++column) {
@@ -47,7 +47,7 @@ void CoverMap::addBox(const Box& box, float weight) {
     }
 }
 
-float CoverMap::under(const Box& box) const {
+float OccupancyGrid::under(const Box& box) const {
   const Cells c = cellsOf(box);
   float sum = 0;
   for (int row = c.top; row < c.bottom; ++row)
@@ -56,7 +56,7 @@ float CoverMap::under(const Box& box) const {
   return sum / std::max(1.0F, box.width * box.height / (cell_ * cell_));
 }
 
-float CoverMap::greatestUnder(const Box& box) const {
+float OccupancyGrid::greatestUnder(const Box& box) const {
   const Cells c = cellsOf(box);
   float greatest = 0;
   for (int row = c.top; row < c.bottom; ++row)
@@ -65,7 +65,7 @@ float CoverMap::greatestUnder(const Box& box) const {
   return greatest;
 }
 
-Box freestPlace(const CoverMap& map, float width, float height, float margin) {
+Box freestPlace(const OccupancyGrid& map, float width, float height, float margin) {
   const Box& area = map.area();
   const float roomX = area.width - 2 * margin - width, roomY = area.height - 2 * margin - height;
   if (roomX < 0 || roomY < 0) return {};

@@ -8,9 +8,9 @@
 
 namespace asperity {
 
-class CoverMap {
+class OccupancyGrid {
  public:
-  CoverMap(const Box& area, float cell);
+  OccupancyGrid(const Box& area, float cell);
 
   /// Takes the cells under a line; what lies outside the area is ignored.
   void addLine(const std::vector<Place>& places, float weight);
@@ -36,6 +36,6 @@ class CoverMap {
 
 /// A box of this size inside the map's area, `margin` from its edges, that covers least; corners
 /// are preferred. The box is empty where the area is too small.
-Box freestPlace(const CoverMap& map, float width, float height, float margin);
+Box freestPlace(const OccupancyGrid& map, float width, float height, float margin);
 
 }  // namespace asperity

@@ -98,7 +98,7 @@ class ArmSolver::Search {
   void forget() {
     bestWorst_ = std::numeric_limits<double>::infinity();
     best_ = {};
-    best_.force.residual = best_.closure = bestWorst_;
+    best_.force.residual = best_.periodicityError = bestWorst_;
     best_.strain.assign(memory_.arms(), 0);
   }
 
@@ -168,7 +168,7 @@ class ArmSolver::Search {
     bestWorst_ = worst_;
     best_.force.depth = depthOf(unknown_);
     best_.force.residual = forceResidual_;
-    best_.closure = closure_;
+    best_.periodicityError = closure_;
     best_.strain.assign(unknown_.begin() + first_, unknown_.end());
   }
 
@@ -243,8 +243,8 @@ class ArmSolver::Search {
         inverse_[i * size_ + k] += (step[i] - predicted[i]) * row[k] / scale;
   }
 
-  const TravelLine& line_;
-  const ArmMemory& memory_;
+  const PreparedProfile& line_;
+  const ArmCoefficients& memory_;
   ArmPass& pass_;
   double load_, fixedDepth_;
   std::size_t first_, size_;
@@ -259,8 +259,8 @@ class ArmSolver::Search {
   ArmBalance best_;
 };
 
-ArmSolver::ArmSolver(const TravelLine& line, const ElementLaw& law, const RetardationModes& modes,
-                     double velocity)
+ArmSolver::ArmSolver(const PreparedProfile& line, const ElementLaw& law,
+                     const RetardationModes& modes, double velocity)
     : line_(line),
       memory_(law, modes, velocity, line.spacing, line.length, line.blocks.size()),
       pass_(line, memory_) {}

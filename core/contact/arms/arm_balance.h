@@ -16,18 +16,18 @@
 namespace asperity {
 
 struct ArmBalance {
-  Balance force;               // depth, all passes, residual of F_N (0 at a given depth)
-  bool isComplete = false;     // contact: nothing was sought
-  double closure = 0;          // largest change of an arm's strain over a period, as if it had as
-                               // many periods as it takes; relative to strains, heights or depth
-  std::vector<double> strain;  // m, at the lowest point
-  bool isMet() const { return force.isMet() && closure <= kAcceptedResidual; }
+  Balance force;                // depth, all passes, residual of F_N (0 at a given depth)
+  bool isComplete = false;      // contact: nothing was sought
+  double periodicityError = 0;  // largest change of an arm's strain over a period, as if it had as
+                                // many periods as it takes; relative to strains, heights or depth
+  std::vector<double> strain;   // m, at the lowest point
+  bool isMet() const { return force.isMet() && periodicityError <= kAcceptedResidual; }
 };
 
 class ArmSolver {
  public:
   /// law: with an equilibrium modulus and at least one arm; velocity > 0 (m/s).
-  ArmSolver(const TravelLine& line, const ElementLaw& law, const RetardationModes& modes,
+  ArmSolver(const PreparedProfile& line, const ElementLaw& law, const RetardationModes& modes,
             double velocity);
 
   /// load = F_N / 4G (m^2, > 0), G the equilibrium modulus. guess: an answer nearby, or null.
@@ -45,8 +45,8 @@ class ArmSolver {
  private:
   class Search;
 
-  const TravelLine& line_;
-  ArmMemory memory_;
+  const PreparedProfile& line_;
+  ArmCoefficients memory_;
   ArmPass pass_;
 };
 

@@ -12,8 +12,8 @@ constexpr double kLeastMemory = 1e-150;
 
 }  // namespace
 
-ArmMemory::ArmMemory(const ElementLaw& law, const RetardationModes& modes, double velocity,
-                     double spacing, double period, std::size_t levels)
+ArmCoefficients::ArmCoefficients(const ElementLaw& law, const RetardationModes& modes,
+                                 double velocity, double spacing, double period, std::size_t levels)
     : dashpot(velocity * law.viscosity / law.equilibriumModulus), conversion(modes) {
   const double shortest = kLeastMemory * spacing;
   for (const Arm& arm : law.arms) {

@@ -7,17 +7,17 @@
 #include <array>
 #include <vector>
 
-#include "core/contact/kernels/decay_moments.h"
 #include "core/contact/arms/retardation.h"
+#include "core/contact/kernels/decay_moments.h"
 #include "core/material/element_law.h"
 
 namespace asperity {
 
-struct ArmMemory {
+struct ArmCoefficients {
   /// law: with an equilibrium modulus and at least one arm; velocity > 0 (m/s); spacing of whole
   /// segments and period (m); levels of blocks of 4^k segments.
-  ArmMemory(const ElementLaw& law, const RetardationModes& modes, double velocity, double spacing,
-            double period, std::size_t levels);
+  ArmCoefficients(const ElementLaw& law, const RetardationModes& modes, double velocity,
+                  double spacing, double period, std::size_t levels);
 
   std::size_t arms() const { return modulus.size(); }
   std::size_t modes() const { return rate.size(); }

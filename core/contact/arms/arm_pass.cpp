@@ -11,7 +11,7 @@ constexpr int kMostEvents = 64;  // in one segment, which has a few; more are ro
 
 }  // namespace
 
-ArmPass::ArmPass(const TravelLine& line, const ArmMemory& memory)
+ArmPass::ArmPass(const PreparedProfile& line, const ArmCoefficients& memory)
     : line_(line),
       memory_(memory),
       strain_(memory.arms()),

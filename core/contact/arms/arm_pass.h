@@ -27,7 +27,7 @@ struct ArmShape {
 
 class ArmPass {
  public:
-  ArmPass(const TravelLine& line, const ArmMemory& memory);
+  ArmPass(const PreparedProfile& line, const ArmCoefficients& memory);
 
   /// Enough for the balance: sums().depth and yieldChange(); with `tangent` their derivatives too.
   void run(double depth, std::span<const double> strain, ArmTangent* tangent = nullptr);
@@ -95,8 +95,8 @@ class ArmPass {
   void addYield(const Piece& piece, double u);
   void record(std::size_t i, ArmShape& shape);
 
-  const TravelLine& line_;
-  const ArmMemory& memory_;
+  const PreparedProfile& line_;
+  const ArmCoefficients& memory_;
   double depth_ = 0;
   bool touching_ = true, hasLeft_ = false;
   std::size_t level_ = 0;               // of the block tried next

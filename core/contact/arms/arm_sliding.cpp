@@ -11,7 +11,7 @@ namespace {
 
 class Solving {
  public:
-  Solving(const TravelLine& line, const ElementLaw& law, const RetardationModes& modes,
+  Solving(const PreparedProfile& line, const ElementLaw& law, const RetardationModes& modes,
           const Load& load)
       : line_(line),
         law_(law),
@@ -59,7 +59,7 @@ class Solving {
     return reached < velocity ? failed : known;
   }
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   const ElementLaw& law_;
   const RetardationModes& modes_;
   bool byForce_;
@@ -69,8 +69,9 @@ class Solving {
 
 }  // namespace
 
-ArmState slideWithArms(const TravelLine& line, const ElementLaw& law, const RetardationModes& modes,
-                       const Load& load, double velocity, const ArmState* guess) {
+ArmState slideWithArms(const PreparedProfile& line, const ElementLaw& law,
+                       const RetardationModes& modes, const Load& load, double velocity,
+                       const ArmState* guess) {
   const FlushDenormals flush;
   countStage(Stage::Arms);
   countStage(Stage::Closure);
@@ -83,14 +84,14 @@ ArmState slideWithArms(const TravelLine& line, const ElementLaw& law, const Reta
   result =
       steadyResultOf(line, {law.equilibriumModulus, 0, velocity}, state.balance.force.depth, sums);
   result.passes = state.balance.force.passes;
-  result.residual = std::max(state.balance.force.residual, state.balance.closure);
-  result.closure = state.balance.closure;
+  result.residual = std::max(state.balance.force.residual, state.balance.periodicityError);
+  result.periodicityError = state.balance.periodicityError;
   result.status = statusOf(result);
   return state;
 }
 
-ArmShape armShapeAt(const TravelLine& line, const ElementLaw& law, const RetardationModes& modes,
-                    double velocity, const ArmBalance& balance) {
+ArmShape armShapeAt(const PreparedProfile& line, const ElementLaw& law,
+                    const RetardationModes& modes, double velocity, const ArmBalance& balance) {
   const FlushDenormals flush;
   ArmShape shape;
   ArmSolver(line, law, modes, velocity).state(balance, &shape);

@@ -17,11 +17,12 @@ struct ArmState {
 /// law: with an equilibrium modulus and at least one arm; velocity > 0 (m/s). `guess` may be null.
 /// Where a search from the guess and one from nothing both fail, the answer is followed up from a
 /// velocity so low that the arms forget.
-ArmState slideWithArms(const TravelLine& line, const ElementLaw& law, const RetardationModes& modes,
-                       const Load& load, double velocity, const ArmState* guess = nullptr);
+ArmState slideWithArms(const PreparedProfile& line, const ElementLaw& law,
+                       const RetardationModes& modes, const Load& load, double velocity,
+                       const ArmState* guess = nullptr);
 
 /// Shape and memory at that state; pressure per 4G.
-ArmShape armShapeAt(const TravelLine& line, const ElementLaw& law, const RetardationModes& modes,
-                    double velocity, const ArmBalance& balance);
+ArmShape armShapeAt(const PreparedProfile& line, const ElementLaw& law,
+                    const RetardationModes& modes, double velocity, const ArmBalance& balance);
 
 }  // namespace asperity

@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-ArmTangent::ArmTangent(const ArmMemory& memory)
+ArmTangent::ArmTangent(const ArmCoefficients& memory)
     : memory_(memory),
       unknowns_(memory.arms() + 1),
       strain_(memory.arms() * unknowns_),

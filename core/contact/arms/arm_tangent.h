@@ -12,7 +12,7 @@ namespace asperity {
 
 class ArmTangent {
  public:
-  explicit ArmTangent(const ArmMemory& memory);
+  explicit ArmTangent(const ArmCoefficients& memory);
 
   /// Contact begins at the lowest point.
   void begin();
@@ -36,7 +36,7 @@ class ArmTangent {
   void contact(double length);
   void arc(double length);
 
-  const ArmMemory& memory_;
+  const ArmCoefficients& memory_;
   std::size_t unknowns_;
   std::vector<double> strain_;  // [arm][unknown], where contact began or begins
   std::vector<double> mode_;    // [mode][unknown], likewise of the arc

@@ -22,9 +22,9 @@ namespace HWY_NAMESPACE {
 
 constexpr std::size_t kMostLevels = 16;
 
-class LaneStream {
+class CubicKernel {
  public:
-  LaneStream(const TravelLine& line, PassQueue& queue)
+  CubicKernel(const PreparedProfile& line, PassQueue& queue)
       : line_(line), queue_(queue), last_(line.segments() - 1), levels_(line.blocks.size()) {}
 
   void run() {
@@ -35,7 +35,7 @@ class LaneStream {
       idle_[idleCount_++] = lane;
     }
     for (std::size_t stream = 0; stream < kLanes; ++stream) {
-      PassTask task;
+      PassRequest task;
       if (queue_.begin(stream, task)) setPass(stream, task);
     }
     fillLanes();
@@ -59,7 +59,7 @@ class LaneStream {
 
   /// A pass under way.
   struct Pass {
-    PassTask task;
+    PassRequest task;
     PassSums sums;
     std::size_t parts = 0, running = 0;     // begun; of these, not finished
     std::size_t from = kNone, nextCut = 0;  // where the next part begins, and may end
@@ -69,10 +69,10 @@ class LaneStream {
   /// A part of a pass: segments up to `last`.
   struct Place {
     std::size_t pass = 0, segment = 0, last = 0;
-    double looks = 0;
+    double segmentsInspected = 0;
   };
 
-  void setPass(std::size_t stream, const PassTask& task) {
+  void setPass(std::size_t stream, const PassRequest& task) {
     Pass& pass = passes_[stream];
     if (pass.inverse == 0 || pass.task.memory != task.memory) setMemory(pass, task.memory);
     pass.task = task;
@@ -126,7 +126,7 @@ class LaneStream {
 
   /// Whether contact is certain at the cut: w e^(s/c) rises over the segment before it, what lies
   /// further back within `clear` is not as deep, and anything from beyond has relaxed below it.
-  bool touchesAt(const TravelLine::Cut& cut, const PassTask& task) const {
+  bool touchesAt(const PreparedProfile::Cut& cut, const PassRequest& task) const {
     const SegmentBounds before = line_.blocks[0][cut.segment - 2];
     const double rise = line_.rise[cut.segment], w = task.depth - rise;
     return task.depth - before.highest - task.memory * before.steepest > 0 && w > 0 &&
@@ -138,7 +138,7 @@ class LaneStream {
     const Pass& pass = passes_[place.pass];
     place.segment = from;
     place.last = last;
-    place.looks = 0;
+    place.segmentsInspected = 0;
     lanes_.depth[lane] = pass.task.depth;
     lanes_.memory[lane] = pass.task.memory;
     lanes_.inverse[lane] = pass.inverse;
@@ -158,7 +158,7 @@ class LaneStream {
   template <bool kPressed>
   HWY_INLINE void goOn(std::size_t lane) {
     Place& place = places_[lane];
-    ++place.looks;
+    ++place.segmentsInspected;
     if (place.segment == place.last) return endPart(lane);
     ++place.segment;
     if (kPressed)
@@ -180,10 +180,10 @@ class LaneStream {
     sums.slopeSquared += slopes;
     sums.dissipation += pass.task.memory * slopes + lanes_.freeLoss[lane];
     sums.pressure += lanes_.sumPressure[lane];
-    sums.looks += place.looks;
+    sums.segmentsInspected += place.segmentsInspected;
     lanes_.busy[lane] = 0;
     idle_[idleCount_++] = lane;
-    PassTask task;
+    PassRequest task;
     if (--pass.running == 0 && pass.from == kNone && queue_.next(stream, sums, task))
       setPass(stream, task);
     fillLanes();
@@ -294,7 +294,7 @@ class LaneStream {
     if (i == places_[lane].last) lanes_.closes[lane] = 1;
   }
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   PassQueue& queue_;
   std::size_t last_, levels_;
   Pass passes_[kLanes];

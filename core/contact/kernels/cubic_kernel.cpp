@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-void stream(const TravelLine& line, PassQueue& queue) {
-  LaneStream(line, queue).run();
+void stream(const PreparedProfile& line, PassQueue& queue) {
+  CubicKernel(line, queue).run();
 }
 std::size_t streams() {
   return Wide::kLanes;
@@ -35,7 +35,7 @@ std::size_t streamCount() {
   return HWY_DYNAMIC_DISPATCH(streams)();
 }
 
-void passLanes(const TravelLine& line, PassQueue& queue) {
+void passLanes(const PreparedProfile& line, PassQueue& queue) {
   const FlushDenormals flush(Traps::None);
   HWY_DYNAMIC_DISPATCH(stream)(line, queue);
 }

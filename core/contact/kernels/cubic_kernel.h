@@ -21,6 +21,6 @@ inline constexpr std::size_t kMostStreams = 16;
 std::size_t streamCount();
 
 /// Runs passes over a cubic line until no stream is given another.
-void passLanes(const TravelLine& line, PassQueue& queue);
+void passLanes(const PreparedProfile& line, PassQueue& queue);
 
 }  // namespace asperity

@@ -14,11 +14,11 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-void passNodal(const TravelLine& line, const double* depth, const double* memory,
+void passNodal(const PreparedProfile& line, const double* depth, const double* memory,
                NodalLaneSums& sums) {
   NodalLanePass<false>(line, depth, memory).run(sums);
 }
-void passNodalAll(const TravelLine& line, const double* depth, const double* memory,
+void passNodalAll(const PreparedProfile& line, const double* depth, const double* memory,
                   NodalLaneSums& sums) {
   NodalLanePass<true>(line, depth, memory).run(sums);
 }
@@ -94,7 +94,7 @@ std::size_t laneCount() {
   return HWY_DYNAMIC_DISPATCH(lanes)();
 }
 
-void nodalLanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,
+void nodalLanePass(const PreparedProfile& line, const LaneValues& depth, const LaneValues& memory,
                    Wanted wanted, NodalLaneSums& sums) {
   const FlushDenormals flush(Traps::None);
   alignas(64) LaneValues d = depth, c = memory;

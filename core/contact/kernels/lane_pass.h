@@ -43,7 +43,7 @@ const char* nameOf(InstructionSet set);
 std::size_t laneCount();
 
 /// depth (m, >= 0) and memory (m, >= 0) for laneCount() lanes.
-void nodalLanePass(const TravelLine& line, const LaneValues& depth, const LaneValues& memory,
+void nodalLanePass(const PreparedProfile& line, const LaneValues& depth, const LaneValues& memory,
                    Wanted wanted, NodalLaneSums& sums);
 
 }  // namespace asperity

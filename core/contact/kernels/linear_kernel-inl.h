@@ -45,9 +45,9 @@ struct alignas(64) Patches {
 };
 
 /// One pass.
-class StraightPass {
+class LinearKernel {
  public:
-  StraightPass(const TravelLine& line, const PassTask& task)
+  LinearKernel(const PreparedProfile& line, const PassRequest& task)
       : line_(line),
         depth_(task.depth),
         memory_(task.memory),
@@ -244,7 +244,7 @@ class StraightPass {
     double position, along, rise, depth;  // s of its segment and from there, rise, w; m
   };
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   double depth_, memory_, inverse_;
   SummitSearch search_;
   double highest_ = -std::numeric_limits<double>::infinity();  // order of the last top

@@ -14,9 +14,9 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-bool passOnce(const TravelLine& line, const PassTask& task, const PassQueue& queue,
+bool passOnce(const PreparedProfile& line, const PassRequest& task, const PassQueue& queue,
               PassSums& sums) {
-  return StraightPass(line, task).run(queue, sums);
+  return LinearKernel(line, task).run(queue, sums);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -28,9 +28,9 @@ namespace asperity {
 
 HWY_EXPORT(passOnce);
 
-void passStraight(const TravelLine& line, PassQueue& queue) {
+void passStraight(const PreparedProfile& line, PassQueue& queue) {
   const FlushDenormals flush(Traps::None);
-  PassTask task;
+  PassRequest task;
   PassSums sums;
   for (bool goOn = queue.begin(0, task); goOn; goOn = queue.next(0, sums, task))
     if (!HWY_DYNAMIC_DISPATCH(passOnce)(line, task, queue, sums)) return;

@@ -16,6 +16,6 @@ namespace asperity {
 
 /// Runs the passes of the queue's stream 0 over a line of straight segments, one after another,
 /// until it is given no other.
-void passStraight(const TravelLine& line, PassQueue& queue);
+void passStraight(const PreparedProfile& line, PassQueue& queue);
 
 }  // namespace asperity

@@ -2,7 +2,7 @@
 
 namespace asperity {
 
-NodalBalance balanceNodal(const TravelLine& line, double memoryLength, double load) {
+NodalBalance balanceNodal(const PreparedProfile& line, double memoryLength, double load) {
   NodalSearch search;
   search.start(load, line.spacing, load / line.length + line.meanRise, 0);
   while (!search.isDone()) {

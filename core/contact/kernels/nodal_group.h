@@ -14,7 +14,7 @@ namespace asperity {
 
 class NodalGroup {
  public:
-  NodalGroup(const TravelLine& line, const SlidingConditions& conditions, const Load& load)
+  NodalGroup(const PreparedProfile& line, const SlidingConditions& conditions, const Load& load)
       : line_(line), conditions_(conditions), load_(load) {}
 
   /// At most laneCount() velocities (m/s); guesses: depths nearby (m), or 0.
@@ -28,7 +28,7 @@ class NodalGroup {
   }
   bool look(LaneValues& depth, const LaneValues& memory, std::size_t used);
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   SlidingConditions conditions_;
   Load load_;
   NodalLaneSums sums_;

@@ -26,7 +26,7 @@ class NodalLanePass {
   using M = hn::Mask<D>;
 
  public:
-  NodalLanePass(const TravelLine& line, const double* depth, const double* memory)
+  NodalLanePass(const PreparedProfile& line, const double* depth, const double* memory)
       : line_(line), depth_(hn::Load(d_, depth)), memory_(hn::Load(d_, memory)) {
     const V exponent = hn::Div(set(-line.spacing), hn::Max(memory_, set(1e-300)));
     lost_[0] = hn::Neg(hn::Expm1(d_, hn::Max(exponent, set(-350))));
@@ -159,7 +159,7 @@ class NodalLanePass {
     storeOne(threshold_, sums.threshold);
   }
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   V depth_, memory_;
   V lost_[kMostLevels];       // part of a depth, over a block of each level
   V surface_ = hn::Zero(d_);  // height of what reaches the next node without contact

@@ -8,7 +8,7 @@ namespace {
 
 class NodalPass {
  public:
-  NodalPass(const TravelLine& line, double depth, double memory, NodeShape* shape)
+  NodalPass(const PreparedProfile& line, double depth, double memory, NodeShape* shape)
       : line_(line),
         depth_(depth),
         memory_(memory),
@@ -87,7 +87,7 @@ class NodalPass {
     arcStart_ = 0;
   }
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   double depth_, memory_, spacing_, lost_;
   NodeShape* shape_;
   NodalState state_;
@@ -98,7 +98,7 @@ class NodalPass {
 
 }  // namespace
 
-NodalState nodalStateAt(const TravelLine& line, double depth, double memoryLength,
+NodalState nodalStateAt(const PreparedProfile& line, double depth, double memoryLength,
                         NodeShape* shape) {
   return NodalPass(line, depth, memoryLength, shape).run();
 }

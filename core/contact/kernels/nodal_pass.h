@@ -16,7 +16,7 @@ struct NodalState {
 
 /// depth: indentation below the lowest node (m, >= 0; below 0 nothing touches).
 /// memoryLength: c = v tau (m, >= 0).
-NodalState nodalStateAt(const TravelLine& line, double depth, double memoryLength,
+NodalState nodalStateAt(const PreparedProfile& line, double depth, double memoryLength,
                         NodeShape* shape = nullptr);
 
 }  // namespace asperity

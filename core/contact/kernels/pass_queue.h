@@ -14,10 +14,11 @@ struct PassSums {
   double dissipation = 0;    // m^2, c integral of y'^2: F_x / 4G
   double contactLength = 0;  // m
   double slopeSquared = 0;   // m, integral of z'^2 over contact
-  double looks = 0;          // segments that were looked into, which is what a pass in lanes costs
+  double segmentsInspected =
+      0;  // segments that were looked into, which is what a pass in lanes costs
 };
 
-struct PassTask {
+struct PassRequest {
   double depth = 0;   // m, indentation, > 0
   double memory = 0;  // m, c = v tau, >= 0
   int parts = 1;      // to cut a pass in lanes into, where that can be done
@@ -28,9 +29,9 @@ class PassQueue {
  public:
   virtual ~PassQueue() = default;
   /// The first pass of a stream, counted from 0; false: nothing is left to do.
-  virtual bool begin(std::size_t stream, PassTask& task) = 0;
+  virtual bool begin(std::size_t stream, PassRequest& task) = 0;
   /// Takes what the stream's pass found and gives it the next one; false as above.
-  virtual bool next(std::size_t stream, const PassSums& sums, PassTask& task) = 0;
+  virtual bool next(std::size_t stream, const PassSums& sums, PassRequest& task) = 0;
   /// Asked often, inside passes too; true ends them all at once.
   virtual bool isStopped() const = 0;
 };

@@ -25,7 +25,7 @@ struct StateSums {
   double absoluteSlope = 0;  // m, integral of |z'| over contact, of Eq. (10)
 };
 
-/// Shape of the elastomer at the nodes of a TravelLine, in travel order; filled on request.
+/// Shape of the elastomer at the nodes of a PreparedProfile, in travel order; filled on request.
 struct NodeShape {
   std::vector<double> depth;     // m, y = -u
   std::vector<double> pressure;  // m, p / 4G, 0 where not in contact

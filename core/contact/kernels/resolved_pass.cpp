@@ -111,7 +111,7 @@ class StateGatherer {
 template <class Gatherer>
 class Pass {
  public:
-  Pass(const TravelLine& line, double depth, double memory, NodeShape* shape)
+  Pass(const PreparedProfile& line, double depth, double memory, NodeShape* shape)
       : line_(line),
         depth_(depth),
         memory_(memory),
@@ -246,7 +246,7 @@ class Pass {
     shape_->pressure.push_back(std::max(p, 0.0));
   }
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   double depth_, memory_, inverse_, lost_;
   NodeShape* shape_;
   bool touching_ = true;
@@ -259,13 +259,14 @@ class Pass {
 
 }  // namespace
 
-ForceSums forceAt(const TravelLine& line, double depth, double memoryLength) {
+ForceSums forceAt(const PreparedProfile& line, double depth, double memoryLength) {
   Pass<ForceGatherer> pass(line, depth, memoryLength, nullptr);
   pass.run();
   return pass.gatherer.sums;
 }
 
-StateSums stateAt(const TravelLine& line, double depth, double memoryLength, NodeShape* shape) {
+StateSums stateAt(const PreparedProfile& line, double depth, double memoryLength,
+                  NodeShape* shape) {
   Pass<StateGatherer> pass(line, depth, memoryLength, shape);
   pass.run();
   return pass.gatherer.total();

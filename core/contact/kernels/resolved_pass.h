@@ -13,10 +13,10 @@
 namespace asperity {
 
 /// depth: indentation below the lowest point (m, > 0). memoryLength: c = v tau (m, >= 0).
-ForceSums forceAt(const TravelLine& line, double depth, double memoryLength);
+ForceSums forceAt(const PreparedProfile& line, double depth, double memoryLength);
 
 /// The same with everything a result states, and the shape where `shape` is given.
-StateSums stateAt(const TravelLine& line, double depth, double memoryLength,
+StateSums stateAt(const PreparedProfile& line, double depth, double memoryLength,
                   NodeShape* shape = nullptr);
 
 }  // namespace asperity

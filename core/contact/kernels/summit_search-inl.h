@@ -15,8 +15,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/contact/line/prepared_profile.h"
 #include "core/contact/kernels/wide-inl.h"
+#include "core/contact/line/prepared_profile.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace asperity {
@@ -44,7 +44,7 @@ struct alignas(64) Summits {
 /// above the depth is none.
 class SummitSearch {
  public:
-  SummitSearch(const TravelLine& line, double depth, double memory, double inverse)
+  SummitSearch(const PreparedProfile& line, double depth, double memory, double inverse)
       : line_(line), depth_(depth), memory_(memory), inverse_(inverse) {}
 
   const Summits& summits() const { return summits_; }
@@ -183,7 +183,7 @@ class SummitSearch {
     }
   }
 
-  const TravelLine& line_;
+  const PreparedProfile& line_;
   double depth_, memory_, inverse_;
   std::size_t start_ = 0;  // of the stretch under pressure that is or was last
   std::size_t next_ = 0;   // the first segment not looked at

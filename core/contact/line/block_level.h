@@ -1,6 +1,6 @@
 // Bounds and integrals over blocks of segments, one array for each quantity, so that neighbouring
 // blocks are compared in one vector; segment_bounds.h fills them. A plain value inside a
-// TravelLine.
+// PreparedProfile.
 #pragma once
 
 #include <cstddef>

@@ -81,7 +81,8 @@ Lowest findLowest(const Line& line, const Traveller& traveller, Scheme scheme) {
   return lowest;
 }
 
-void setSegment(TravelLine& travel, std::size_t i, double rise, double slopeIn, double slopeOut) {
+void setSegment(PreparedProfile& travel, std::size_t i, double rise, double slopeIn,
+                double slopeOut) {
   travel.rise[i] = rise;
   travel.slopeIn[i] = slopeIn;
   travel.slopeOut[i] = slopeOut;
@@ -89,7 +90,7 @@ void setSegment(TravelLine& travel, std::size_t i, double rise, double slopeIn, 
 
 /// Rises and slopes of `count` whole segments from `node` on, as segments `first` and on; returns
 /// the node behind them. Between the ends of the Line nodes follow each other without a look.
-std::size_t setWholeSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
+std::size_t setWholeSegments(PreparedProfile& travel, const Line& line, const Traveller& traveller,
                              std::size_t node, std::size_t first, std::size_t count) {
   const double perSpacing = 1 / line.spacing, level = travel.lowestHeight;
   const bool isLinear = travel.scheme == Scheme::Linear;
@@ -115,7 +116,7 @@ std::size_t setWholeSegments(TravelLine& travel, const Line& line, const Travell
 }
 
 /// Blocks of four times as many segments each over those of a level, as far as whole ones go.
-bool addBlocksOver(TravelLine& travel, std::size_t level, const std::stop_token& stop) {
+bool addBlocksOver(PreparedProfile& travel, std::size_t level, const std::stop_token& stop) {
   while (travel.blocks[level].size() >= 4) {
     if (stop.stop_requested()) return false;
     if (travel.blocks.size() == level + 1) travel.blocks.emplace_back();
@@ -128,7 +129,7 @@ bool addBlocksOver(TravelLine& travel, std::size_t level, const std::stop_token&
 
 /// Finds a cut in each of equal parts of the line but the first, at its lowest node. Parts of long
 /// lines are no longer than what the cache of a core holds of them.
-void addCuts(TravelLine& travel) {
+void addCuts(PreparedProfile& travel) {
   constexpr std::size_t kFewestSegments = 16, kMostSegments = 8192, kFewestParts = 16;
   travel.cuts.clear();
   const std::size_t parts = std::max(kFewestParts, travel.segments() / kMostSegments);
@@ -143,7 +144,7 @@ void addCuts(TravelLine& travel) {
   }
 }
 
-bool resizeFor(TravelLine& travel, std::size_t segments, const std::stop_token& stop) {
+bool resizeFor(PreparedProfile& travel, std::size_t segments, const std::stop_token& stop) {
   travel.rise.resize(segments + 1);
   if (stop.stop_requested()) return false;
   travel.slopeIn.resize(segments);
@@ -152,7 +153,7 @@ bool resizeFor(TravelLine& travel, std::size_t segments, const std::stop_token& 
   return !stop.stop_requested();
 }
 
-bool addCubicBlocks(TravelLine& travel, const std::stop_token& stop) {
+bool addCubicBlocks(PreparedProfile& travel, const std::stop_token& stop) {
   const std::size_t last = travel.segments() - 1;
   const auto bounds = [&travel](std::size_t i) {
     return boundSegment(&travel.rise[i], travel.slopeIn[i], travel.slopeOut[i],
@@ -167,7 +168,7 @@ bool addCubicBlocks(TravelLine& travel, const std::stop_token& stop) {
 }
 
 /// The lowest level of straight segments would be as large as all the rest and say nothing new.
-bool addStraightBlocks(TravelLine& travel, const std::stop_token& stop) {
+bool addStraightBlocks(PreparedProfile& travel, const std::stop_token& stop) {
   const std::size_t inner = travel.segments() - 2;
   travel.blocks[0].clear();
   travel.blocks.resize(inner < 4 ? 1 : std::max<std::size_t>(travel.blocks.size(), 2));
@@ -177,7 +178,7 @@ bool addStraightBlocks(TravelLine& travel, const std::stop_token& stop) {
 }
 
 /// Of the rise, by fours as far as they go.
-double integralOf(const TravelLine& travel) {
+double integralOf(const PreparedProfile& travel) {
   double integral = travel.bounds(0).riseIntegral;
   const std::size_t fours = travel.blocks.size() > 1 ? travel.blocks[1].size() : 0;
   for (std::size_t i = 0; i < fours; ++i) integral += travel.blocks[1].riseIntegral[i];
@@ -186,7 +187,7 @@ double integralOf(const TravelLine& travel) {
   return integral;
 }
 
-bool addBounds(TravelLine& travel, const std::stop_token& stop) {
+bool addBounds(PreparedProfile& travel, const std::stop_token& stop) {
   travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
   const bool isCubic = travel.scheme == Scheme::Cubic;
   if (!(isCubic ? addCubicBlocks(travel, stop) : addStraightBlocks(travel, stop))) return false;
@@ -196,7 +197,7 @@ bool addBounds(TravelLine& travel, const std::stop_token& stop) {
   return true;
 }
 
-bool addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& traveller,
+bool addResolvedSegments(PreparedProfile& travel, const Line& line, const Traveller& traveller,
                          const Lowest& lowest, const std::stop_token& stop) {
   const double h = line.spacing, t = lowest.fraction;
   const std::size_t count = line.nodes(), split = t > 0 ? 1 : 0;
@@ -221,7 +222,7 @@ bool addResolvedSegments(TravelLine& travel, const Line& line, const Traveller& 
   return !stop.stop_requested() && addBounds(travel, stop);
 }
 
-bool addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
+bool addNodes(PreparedProfile& travel, const Line& line, const Traveller& traveller,
               const Lowest& lowest, const std::stop_token& stop) {
   const std::size_t count = line.nodes();
   travel.rise.resize(count + 1);
@@ -249,17 +250,17 @@ bool addNodes(TravelLine& travel, const Line& line, const Traveller& traveller,
 
 }  // namespace
 
-Cubic TravelLine::segment(std::size_t i) const {
+Cubic PreparedProfile::segment(std::size_t i) const {
   const double h = segmentLength(i);
   return hermite(rise[i], rise[i + 1], slopeIn[i] * h, slopeAtEnd(i) * h);
 }
 
-Cubic TravelLine::segmentBackwards(std::size_t i) const {
+Cubic PreparedProfile::segmentBackwards(std::size_t i) const {
   const double h = segmentLength(i);
   return hermite(rise[i + 1], rise[i], -slopeAtEnd(i) * h, -slopeIn[i] * h);
 }
 
-std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<double>& values,
+std::vector<double> inLineOrder(const PreparedProfile& travel, const std::vector<double>& values,
                                 Direction direction) {
   const std::size_t skipped = travel.startsInsideSegment ? 1 : 0;  // the lowest point is no node
   const std::size_t count = values.size() - skipped;
@@ -274,8 +275,8 @@ std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<doub
   return ordered;
 }
 
-bool prepareTravelInto(TravelLine& travel, const Line& line, Scheme scheme, Direction direction,
-                       const std::stop_token& stop) {
+bool prepareProfileInto(PreparedProfile& travel, const Line& line, Scheme scheme,
+                        Direction direction, const std::stop_token& stop) {
   travel.scheme = scheme;
   travel.length = line.length;
   travel.spacing = line.spacing;
@@ -290,9 +291,9 @@ bool prepareTravelInto(TravelLine& travel, const Line& line, Scheme scheme, Dire
                                  : addResolvedSegments(travel, line, traveller, lowest, stop);
 }
 
-TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction) {
-  TravelLine travel;
-  prepareTravelInto(travel, line, scheme, direction);
+PreparedProfile prepareProfile(const Line& line, Scheme scheme, Direction direction) {
+  PreparedProfile travel;
+  prepareProfileInto(travel, line, scheme, direction);
   return travel;
 }
 

@@ -20,7 +20,7 @@ namespace asperity {
 
 enum class Direction { Forward, Backward };  // sliding towards +x or -x
 
-struct TravelLine {
+struct PreparedProfile {
   Scheme scheme = Scheme::Cubic;
   double length = 0;                       // m, period
   double spacing = 0;                      // m, of all segments but perhaps the first and the last
@@ -89,14 +89,15 @@ struct TravelLine {
 };
 
 /// Values at the segments' starts (NodeShape) as values at the Line's nodes, in the order of x.
-std::vector<double> inLineOrder(const TravelLine& travel, const std::vector<double>& values,
+std::vector<double> inLineOrder(const PreparedProfile& travel, const std::vector<double>& values,
                                 Direction direction = Direction::Forward);
 
-TravelLine prepareTravel(const Line& line, Scheme scheme, Direction direction = Direction::Forward);
+PreparedProfile prepareProfile(const Line& line, Scheme scheme,
+                               Direction direction = Direction::Forward);
 
 /// The same into one whose memory is used again. Returns false where `stop` was requested, which is
 /// looked at between steps of about ten numbers a node; it is then not whole.
-bool prepareTravelInto(TravelLine& travel, const Line& line, Scheme scheme,
-                       Direction direction = Direction::Forward, const std::stop_token& stop = {});
+bool prepareProfileInto(PreparedProfile& travel, const Line& line, Scheme scheme,
+                        Direction direction = Direction::Forward, const std::stop_token& stop = {});
 
 }  // namespace asperity

@@ -34,8 +34,8 @@ std::string profileOf(const Scene& scene) {
 std::vector<SteadyResult> converged(const Scene& scene) {
   const std::vector<double> velocities = sweepVelocities(scene.sweep);
   std::vector<SteadyResult> results(velocities.size());
-  const TravelLine line = prepareTravel(LineSource(scene, 128).make(0), Scheme::Cubic);
-  SceneSliding(scene).sweep(line, scene.load, velocities, results);
+  const PreparedProfile line = prepareProfile(LineSource(scene, 128).make(0), Scheme::Cubic);
+  SteadySolver(scene).sweep(line, scene.load, velocities, results);
   return results;
 }
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/accuracy/explanation.h"
-#include "core/contact/steady_sliding.h"
 #include "core/contact/line/prepared_profile.h"
+#include "core/contact/steady_sliding.h"
 #include "core/scene/plan.h"
 #include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"
@@ -15,7 +15,7 @@
 namespace asperity {
 namespace {
 
-double bytesOf(const Line& line, const TravelLine& travel) {
+double bytesOf(const Line& line, const PreparedProfile& travel) {
   double numbers = 0;
   for (const auto* values : {&line.height, &line.slopeAfter, &line.slopeBefore, &travel.rise,
                              &travel.slopeIn, &travel.slopeOut})
@@ -112,7 +112,7 @@ TEST(Pilot, MemoryIsThatOfTheLines) {
     Scene scene = sceneOfSize(elements, 1, 1);
     scene.accuracy.scheme = scheme;
     const Line line = LineSource(scene, pointsPerElementOfCurve(scene)).make(0);
-    const double bytes = bytesOf(line, prepareTravel(line, scheme));
+    const double bytes = bytesOf(line, prepareProfile(line, scheme));
     const double ofSource =
         16 * static_cast<double>(line.nodes()) +
         12 * static_cast<double>(elements);  // its transform, amplitudes and phases

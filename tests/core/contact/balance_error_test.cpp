@@ -70,7 +70,7 @@ TEST(UnmetBalance, ForcesThatDisagreeAreUnmet) {
 }
 
 TEST(UnmetBalance, TheElementsOneByOneHaveTheSameLimit) {
-  const TravelLine line = prepareTravel(roughLine(200), Scheme::Nodal);
+  const PreparedProfile line = prepareProfile(roughLine(200), Scheme::Nodal);
   NodalBalance nodal;
   nodal.state = nodalStateAt(line, 1e-6, kTau);
   nodal.balance = {1e-6, 3, 1.1e-10};
@@ -84,7 +84,7 @@ TEST(UnmetBalance, TheElementsOneByOneHaveTheSameLimit) {
 TEST(UnmetBalance, EveryPathLooksAtResidualAndForces) {
   int unmet = 0;
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
-    const TravelLine line = prepareTravel(roughLine(200, 2), scheme);
+    const PreparedProfile line = prepareProfile(roughLine(200, 2), scheme);
     for (double force = 1e-2; force > 1e-90; force *= 1e-4) {
       const std::vector<double> velocities{1e-3, 1, 1e3};
       std::vector<SteadyResult> results(velocities.size());

@@ -47,7 +47,7 @@ TEST_P(Represented, WedgeIsExactWhateverTheGrid) {
   for (const double ratio : kMemories)
     for (const std::size_t nodes : {64UL, 1000UL}) {
       const double c = ratio * a;
-      const TravelLine line = prepareTravel(wedgeLine(isolated(a, c), nodes, t), GetParam());
+      const PreparedProfile line = prepareProfile(wedgeLine(isolated(a, c), nodes, t), GetParam());
       const SteadyResult result = slideAtDepth(line, withMemory(c), d);
       const Forces exact = wedgeForces(t, d, c);
       EXPECT_LT(relative(result.normalForce, exact.normal), 1e-9) << ratio;
@@ -64,8 +64,8 @@ TEST(ClosedForms, ParabolaIsExactForCubicWhateverTheGrid) {
   for (const double ratio : kMemories)
     for (const std::size_t nodes : {64UL, 1000UL}) {
       const double c = ratio * a;
-      const TravelLine line =
-          prepareTravel(parabolaLine(isolated(a, c), nodes, radius), Scheme::Cubic);
+      const PreparedProfile line =
+          prepareProfile(parabolaLine(isolated(a, c), nodes, radius), Scheme::Cubic);
       const SteadyResult result = slideAtDepth(line, withMemory(c), d);
       const Forces exact = parabolaForces(radius, d, c);
       EXPECT_LT(relative(result.normalForce, exact.normal), 1e-9) << ratio;
@@ -80,7 +80,7 @@ TEST(ClosedForms, ParabolaConvergesAtSecondOrderForLinear) {
   const Forces exact = parabolaForces(radius, d, c);
   const auto error = [&](std::size_t nodes) {
     const Line line = parabolaLine(isolated(a, c), nodes, radius);
-    const SteadyResult r = slideAtDepth(prepareTravel(line, Scheme::Linear), withMemory(c), d);
+    const SteadyResult r = slideAtDepth(prepareProfile(line, Scheme::Linear), withMemory(c), d);
     return std::max(relative(r.normalForce, exact.normal),
                     relative(r.tangentialForce, exact.tangential));
   };
@@ -91,21 +91,21 @@ TEST(ClosedForms, ParabolaConvergesAtSecondOrderForLinear) {
 TEST(ClosedForms, NodalShapesApproachTheClosedForms) {
   const double t = 1e-3, d = 2e-6, a = d / t, c = 0.5 * a;
   const Line wedge = wedgeLine(isolated(a, c), 200000, t);
-  const SteadyResult w = slideAtDepth(prepareTravel(wedge, Scheme::Nodal), withMemory(c), d);
+  const SteadyResult w = slideAtDepth(prepareProfile(wedge, Scheme::Nodal), withMemory(c), d);
   EXPECT_LT(relative(w.normalForce, wedgeForces(t, d, c).normal), 1e-3);
   EXPECT_LT(relative(w.tangentialForce, wedgeForces(t, d, c).tangential), 1e-3);
 }
 
 TEST(ClosedForms, ParabolaAtLowVelocityHasFrictionCOverR) {
   const double radius = 0.1, d = 2e-6, a = std::sqrt(2 * radius * d), c = 1e-9 * a;
-  const TravelLine line = prepareTravel(parabolaLine(4 * a, 64, radius), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(parabolaLine(4 * a, 64, radius), Scheme::Cubic);
   EXPECT_LT(relative(slideAtDepth(line, withMemory(c), d).mu, c / radius), 1e-8);
 }
 
 TEST(ClosedForms, ParabolaAtFixedForceHasItsMaximumWhereTheFormulaSays) {
   const double radius = 0.1, force = 0.01;
   const double a0 = std::cbrt(3 * radius * force / (8 * kModulus));
-  const TravelLine line = prepareTravel(parabolaLine(80 * a0, 2000, radius), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(parabolaLine(80 * a0, 2000, radius), Scheme::Cubic);
   const auto friction = [&](double ratio) {
     return slideAtForce(line, withMemory(ratio * a0), force).mu * radius / a0;
   };
@@ -120,7 +120,7 @@ TEST(ClosedForms, SineInFullContact) {
   const double exact = c * q * q * amplitude * amplitude / (2 * d);
   const auto error = [&](std::size_t nodes, Scheme scheme) {
     const Line line = sineLine(length, nodes, amplitude, 4);
-    return relative(slideAtDepth(prepareTravel(line, scheme), withMemory(c), d + amplitude).mu,
+    return relative(slideAtDepth(prepareProfile(line, scheme), withMemory(c), d + amplitude).mu,
                     exact);
   };
   EXPECT_LT(error(200, Scheme::Nodal), 1e-12);
@@ -133,7 +133,7 @@ TEST(ClosedForms, SineInFullContact) {
 /// v tau far above the wavelength: mu / (A q) depends on delta / A alone, delta = F_N / 4 eta v.
 TEST(ClosedForms, FastSine) {
   const double amplitude = 5e-7, length = 0.01, q = 2 * std::numbers::pi / length;
-  const TravelLine line = prepareTravel(sineLine(length, 4000, amplitude, 1), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(sineLine(length, 4000, amplitude, 1), Scheme::Cubic);
   const double ratios[] = {0.01, 0.1, 0.5, 1, 2, 3, 5};
   const double table[] = {0.0925, 0.278, 0.548, 0.683, 0.769, 0.753, 0.610};
   const double c = 1e5 * length;
@@ -151,7 +151,7 @@ TEST(ClosedForms, FullContactOfARoughLine) {
     const Line line = roughLine(500, oversampling);
     const double force = 100, v = 0.01;
     const SteadyResult result =
-        slideAtForce(prepareTravel(line, scheme), {kModulus, kTau, v}, force);
+        slideAtForce(prepareProfile(line, scheme), {kModulus, kTau, v}, force);
     EXPECT_NEAR(result.contactFraction, 1, 1e-12);
     const double exact =
         4 * line.length * kModulus * kTau * v * line.rmsSlope * line.rmsSlope / force;

@@ -30,14 +30,14 @@ void forEachLine(const Check& check) {
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
     for (const std::int64_t elements : {3, 16, 47, 500}) {
       SCOPED_TRACE(testing::Message() << elements << ", scheme " << static_cast<int>(scheme));
-      check(prepareTravel(roughLine(elements, 2), scheme));
+      check(prepareProfile(roughLine(elements, 2), scheme));
     }
 }
 
 /// A sine: d = A + A sqrt(1 + (q c)^2) above its lowest point.
 TEST(CompleteContact, BeginsForASineWhereTheClosedFormSays) {
   const double amplitude = 5e-7, q = 2 * std::numbers::pi * 4 / 0.01;
-  const TravelLine line = prepareTravel(sineLine(0.01, 4000, amplitude, 4), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(sineLine(0.01, 4000, amplitude, 4), Scheme::Cubic);
   for (const double turn : {0.0, 0.1, 1.0, 10.0}) {
     const double exact = amplitude * (1 + std::sqrt(1 + turn * turn));
     EXPECT_LT(relative(completeAbove(line, turn / q), exact), 1e-8);
@@ -45,7 +45,7 @@ TEST(CompleteContact, BeginsForASineWhereTheClosedFormSays) {
 }
 
 TEST(CompleteContact, IsToldToTheLastDigit) {
-  forEachLine([](const TravelLine& line) {
+  forEachLine([](const PreparedProfile& line) {
     for (const double memory : {0.0, 1e-7, 1e-5, 1e-3, 1.0}) {
       const double above = completeAbove(line, memory);
       EXPECT_TRUE(isContactComplete(line, above * (1 + 1e-15), memory));
@@ -59,7 +59,7 @@ TEST(CompleteContact, IsToldToTheLastDigit) {
 }
 
 TEST(CompleteContact, WithoutASearchTheSameAsWithOne) {
-  forEachLine([](const TravelLine& line) {
+  forEachLine([](const PreparedProfile& line) {
     for (const double memory : {1e-7, 1e-5, 1e-3}) {
       const double depth = 1.001 * completeAbove(line, memory),
                    load = (depth - line.meanRise) * line.length;
@@ -99,15 +99,15 @@ TEST(CompleteContact, OfElementsWithArmsNeedsNoSearch) {
     for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
       for (const double velocity : {1e-4, 0.03, 1.0}) {
         SCOPED_TRACE(testing::Message() << name << " at " << velocity);
-        const TravelLine line = prepareTravel(roughLine(200, 2), scheme);
+        const PreparedProfile line = prepareProfile(roughLine(200, 2), scheme);
         Scene scene;
         scene.elastomer = elastomer;
         scene.accuracy.scheme = scheme;
-        const SceneSliding sliding(scene);
+        const SteadySolver sliding(scene);
         const double above = sliding.completeAbove(line, velocity);
         const auto at = [&](double depth) {
           scene.load = {LoadKind::Indentation, 0, depth};
-          return SceneSliding(scene).at(line, velocity).result;
+          return SteadySolver(scene).at(line, velocity).result;
         };
         const std::uint64_t before = searches();
         const SteadyResult complete = at(above * (1 + 1e-8));
@@ -121,7 +121,7 @@ TEST(CompleteContact, OfElementsWithArmsNeedsNoSearch) {
         EXPECT_LT(relative(sought.normalForce, complete.normalForce), 1e-6);
         // At that force the depth is the same.
         scene.load = {LoadKind::Force, complete.normalForce, 0};
-        const SteadyResult pressed = SceneSliding(scene).at(line, velocity).result;
+        const SteadyResult pressed = SteadySolver(scene).at(line, velocity).result;
         EXPECT_LT(relative(pressed.indentation, complete.indentation), 1e-12);
         EXPECT_LT(relative(pressed.tangentialForce, complete.tangentialForce), 1e-12);
       }
@@ -130,7 +130,7 @@ TEST(CompleteContact, OfElementsWithArmsNeedsNoSearch) {
 
 /// Also where a sum over all segments is off in its last digits.
 TEST(CompleteContact, IsTheWholeLine) {
-  const TravelLine line = prepareTravel(roughLine(100000, 3), Scheme::Linear);
+  const PreparedProfile line = prepareProfile(roughLine(100000, 3), Scheme::Linear);
   const SteadyResult deep = slideAtDepth(line, {1e7, 1e-3, 1}, 1);
   EXPECT_EQ(deep.contactFraction, 1);
   EXPECT_EQ(slideAtForce(line, {1e7, 1e-3, 1}, deep.normalForce, 0).contactFraction, 1);

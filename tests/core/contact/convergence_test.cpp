@@ -23,8 +23,8 @@ double order(const std::vector<double>& x, const std::vector<double>& y) {
   return -(n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-double measuredOrder(const std::map<int, TravelLine>& lines, const TravelLine& finest, double force,
-                     double velocity) {
+double measuredOrder(const std::map<int, PreparedProfile>& lines, const PreparedProfile& finest,
+                     double force, double velocity) {
   const SlidingConditions conditions{kModulus, kTau, velocity};
   const double exact = slideAtForce(finest, conditions, force).mu;
   std::vector<double> x, y;
@@ -36,10 +36,10 @@ double measuredOrder(const std::map<int, TravelLine>& lines, const TravelLine& f
 }
 
 void expectOrder(Scheme scheme, int highest, double least) {
-  std::map<int, TravelLine> lines;
+  std::map<int, PreparedProfile> lines;
   for (int oversampling = 2; oversampling <= highest; oversampling *= 2)
-    lines[oversampling] = prepareTravel(referenceProfile(oversampling), scheme);
-  const TravelLine finest = prepareTravel(referenceProfile(64), Scheme::Cubic);
+    lines[oversampling] = prepareProfile(referenceProfile(oversampling), scheme);
+  const PreparedProfile finest = prepareProfile(referenceProfile(64), Scheme::Cubic);
   for (const double force : {0.001, 0.1, 10.0})
     for (const double velocity : {1e-4, 1e-3, 1e-2, 1e-1})
       EXPECT_GE(measuredOrder(lines, finest, force, velocity), least)

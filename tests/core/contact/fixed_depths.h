@@ -12,14 +12,14 @@ namespace asperity {
 class FixedDepths : public PassQueue {
  public:
   FixedDepths(double depth, double memory, int parts = 1,
-              int looks = std::numeric_limits<int>::max())
-      : task_{depth, memory, parts}, looks_(looks) {}
+              int segmentsInspected = std::numeric_limits<int>::max())
+      : task_{depth, memory, parts}, looks_(segmentsInspected) {}
 
-  bool begin(std::size_t stream, PassTask& task) override {
+  bool begin(std::size_t stream, PassRequest& task) override {
     task = task_;
     return stream == 0;
   }
-  bool next(std::size_t, const PassSums& sums, PassTask&) override {
+  bool next(std::size_t, const PassSums& sums, PassRequest&) override {
     found.push_back(sums);
     return false;
   }
@@ -29,7 +29,7 @@ class FixedDepths : public PassQueue {
   std::vector<PassSums> found;
 
  private:
-  PassTask task_;
+  PassRequest task_;
   int looks_;
   mutable int asked_ = 0;
 };

@@ -22,7 +22,7 @@ template <class Check>
 void forEachCase(Check check) {
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
     for (const std::int64_t oversampling : {1, 2, 5}) {
-      const TravelLine line = prepareTravel(roughLine(400, oversampling), scheme);
+      const PreparedProfile line = prepareProfile(roughLine(400, oversampling), scheme);
       for (const Case& each : kCases) {
         SCOPED_TRACE(testing::Message()
                      << "scheme " << static_cast<int>(scheme) << " x" << oversampling << ", "
@@ -34,18 +34,18 @@ void forEachCase(Check check) {
 }
 
 TEST(Identities, ForceBalanceIsMetToThirteenDigits) {
-  forEachCase(
-      [](const TravelLine&, const SlidingConditions&, double force, const SteadyResult& result) {
-        EXPECT_EQ(result.status, SteadyStatus::Balanced);
-        EXPECT_LE(result.residual, 1e-13);
-        EXPECT_NEAR(result.normalForce / force, 1, 2e-13);
-        EXPECT_LE(result.passes, 15);
-      });
+  forEachCase([](const PreparedProfile&, const SlidingConditions&, double force,
+                 const SteadyResult& result) {
+    EXPECT_EQ(result.status, SteadyStatus::Balanced);
+    EXPECT_LE(result.residual, 1e-13);
+    EXPECT_NEAR(result.normalForce / force, 1, 2e-13);
+    EXPECT_LE(result.passes, 15);
+  });
 }
 
 /// F_N = integral of p over contact = -4 G integral of u over all elements.
 TEST(Identities, BothWaysToTheNormalForceAgree) {
-  forEachCase([](const TravelLine& line, const SlidingConditions& conditions, double,
+  forEachCase([](const PreparedProfile& line, const SlidingConditions& conditions, double,
                  const SteadyResult& result) {
     const NodeShape shape = shapeAt(line, conditions, result.indentation);
     EXPECT_GE(*std::min_element(shape.pressure.begin(), shape.pressure.end()), 0);
@@ -56,14 +56,15 @@ TEST(Identities, BothWaysToTheNormalForceAgree) {
 
 /// F_x v = 4 eta v^2 integral of u'^2 over all elements.
 TEST(Identities, PowerInIsPowerDissipated) {
-  forEachCase([](const TravelLine&, const SlidingConditions&, double, const SteadyResult& result) {
-    EXPECT_GT(result.powerDissipated, 0);
-    EXPECT_NEAR(result.powerIn / result.powerDissipated, 1, 1e-9);
-  });
+  forEachCase(
+      [](const PreparedProfile&, const SlidingConditions&, double, const SteadyResult& result) {
+        EXPECT_GT(result.powerDissipated, 0);
+        EXPECT_NEAR(result.powerIn / result.powerDissipated, 1, 1e-9);
+      });
 }
 
 TEST(Identities, TheElastomerNeverReachesThroughTheLine) {
-  forEachCase([](const TravelLine& line, const SlidingConditions& conditions, double,
+  forEachCase([](const PreparedProfile& line, const SlidingConditions& conditions, double,
                  const SteadyResult& result) {
     const NodeShape shape = shapeAt(line, conditions, result.indentation);
     const double highest = *std::max_element(line.rise.begin(), line.rise.end());
@@ -76,14 +77,14 @@ TEST(Identities, TheElastomerNeverReachesThroughTheLine) {
 }
 
 TEST(Identities, TheIndentationIsNeverBelowThatOfAFlatLine) {
-  forEachCase([](const TravelLine& line, const SlidingConditions&, double force,
+  forEachCase([](const PreparedProfile& line, const SlidingConditions&, double force,
                  const SteadyResult& result) {
     EXPECT_GE(result.indentation * (1 + 1e-12), force / (4 * kModulus * line.length));
   });
 }
 
 TEST(Identities, ForceGrowsWithDepthAndIsConvex) {
-  const TravelLine line = prepareTravel(roughLine(300, 2), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(roughLine(300, 2), Scheme::Cubic);
   for (const double v : {1e-3, 0.3, 100.0}) {
     double last = 0, lastSlope = 0;
     const double step = 2e-8;
@@ -111,8 +112,8 @@ Line mirrored(const Line& line) {
 TEST(Identities, MirrorSymmetry) {
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
     const Line line = roughLine(400, 2);
-    const TravelLine back = prepareTravel(line, scheme, Direction::Backward);
-    const TravelLine on = prepareTravel(mirrored(line), scheme);
+    const PreparedProfile back = prepareProfile(line, scheme, Direction::Backward);
+    const PreparedProfile on = prepareProfile(mirrored(line), scheme);
     for (const Case& each : kCases) {
       const SlidingConditions conditions{kModulus, kTau, each.velocity};
       const SteadyResult a = slideAtForce(back, conditions, each.force);
@@ -135,9 +136,9 @@ TEST(Identities, ScalingByPowersOfTwoGivesTheSameBits) {
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
     for (const Case& each : kCases) {
       const SteadyResult one =
-          slideAtForce(prepareTravel(line, scheme), {kModulus, kTau, each.velocity}, each.force);
+          slideAtForce(prepareProfile(line, scheme), {kModulus, kTau, each.velocity}, each.force);
       const SteadyResult two =
-          slideAtForce(prepareTravel(scaled, scheme), {kModulus * 2, kTau * 16, each.velocity / 4},
+          slideAtForce(prepareProfile(scaled, scheme), {kModulus * 2, kTau * 16, each.velocity / 4},
                        each.force * 2 * 8 * 4);
       EXPECT_EQ(one.mu * 2, two.mu);
       EXPECT_EQ(one.contactFraction, two.contactFraction);
@@ -150,7 +151,7 @@ TEST(Identities, AFlatLineIsPressedEvenlyWithoutFriction) {
   for (double& slope : flat.slopeAfter) slope = 0;
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
     const SteadyResult result =
-        slideAtForce(prepareTravel(flat, scheme), {kModulus, kTau, 1}, 0.0034);
+        slideAtForce(prepareProfile(flat, scheme), {kModulus, kTau, 1}, 0.0034);
     EXPECT_EQ(result.status, SteadyStatus::Balanced);
     EXPECT_EQ(result.mu, 0);
     EXPECT_EQ(result.contactFraction, 1);
@@ -159,7 +160,7 @@ TEST(Identities, AFlatLineIsPressedEvenlyWithoutFriction) {
 }
 
 TEST(Identities, AtRestThereIsNoFrictionAndTheForceIsThatOfSprings) {
-  const TravelLine line = prepareTravel(roughLine(400, 4), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(roughLine(400, 4), Scheme::Cubic);
   const SteadyResult result = slideAtForce(line, {kModulus, kTau, 0}, 0.01);
   EXPECT_EQ(result.status, SteadyStatus::Balanced);
   EXPECT_LT(std::abs(result.mu), 1e-14);

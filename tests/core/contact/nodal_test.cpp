@@ -13,7 +13,8 @@ namespace {
 TEST(Nodal, ForceIsMetExactlyEvenInAJump) {
   int jumps = 0;
   for (int realization = 0; realization < 10; ++realization) {
-    const TravelLine line = prepareTravel(roughLine(1000, 1, 0.7, realization), Scheme::Nodal);
+    const PreparedProfile line =
+        prepareProfile(roughLine(1000, 1, 0.7, realization), Scheme::Nodal);
     for (const double velocity : {1e-5, 1e-2, 0.1, 1.0, 10.0, 1000.0}) {
       const SteadyResult result = slideAtForce(line, {kModulus, kTau, velocity}, 0.0034);
       EXPECT_EQ(result.status, SteadyStatus::Balanced);
@@ -27,7 +28,7 @@ TEST(Nodal, ForceIsMetExactlyEvenInAJump) {
 }
 
 TEST(Nodal, ForceNeverFallsWithDepth) {
-  const TravelLine line = prepareTravel(roughLine(200), Scheme::Nodal);
+  const PreparedProfile line = prepareProfile(roughLine(200), Scheme::Nodal);
   for (const double c : {1e-6, 1e-3, 1.0}) {
     double last = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -40,7 +41,7 @@ TEST(Nodal, ForceNeverFallsWithDepth) {
 
 /// Just below its threshold the topmost loaded element is not loaded any more.
 TEST(Nodal, TheThresholdIsWhereAnElementIsLost) {
-  const TravelLine line = prepareTravel(roughLine(200), Scheme::Nodal);
+  const PreparedProfile line = prepareProfile(roughLine(200), Scheme::Nodal);
   for (const double c : {1e-6, 1e-4, 1e-2})
     for (const double depth : {1e-8, 1e-7, 1e-6}) {
       const NodalState state = nodalStateAt(line, depth, c);
@@ -60,10 +61,10 @@ TEST(Nodal, AgreesWithTheResolvedLineAtLowVelocity) {
   double nodal = 0, cubic = 0;
   for (int realization = 0; realization < 10; ++realization) {
     const SlidingConditions slow{kModulus, kTau, 1e-2};
-    nodal += slideAtForce(prepareTravel(roughLine(5000, 1, 0.7, realization), Scheme::Nodal), slow,
+    nodal += slideAtForce(prepareProfile(roughLine(5000, 1, 0.7, realization), Scheme::Nodal), slow,
                           0.0034)
                  .mu;
-    cubic += slideAtForce(prepareTravel(roughLine(5000, 4, 0.7, realization), Scheme::Cubic), slow,
+    cubic += slideAtForce(prepareProfile(roughLine(5000, 4, 0.7, realization), Scheme::Cubic), slow,
                           0.0034)
                  .mu;
   }
@@ -72,7 +73,7 @@ TEST(Nodal, AgreesWithTheResolvedLineAtLowVelocity) {
 
 /// It does not conserve power, and says so: in region IV more goes in than is dissipated, or less.
 TEST(Nodal, ReportsItsPowerImbalance) {
-  const TravelLine line = prepareTravel(roughLine(500), Scheme::Nodal);
+  const PreparedProfile line = prepareProfile(roughLine(500), Scheme::Nodal);
   const SteadyResult result = slideAtForce(line, {kModulus, kTau, 0.01}, 0.01);
   EXPECT_GT(std::abs(result.powerIn / result.powerDissipated - 1), 1e-3);
 }

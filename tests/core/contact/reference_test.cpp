@@ -31,7 +31,8 @@ TEST(Reference, FrictionIsAsAccurateAsTheReadmeSays) {
                                {Scheme::Cubic, 4, 2.5e-4, 1.0095},
                                {Scheme::Cubic, 8, 1.5e-5, 1.0025},
                                {Scheme::Linear, 8, 3.5e-3, 5}}) {
-    const TravelLine line = prepareTravel(referenceProfile(stated.oversampling), stated.scheme);
+    const PreparedProfile line =
+        prepareProfile(referenceProfile(stated.oversampling), stated.scheme);
     for (const ConvergedRow& row : convergedRows()) {
       SCOPED_TRACE(testing::Message() << row.normalForce << " N, " << row.velocity << " m/s");
       const SteadyResult result =
@@ -49,7 +50,7 @@ TEST(Reference, FrictionIsAsAccurateAsTheReadmeSays) {
 /// From the true lowest point, between the nodes: the nodes alone miss it by 1e-10 m here.
 TEST(Reference, IndentationIsMeasuredFromTheLowestPoint) {
   for (const auto& [oversampling, error] : {std::pair{2, 7e-4}, {4, 3e-5}, {8, 2e-6}}) {
-    const TravelLine line = prepareTravel(referenceProfile(oversampling), Scheme::Cubic);
+    const PreparedProfile line = prepareProfile(referenceProfile(oversampling), Scheme::Cubic);
     for (const ConvergedRow& row : convergedRows())
       EXPECT_LT(
           relative(slideAtForce(line, {kModulus, kTau, row.velocity}, row.normalForce).indentation,
@@ -61,7 +62,7 @@ TEST(Reference, IndentationIsMeasuredFromTheLowestPoint) {
 
 TEST(Reference, ContactOfSmoothSegments) {
   for (const std::int64_t oversampling : {2, 8}) {
-    const TravelLine line = prepareTravel(referenceProfile(oversampling), Scheme::Cubic);
+    const PreparedProfile line = prepareProfile(referenceProfile(oversampling), Scheme::Cubic);
     for (const ConvergedRow& row : convergedRows()) {
       SCOPED_TRACE(testing::Message() << row.normalForce << " N, " << row.velocity << " m/s");
       const SteadyResult result =

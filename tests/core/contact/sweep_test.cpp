@@ -27,7 +27,7 @@ std::vector<double> decades(double from, double to, int points) {
   return values;
 }
 
-std::vector<SteadyResult> sweep(const TravelLine& line, double force,
+std::vector<SteadyResult> sweep(const PreparedProfile& line, double force,
                                 const std::vector<double>& velocities) {
   std::vector<SteadyResult> results(velocities.size());
   Load load;
@@ -37,7 +37,7 @@ std::vector<SteadyResult> sweep(const TravelLine& line, double force,
 }
 
 /// Equal to 1e-12; a contact shorter than the spacing h knows its ends to h / length digits less.
-void expectSame(const SteadyResult& a, const SteadyResult& b, const TravelLine& line) {
+void expectSame(const SteadyResult& a, const SteadyResult& b, const PreparedProfile& line) {
   const double contact = b.contactFraction * line.length;
   const double tolerance = 1e-12 * std::max(1.0, line.spacing / contact);
   EXPECT_NEAR(a.mu, b.mu, tolerance * std::abs(b.mu)) << line.spacing / contact;
@@ -50,7 +50,7 @@ TEST_P(Sweep, AgreesWithThePlainPass) {
   const auto velocities = decades(1e-5, 1e4, 19);
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
     for (const std::int64_t oversampling : {1, 3}) {
-      const TravelLine line = prepareTravel(roughLine(701, oversampling), scheme);
+      const PreparedProfile line = prepareProfile(roughLine(701, oversampling), scheme);
       for (const double force : {1e-5, 1e-3, 0.1, 3.0, 100.0}) {
         const auto results = sweep(line, force, velocities);
         for (std::size_t i = 0; i < velocities.size(); ++i) {
@@ -68,7 +68,7 @@ TEST_P(Sweep, AgreesWithThePlainPass) {
 TEST_P(Sweep, AgreesWithThePlainPassForThePapersElements) {
   const auto velocities = decades(1e-5, 1e3, 17);
   for (int realization = 0; realization < 3; ++realization) {
-    const TravelLine line = prepareTravel(roughLine(700, 1, 0.7, realization), Scheme::Nodal);
+    const PreparedProfile line = prepareProfile(roughLine(700, 1, 0.7, realization), Scheme::Nodal);
     for (const double force : {1e-4, 0.0034, 0.1, 10.0}) {
       const auto results = sweep(line, force, velocities);
       for (std::size_t i = 0; i < velocities.size(); ++i) {
@@ -91,7 +91,7 @@ TEST_P(Sweep, AgreesWithThePlainPassOnShapes) {
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
     for (const Line& shape : {wedgeLine(0.02, 101, 1e-3), parabolaLine(0.02, 64, 1.0),
                               sineLine(0.02, 300, 5e-7, 7), sineLine(0.02, 300, 0, 7)}) {
-      const TravelLine line = prepareTravel(shape, scheme);
+      const PreparedProfile line = prepareProfile(shape, scheme);
       for (const double force : {1e-3, 1.0, 1e3}) {
         const auto results = sweep(line, force, velocities);
         for (std::size_t i = 0; i < velocities.size(); ++i)
@@ -105,7 +105,7 @@ TEST_P(Sweep, ContactsFarShorterThanASegment) {
   const std::vector<double> velocities{1e-3, 1, 1e3, 1e6};
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
     for (const std::size_t nodes : {64UL, 101UL, 5000UL}) {
-      const TravelLine line = prepareTravel(wedgeLine(0.02, nodes, 1e-3), scheme);
+      const PreparedProfile line = prepareProfile(wedgeLine(0.02, nodes, 1e-3), scheme);
       for (const SteadyResult& result : sweep(line, 1e-13, velocities)) {
         EXPECT_EQ(result.status, SteadyStatus::Balanced);
         EXPECT_NEAR(result.mu / 1e-3, 1, 1e-6);
@@ -118,7 +118,7 @@ TEST_P(Sweep, ContactsFarShorterThanASegment) {
 TEST_P(Sweep, WithoutMemory) {
   const std::vector<double> velocities{1e-5, 1e-2, 10};
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
-    const TravelLine line = prepareTravel(roughLine(301, 2), scheme);
+    const PreparedProfile line = prepareProfile(roughLine(301, 2), scheme);
     for (const double tau : {0.0, 1e-300, 1e-30, 1e-15})
       for (const double force : {1e-4, 0.1, 100.0}) {
         Load load;
@@ -139,7 +139,7 @@ TEST_P(Sweep, WithoutMemory) {
 /// far v tau is beyond numbers that tell a surface from one that does not relax at all.
 TEST_P(Sweep, MemoryFarBeyondThePeriodKeepsItsDigits) {
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
-    const TravelLine line = prepareTravel(roughLine(1000, 2), scheme);
+    const PreparedProfile line = prepareProfile(roughLine(1000, 2), scheme);
     std::vector<SteadyResult> results(1);
     const double velocity = 1e3;
     double first = 0;
@@ -160,7 +160,7 @@ TEST_P(Sweep, MemoryFarBeyondThePeriodKeepsItsDigits) {
 
 /// The public profile within the limits of the reference test.
 TEST_P(Sweep, MeetsTheReference) {
-  const TravelLine line = prepareTravel(referenceProfile(2), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(referenceProfile(2), Scheme::Cubic);
   const auto rows = convergedRows();
   for (std::size_t first = 0, count = 0; first < rows.size(); first += count) {
     std::vector<double> velocities;
@@ -180,7 +180,7 @@ TEST_P(Sweep, MeetsTheReference) {
 
 /// A lane that is finished stays as it was, whoever goes on beside it.
 TEST_P(Sweep, NeighboursDoNotMatter) {
-  const TravelLine line = prepareTravel(roughLine(500, 2), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(roughLine(500, 2), Scheme::Cubic);
   const auto velocities = decades(1e-4, 1e3, 17);
   const auto all = sweep(line, 0.01, velocities);
   for (std::size_t i = 0; i < velocities.size(); ++i)
@@ -193,7 +193,7 @@ TEST_P(Sweep, NeighboursDoNotMatter) {
 }
 
 TEST_P(Sweep, TheSameCallGivesTheSameBits) {
-  const TravelLine line = prepareTravel(roughLine(500, 2), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(roughLine(500, 2), Scheme::Cubic);
   const auto velocities = decades(1e-4, 1e3, 17);
   const auto one = sweep(line, 0.01, velocities), two = sweep(line, 0.01, velocities);
   for (std::size_t i = 0; i < velocities.size(); ++i) {
@@ -204,7 +204,7 @@ TEST_P(Sweep, TheSameCallGivesTheSameBits) {
 
 TEST_P(Sweep, AllocatesNothing) {
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
-    const TravelLine line = prepareTravel(roughLine(500), scheme);
+    const PreparedProfile line = prepareProfile(roughLine(500), scheme);
     const auto velocities = decades(1e-4, 1e3, 17);
     std::vector<SteadyResult> results(velocities.size());
     const Load load;
@@ -217,7 +217,7 @@ TEST_P(Sweep, AllocatesNothing) {
 TEST_P(Sweep, ConstantIndentation) {
   const auto velocities = decades(1e-4, 1e3, 9);
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
-    const TravelLine line = prepareTravel(roughLine(300), scheme);
+    const PreparedProfile line = prepareProfile(roughLine(300), scheme);
     Load load;
     load.kind = LoadKind::Indentation;
     load.depth = 8e-7;
@@ -232,7 +232,7 @@ TEST_P(Sweep, ConstantIndentation) {
 }
 
 TEST_P(Sweep, StopsWhenAsked) {
-  const TravelLine line = prepareTravel(roughLine(300), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(roughLine(300), Scheme::Cubic);
   std::stop_source source;
   source.request_stop();
   std::vector<SteadyResult> results(1);
@@ -245,7 +245,7 @@ TEST_P(Sweep, StopsWhenAsked) {
 TEST_P(Sweep, ManyForcesAtOnce) {
   const auto velocities = decades(1e-5, 1e3, 9), forces = decades(1e-4, 100, 7);
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
-    const TravelLine line = prepareTravel(roughLine(900), scheme);
+    const PreparedProfile line = prepareProfile(roughLine(900), scheme);
     std::vector<SteadyResult> table(forces.size() * velocities.size());
     ASSERT_TRUE(slideAtForces(line, {kModulus, kTau, 0}, forces, velocities, table));
     for (std::size_t row = 0; row < forces.size(); ++row) {
@@ -265,8 +265,8 @@ TEST_P(Sweep, ManyForcesAtOnce) {
 TEST_P(Sweep, AnotherLineShowsWhereToBegin) {
   const auto velocities = decades(1e-5, 1e3, 17);
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
-    const TravelLine line = prepareTravel(roughLine(2000, 1, 0.7, 1), scheme);
-    const TravelLine another = prepareTravel(roughLine(2000, 1, 0.7, 2), scheme);
+    const PreparedProfile line = prepareProfile(roughLine(2000, 1, 0.7, 1), scheme);
+    const PreparedProfile another = prepareProfile(roughLine(2000, 1, 0.7, 2), scheme);
     for (const double force : {1e-3, 0.1, 10.0}) {
       const auto others = sweep(another, force, velocities), alone = sweep(line, force, velocities);
       auto results = alone;
@@ -290,7 +290,7 @@ TEST_P(Sweep, AnotherLineShowsWhereToBegin) {
 /// Just before contact is full, where a depth for full contact is nearly right.
 TEST_P(Sweep, NearlyFullContact) {
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
-    const TravelLine line = prepareTravel(roughLine(400), scheme);
+    const PreparedProfile line = prepareProfile(roughLine(400), scheme);
     for (const double velocity : {1e-4, 0.01, 0.3, 10.0}) {
       double low = line.meanRise, high = 1;  // depths
       for (int i = 0; i < 60; ++i) {
@@ -316,15 +316,16 @@ TEST_P(Sweep, ModuliAndHeightsAreForces) {
   Line higher = line;
   for (double& height : higher.height) height *= 8;
   for (double& slope : higher.slopeAfter) slope *= 8;
-  const auto one = sweep(prepareTravel(line, Scheme::Cubic), 0.01, velocities);
-  const auto two = sweep(prepareTravel(higher, Scheme::Cubic), 0.08, velocities);
+  const auto one = sweep(prepareProfile(line, Scheme::Cubic), 0.01, velocities);
+  const auto two = sweep(prepareProfile(higher, Scheme::Cubic), 0.08, velocities);
   for (std::size_t i = 0; i < velocities.size(); ++i)
     EXPECT_NEAR(two[i].mu / (8 * one[i].mu), 1, 1e-11);
 }
 
 TEST_P(Sweep, PartsOfAPassAddUp) {
   for (const int realization : {0, 1, 2, 3}) {
-    const TravelLine line = prepareTravel(roughLine(2000, 2, 0.3, realization), Scheme::Cubic);
+    const PreparedProfile line =
+        prepareProfile(roughLine(2000, 2, 0.3, realization), Scheme::Cubic);
     for (const double depth : {3e-7, 1e-6, 2e-6, 4e-6})
       for (const double memory : {1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1.0}) {
         FixedDepths whole(depth, memory), cut(depth, memory, 16);
@@ -338,7 +339,7 @@ TEST_P(Sweep, PartsOfAPassAddUp) {
         EXPECT_NEAR(b.stiffness, a.stiffness, 1e-10 * a.stiffness);
         EXPECT_NEAR(b.pressure, a.pressure, 1e-9 * a.pressure);
         if (memory < 1e-5) {
-          EXPECT_GT(b.looks, a.looks);  // it was cut
+          EXPECT_GT(b.segmentsInspected, a.segmentsInspected);  // it was cut
         }
       }
   }
@@ -346,12 +347,12 @@ TEST_P(Sweep, PartsOfAPassAddUp) {
 
 /// The end of work is asked for inside a pass: here before any has ended.
 TEST_P(Sweep, StopsInsideAPass) {
-  const TravelLine line = prepareTravel(roughLine(20000, 1, 0.0), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(roughLine(20000, 1, 0.0), Scheme::Cubic);
   FixedDepths whole(1e-6, 1e-8), queue(1e-6, 1e-8, 1, 1);
   passLanes(line, whole);
   ASSERT_EQ(whole.found.size(), 1U);
-  EXPECT_GT(whole.found[0].looks, 300);  // it looks up every 256 steps
-  EXPECT_LT(whole.found[0].looks, 256 * (whole.timesAsked() + 1));
+  EXPECT_GT(whole.found[0].segmentsInspected, 300);  // it looks up every 256 steps
+  EXPECT_LT(whole.found[0].segmentsInspected, 256 * (whole.timesAsked() + 1));
   passLanes(line, queue);
   EXPECT_TRUE(queue.found.empty());
 }

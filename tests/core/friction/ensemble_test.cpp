@@ -8,9 +8,9 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/input_error.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
-#include "core/base/input_error.h"
 #include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"
 
@@ -91,7 +91,7 @@ TEST(Ensemble, MeanAndStandardErrorAreThoseOfTheRealizations) {
   double sum = 0, squares = 0;
   const auto n = static_cast<double>(scene.ensemble.realizations);
   for (int r = 0; r < scene.ensemble.realizations; ++r) {
-    const TravelLine line = prepareTravel(source.make(r), scene.accuracy.scheme);
+    const PreparedProfile line = prepareProfile(source.make(r), scene.accuracy.scheme);
     const double mu = slideAtForce(line, conditionsOf(scene, 0.1), scene.load.normalForce).mu;
     sum += mu;
     squares += mu * mu;
@@ -108,7 +108,7 @@ TEST(Ensemble, TheSweepGivesWhatEachVelocityGivesAlone) {
   scene.ensemble.realizations = 1;
   const Curve curve = frictionCurve(scene);
   const LineSource source(scene, pointsPerElementOfCurve(scene));
-  const TravelLine line = prepareTravel(source.make(0), scene.accuracy.scheme);
+  const PreparedProfile line = prepareProfile(source.make(0), scene.accuracy.scheme);
   for (const CurvePoint& point : curve.points) {
     const SteadyResult alone =
         slideAtForce(line, conditionsOf(scene, point.velocity), scene.load.normalForce);

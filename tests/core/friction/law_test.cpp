@@ -32,7 +32,7 @@ TEST(Law, Equation5IsLinearInVelocityAndAPowerOfForce) {
 
 /// Eq. (6) is exact as v -> 0 with the contact's own length and slope.
 TEST(Law, Equation6IsExactAtLowVelocity) {
-  const TravelLine line = prepareTravel(roughLine(500, 4), Scheme::Cubic);
+  const PreparedProfile line = prepareProfile(roughLine(500, 4), Scheme::Cubic);
   const double v = 1e-9;
   const SteadyResult result = slideAtForce(line, {kModulus, kTau, v}, 0.01);
   LawInput in{kModulus, kTau, line.length, line.rmsHeight, line.rmsSlope, 0.7, 0.01, v};

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/curve_set.h"
 #include "core/contact/complete_contact.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
-#include "core/chart/curve_set.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/study.h"
 #include "core/surface/line_source.h"
@@ -91,7 +91,7 @@ TEST(CompleteContact, IsReachedWithoutAJump) {
     Scene scene = sceneOfSize(1000, 1, 1);
     scene.surface.hurst = hurst;
     const Line line = LineSource(scene, 2).make(0);
-    const TravelLine travel = prepareTravel(line, Scheme::Cubic);
+    const PreparedProfile travel = prepareProfile(line, Scheme::Cubic);
     const double above = completeAbove(travel, 1e-6);
     const SlidingConditions conditions{1e7, 1e-3, 1e-3};
     const double open = slideAtDepth(travel, conditions, above * (1 - 1e-7)).tangentialForce;
@@ -148,8 +148,8 @@ TEST(ConstantIndentation, MeanOfRatiosAndRatioOfMeansAreTwoColumns) {
   const LineSource source(scene, pointsPerElementOfCurve(scene));
   double ratios = 0, tangential = 0, normal = 0;
   for (std::int64_t r = 0; r < 30; ++r) {
-    const SteadyResult result =
-        slideAtDepth(prepareTravel(source.make(r), Scheme::Cubic), conditionsOf(scene, 0.01), 2e-7);
+    const SteadyResult result = slideAtDepth(prepareProfile(source.make(r), Scheme::Cubic),
+                                             conditionsOf(scene, 0.01), 2e-7);
     ratios += result.mu / 30;
     tangential += result.tangentialForce;
     normal += result.normalForce;

@@ -18,7 +18,7 @@ constexpr double kForce = 0.0034;  // N, of Fig. 2
 TEST(LiteralMarch, AgreesWithTheNodalPassAtLowVelocity) {
   for (int realization = 0; realization < 3; ++realization) {
     const Line line = roughLine(1000, 1, 0.7, realization);
-    const TravelLine travel = prepareTravel(line, Scheme::Nodal);
+    const PreparedProfile travel = prepareProfile(line, Scheme::Nodal);
     for (const double velocity : {1e-4, 1e-3, 1e-2}) {
       const SlidingConditions conditions{kModulus, kTau, velocity};
       const LiteralResult literal = literalMarch(line, conditions, kForce);
@@ -62,7 +62,8 @@ TEST(LiteralMarch, LevelsOffWhereTheResolvedLineFalls) {
   const double velocities[2] = {100, 1000};
   for (int realization = 0; realization < 8; ++realization) {
     const Line line = roughLine(500, 1, 0.7, realization);
-    const TravelLine travel = prepareTravel(roughLine(500, 4, 0.7, realization), Scheme::Cubic);
+    const PreparedProfile travel =
+        prepareProfile(roughLine(500, 4, 0.7, realization), Scheme::Cubic);
     for (int i = 0; i < 2; ++i) {
       const SlidingConditions conditions{kModulus, kTau, velocities[i]};
       literal[i] += literalMarch(line, conditions, kForce).mu / line.rmsSlope / 8;
@@ -100,7 +101,7 @@ TEST(LiteralMarch, VectorsChangeOnlyTheLastDigits) {
 /// From the steady shape it goes on as it would have at the end of a period, at one sweep a step.
 TEST(LiteralMarch, StartsFromTheSteadyShape) {
   const Line line = roughLine(1000);
-  const TravelLine travel = prepareTravel(line, Scheme::Nodal);
+  const PreparedProfile travel = prepareProfile(line, Scheme::Nodal);
   const SlidingConditions conditions{kModulus, kTau, 0.01};
   const SteadyResult steady = slideAtForce(travel, conditions, kForce);
   std::vector<double> depth =

@@ -123,7 +123,7 @@ TEST(Power, OfAMarchAddsUpToWhatItsStepsDissipate) {
   for (const Rheology rheology : {Rheology::Kelvin, Rheology::StandardSolid, Rheology::Prony}) {
     const Scene scene = withElastomer(rheology);
     const RigidLine rigid(scene);
-    const SceneSliding sliding(scene);
+    const SteadySolver sliding(scene);
     TimeMarch march =
         steadyMarch(rigid, sliding, scene.sliding.velocity, sliding.at(rigid.travel, 0.2));
     march.record({false, true});

@@ -42,7 +42,7 @@ Extent extentOf(const std::vector<TransientSample>& samples, double TransientSam
 
 TEST(StripRange, ARippleOfOneNodeStaysSmall) {
   const auto samples = transientOf(slowParabola(), 200);
-  const StripFloors floors = stripFloors(*samples, 1e-5, 0.04);
+  const MinimumSpan floors = minimumSpan(*samples, 1e-5, 0.04);
   for (const auto& [member, floor] :
        {std::pair{&TransientSample::mu, floors.friction},
         std::pair{&TransientSample::indentation, floors.indentation},
@@ -59,7 +59,7 @@ TEST(StripRange, WhatIsMoreThanARippleFillsItsStrip) {
   scene.sliding.velocity = 0.5;
   scene.sliding.velocityAfter = 0.55;
   const auto samples = transientOf(scene, 200);
-  const StripFloors floors = stripFloors(*samples, 1e-5, 0.04);
+  const MinimumSpan floors = minimumSpan(*samples, 1e-5, 0.04);
   for (const auto& [member, floor] :
        {std::pair{&TransientSample::mu, floors.friction},
         std::pair{&TransientSample::indentation, floors.indentation}}) {
@@ -76,13 +76,13 @@ TEST(StripRange, ManyContactsRippleLess) {
   const std::vector<TransientSample> one(3, sample);
   sample.contactFraction = 0.5;  // a hundred
   const std::vector<TransientSample> many(3, sample);
-  const double single = stripFloors(one, 1e-6, 0.02).indentation;
+  const double single = minimumSpan(one, 1e-6, 0.02).indentation;
   EXPECT_NEAR(single, 0.01, 1e-12);
-  EXPECT_NEAR(stripFloors(many, 1e-6, 0.02).indentation, 0.1 * single, 1e-12);
+  EXPECT_NEAR(minimumSpan(many, 1e-6, 0.02).indentation, 0.1 * single, 1e-12);
 }
 
 TEST(StripRange, WithoutKnowledgeTheValuesDecide) {
-  EXPECT_EQ(stripFloors({}, 1e-6, 0.02).friction, 0);
+  EXPECT_EQ(minimumSpan({}, 1e-6, 0.02).friction, 0);
   const AxisEnds ends = axisEnds(2, 3, 0);
   EXPECT_NEAR(ends.from, 1.88, 1e-12);
   EXPECT_NEAR(ends.to, 3.12, 1e-12);

@@ -239,7 +239,7 @@ TEST(Transient, StaysInTheSteadyStateOfEveryRheology) {
       scene.accuracy.oversampling = oversampling;
       scene.sliding.velocity = scene.sliding.velocityAfter = 0.5;
       scene.sliding.duration = 2 * scene.surface.length / scene.sliding.velocity;
-      const SceneSliding sliding(scene);
+      const SteadySolver sliding(scene);
       const RigidLine rigid(scene);
       const SteadyResult steady = sliding.at(rigid.travel, 0.5).result;
       // The second period.
@@ -278,7 +278,7 @@ TEST(Transient, BeginsInStaticEquilibriumAndReachesTheSteadyState) {
     transient.marchTo(0.2);
     const double mu = transient.marchTo(0.3).mu;
     const double steady =
-        SceneSliding(scene).at(RigidLine(scene).travel, scene.sliding.velocity).result.mu;
+        SteadySolver(scene).at(RigidLine(scene).travel, scene.sliding.velocity).result.mu;
     EXPECT_NEAR(mu, steady, 0.03 * steady + 1e-6) << name;
   }
 }
@@ -323,9 +323,9 @@ TEST(Transient, AReversalEndsInTheMirroredSteadyState) {
   EXPECT_GT(back.mu, 0);
   EXPECT_LT(back.velocity, 0);
   const RigidLine rigid(scene);
-  const TravelLine backwards =
-      prepareTravel(*rigid.line, scene.accuracy.scheme, Direction::Backward);
-  const double steady = SceneSliding(scene).at(backwards, 0.2).result.mu;
+  const PreparedProfile backwards =
+      prepareProfile(*rigid.line, scene.accuracy.scheme, Direction::Backward);
+  const double steady = SteadySolver(scene).at(backwards, 0.2).result.mu;
   EXPECT_NEAR(back.mu / steady, 1, 0.03);
 }
 

@@ -7,8 +7,8 @@ namespace {
 
 constexpr Box kArea{100, 50, 400, 200};
 
-TEST(CoverMap, KnowsWhatIsUnderABox) {
-  CoverMap map(kArea, 4);
+TEST(OccupancyGrid, KnowsWhatIsUnderABox) {
+  OccupancyGrid map(kArea, 4);
   EXPECT_EQ(map.under(kArea), 0);
   map.addBox({100, 50, 200, 200}, 1);
   EXPECT_NEAR(map.under(kArea), 0.5, 1e-6);
@@ -20,8 +20,8 @@ TEST(CoverMap, KnowsWhatIsUnderABox) {
   EXPECT_NEAR(map.under({300, 50, 200, 200}), 0, 1e-6);
 }
 
-TEST(CoverMap, LinesTakeWhatTheyCross) {
-  CoverMap map(kArea, 4);
+TEST(OccupancyGrid, LinesTakeWhatTheyCross) {
+  OccupancyGrid map(kArea, 4);
   map.addLine({{100, 50}, {500, 250}}, 1);
   EXPECT_GT(map.under({290, 140, 20, 20}), 0.1);
   EXPECT_EQ(map.under({400, 60, 80, 80}), 0);
@@ -29,13 +29,13 @@ TEST(CoverMap, LinesTakeWhatTheyCross) {
 }
 
 TEST(FreestPlace, IsACornerWhereAllIsFree) {
-  const Box place = freestPlace(CoverMap(kArea, 4), 60, 40, 10);
+  const Box place = freestPlace(OccupancyGrid(kArea, 4), 60, 40, 10);
   EXPECT_EQ(place.x, 110);
   EXPECT_EQ(place.y, 60);
 }
 
 TEST(FreestPlace, AvoidsWhatIsTaken) {
-  CoverMap map(kArea, 4);
+  OccupancyGrid map(kArea, 4);
   map.addBox({100, 50, 400, 120}, 1);  // above
   map.addBox({100, 50, 300, 200}, 1);  // left
   const Box place = freestPlace(map, 60, 40, 10);

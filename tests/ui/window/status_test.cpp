@@ -13,8 +13,8 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/draw/ticks.h"
-#include "ui/window/main/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
+#include "ui/window/main/contact_canvas.h"
 #include "ui/window/main/elided_label.h"
 #include "ui/window/main/status_line.h"
 
@@ -284,7 +284,7 @@ TEST(StatusLine, WhatIsSaidIsSeenWholeOrInItsTooltip) {
   const QString text = "On the clipboard: asperity render figure_1.json …";
   line.say(text);
   QTest::qWait(1);  // the layout is made with the first events
-  auto* said = line.findChild<SaidLabel*>("said");
+  auto* said = line.findChild<ElidedLabel*>("said");
   ASSERT_TRUE(said);
   EXPECT_EQ(said->shownText(), text);
   EXPECT_FALSE(line.findChild<QLabel*>("factBackend")->isVisible());

@@ -9,16 +9,16 @@
 
 namespace asperity {
 
-SaidLabel::SaidLabel(QWidget* parent) : QLabel(parent) {
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 }
 
-QString SaidLabel::shownText() const {
+QString ElidedLabel::shownText() const {
   return fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width());
 }
 
-bool SaidLabel::event(QEvent* event) {
+bool ElidedLabel::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QLabel::event(event);
   const bool isCut = shownText() != text();
   QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
@@ -26,7 +26,7 @@ bool SaidLabel::event(QEvent* event) {
   return true;
 }
 
-void SaidLabel::paintEvent(QPaintEvent*) {
+void ElidedLabel::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   style()->drawItemText(&painter, contentsRect(), static_cast<int>(alignment()), palette(),
                         isEnabled(), shownText(), foregroundRole());

@@ -6,11 +6,11 @@
 
 namespace asperity {
 
-class SaidLabel : public QLabel {
+class ElidedLabel : public QLabel {
   Q_OBJECT
 
  public:
-  explicit SaidLabel(QWidget* parent = nullptr);
+  explicit ElidedLabel(QWidget* parent = nullptr);
 
   /// What is to be seen of the text.
   QString shownText() const;

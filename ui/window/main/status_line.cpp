@@ -13,8 +13,8 @@
 #include "ui/chart/decade_range.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/main/command_words.h"
 #include "ui/window/curve/curve_reading.h"
+#include "ui/window/main/command_words.h"
 #include "ui/window/main/elided_label.h"
 
 namespace asperity {
@@ -104,7 +104,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   settling_ = addFact(*line, "factSettling",
                       tr("The picture is on its way from the scene before to the steady state, "
                          "which these numbers and the chart are of. R shows that at once."));
-  said_ = new SaidLabel;
+  said_ = new ElidedLabel;
   said_->setObjectName("said");
   line->addWidget(said_, 1);
   silence_ = new QTimer(this);

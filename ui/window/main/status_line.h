@@ -15,7 +15,7 @@ class QToolButton;
 
 namespace asperity {
 
-class SaidLabel;
+class ElidedLabel;
 
 struct CurveReading;
 
@@ -60,7 +60,7 @@ class StatusLine : public QWidget {
   void fitFacts();
 
   Work::State state_ = Work::State::Idle;
-  SaidLabel* said_;
+  ElidedLabel* said_;
   QTimer* silence_;
   QLabel* regime_;
   QLabel* mu_;

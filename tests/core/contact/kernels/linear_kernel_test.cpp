@@ -15,16 +15,16 @@
 namespace asperity {
 namespace {
 
-class StraightPass : public EachInstructionSet {};
+class LinearKernel : public EachInstructionSet {};
 
-PassSums sumsOf(const TravelLine& line, double depth, double memory) {
+PassSums sumsOf(const PreparedProfile& line, double depth, double memory) {
   FixedDepths queue(depth, memory);
   passStraight(line, queue);
   EXPECT_EQ(queue.found.size(), 1U);
   return queue.found.at(0);
 }
 
-void expectPlain(const TravelLine& line, double depth, double memory) {
+void expectPlain(const PreparedProfile& line, double depth, double memory) {
   SCOPED_TRACE(testing::Message() << line.segments() << " segments, " << depth << " m deep, "
                                   << memory << " m of memory");
   const StateSums plain = stateAt(line, depth, memory);
@@ -41,37 +41,37 @@ void expectPlain(const TravelLine& line, double depth, double memory) {
 constexpr double kMemories[] = {0, 1e-200, 1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 0.1, 1e2};
 
 /// Words of segments whole and in part, corners at their ends, from a touch to complete contact.
-TEST_P(StraightPass, AgreesWithThePlainPass) {
+TEST_P(LinearKernel, AgreesWithThePlainPass) {
   for (const std::int64_t elements : {20, 63, 64, 65, 66, 67, 128, 130, 700, 4999})
     for (const double hurst : {0.0, 0.7, 1.0}) {
-      const TravelLine line =
-          prepareTravel(roughLine(elements, 1, hurst, elements), Scheme::Linear);
+      const PreparedProfile line =
+          prepareProfile(roughLine(elements, 1, hurst, elements), Scheme::Linear);
       for (const double depth : {1e-10, 1e-8, 1e-7, 4e-7, 1e-6, 2e-6, 1e-5})
         for (const double memory : kMemories) expectPlain(line, depth, memory);
     }
 }
 
-TEST_P(StraightPass, BothWaysAlongTheLine) {
+TEST_P(LinearKernel, BothWaysAlongTheLine) {
   const Line rough = roughLine(1000, 1, 0.3);
   for (const Direction direction : {Direction::Forward, Direction::Backward}) {
-    const TravelLine line = prepareTravel(rough, Scheme::Linear, direction);
+    const PreparedProfile line = prepareProfile(rough, Scheme::Linear, direction);
     for (const double memory : kMemories) expectPlain(line, 6e-7, memory);
   }
 }
 
 /// Corners, plateaus, slopes all alike: pressure that vanishes at a node, or stays as it is.
-TEST_P(StraightPass, AgreesWithThePlainPassOnShapes) {
+TEST_P(LinearKernel, AgreesWithThePlainPassOnShapes) {
   for (const Line& shape : {wedgeLine(0.02, 101, 1e-3), parabolaLine(0.02, 64, 1.0),
                             sineLine(0.02, 300, 5e-7, 7), sineLine(0.02, 300, 0, 7)}) {
-    const TravelLine line = prepareTravel(shape, Scheme::Linear);
+    const PreparedProfile line = prepareProfile(shape, Scheme::Linear);
     for (const double depth : {1e-10, 1e-7, 9e-7, 3e-6})
       for (const double memory : kMemories) expectPlain(line, depth, memory);
   }
 }
 
 /// Everything in contact: nothing vanishes, and the sums are known.
-TEST_P(StraightPass, CompleteContact) {
-  const TravelLine line = prepareTravel(roughLine(3000), Scheme::Linear);
+TEST_P(LinearKernel, CompleteContact) {
+  const PreparedProfile line = prepareProfile(roughLine(3000), Scheme::Linear);
   for (const double memory : {1e-9, 1e-5, 1e-3}) {
     const double depth = 1.01 * completeAbove(line, memory);
     const StateSums known = completeState(line, depth, memory);
@@ -84,8 +84,8 @@ TEST_P(StraightPass, CompleteContact) {
 }
 
 /// What a pass carries more at more depth is its stiffness.
-TEST_P(StraightPass, StiffnessIsTheDerivativeOfTheForce) {
-  const TravelLine line = prepareTravel(roughLine(900), Scheme::Linear);
+TEST_P(LinearKernel, StiffnessIsTheDerivativeOfTheForce) {
+  const PreparedProfile line = prepareProfile(roughLine(900), Scheme::Linear);
   for (const double memory : {1e-7, 1e-5, 1e-3, 0.1})
     for (const double depth : {2e-7, 6e-7, 1.2e-6}) {
       const double step = 1e-6 * depth;
@@ -95,8 +95,8 @@ TEST_P(StraightPass, StiffnessIsTheDerivativeOfTheForce) {
     }
 }
 
-TEST_P(StraightPass, StopsInsideAPass) {
-  const TravelLine line = prepareTravel(roughLine(20000, 1, 0.0), Scheme::Linear);
+TEST_P(LinearKernel, StopsInsideAPass) {
+  const PreparedProfile line = prepareProfile(roughLine(20000, 1, 0.0), Scheme::Linear);
   FixedDepths whole(1e-6, 1e-8), queue(1e-6, 1e-8, 1, 1);
   passStraight(line, whole);
   ASSERT_EQ(whole.found.size(), 1U);
@@ -106,7 +106,7 @@ TEST_P(StraightPass, StopsInsideAPass) {
   EXPECT_EQ(queue.timesAsked(), 1);
 }
 
-ASPERITY_ON_EACH_INSTRUCTION_SET(StraightPass);
+ASPERITY_ON_EACH_INSTRUCTION_SET(LinearKernel);
 
 }  // namespace
 }  // namespace asperity

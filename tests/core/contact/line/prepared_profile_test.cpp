@@ -10,10 +10,10 @@
 namespace asperity {
 namespace {
 
-TEST(TravelLine, StartsAndEndsAtTheLowestPoint) {
+TEST(PreparedProfile, StartsAndEndsAtTheLowestPoint) {
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
     for (const Direction direction : {Direction::Forward, Direction::Backward}) {
-      const TravelLine line = prepareTravel(roughLine(300), scheme, direction);
+      const PreparedProfile line = prepareProfile(roughLine(300), scheme, direction);
       EXPECT_EQ(line.rise.front(), 0);
       EXPECT_EQ(line.rise.back(), 0);
       EXPECT_GE(*std::min_element(line.rise.begin(), line.rise.end()), 0);
@@ -26,19 +26,19 @@ TEST(TravelLine, StartsAndEndsAtTheLowestPoint) {
 }
 
 /// The lowest point of a smooth line lies between nodes; only `cubic` knows it.
-TEST(TravelLine, CubicStartsInsideASegment) {
+TEST(PreparedProfile, CubicStartsInsideASegment) {
   const Line line = roughLine(300);
-  const TravelLine cubic = prepareTravel(line, Scheme::Cubic);
-  const TravelLine linear = prepareTravel(line, Scheme::Linear);
+  const PreparedProfile cubic = prepareProfile(line, Scheme::Cubic);
+  const PreparedProfile linear = prepareProfile(line, Scheme::Linear);
   EXPECT_TRUE(cubic.startsInsideSegment);
   EXPECT_FALSE(linear.startsInsideSegment);
   EXPECT_LT(cubic.lowestHeight, linear.lowestHeight);
   EXPECT_EQ(cubic.segments(), linear.segments() + 1);
 }
 
-TEST(TravelLine, BoundsHoldEverywhereInTheirSegment) {
+TEST(PreparedProfile, BoundsHoldEverywhereInTheirSegment) {
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
-    const TravelLine line = prepareTravel(roughLine(300, 2), scheme);
+    const PreparedProfile line = prepareProfile(roughLine(300, 2), scheme);
     for (std::size_t i = 0; i < line.segments(); ++i) {
       const Cubic rise = line.segment(i);
       const SegmentBounds bounds = line.bounds(i);
@@ -53,10 +53,10 @@ TEST(TravelLine, BoundsHoldEverywhereInTheirSegment) {
 }
 
 /// Blocks of every size, those at the end of a vector too.
-TEST(TravelLine, BlocksAreTheirSegmentsTogether) {
+TEST(PreparedProfile, BlocksAreTheirSegmentsTogether) {
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
     for (const std::int64_t elements : {3, 5, 6, 38, 99, 1000}) {
-      const TravelLine line = prepareTravel(roughLine(elements), scheme);
+      const PreparedProfile line = prepareProfile(roughLine(elements), scheme);
       for (std::size_t level = 0; level < line.blocks.size(); ++level)
         for (std::size_t i = 0; i < line.blockCount(level); ++i) {
           const SegmentBounds block = line.block(level, i);
@@ -80,11 +80,11 @@ TEST(TravelLine, BlocksAreTheirSegmentsTogether) {
     }
 }
 
-TEST(TravelLine, ValuesReturnToTheNodesTheyCameFrom) {
+TEST(PreparedProfile, ValuesReturnToTheNodesTheyCameFrom) {
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
     for (const Direction direction : {Direction::Forward, Direction::Backward}) {
       const Line line = roughLine(101);
-      const TravelLine travel = prepareTravel(line, scheme, direction);
+      const PreparedProfile travel = prepareProfile(line, scheme, direction);
       const std::vector<double> rises(travel.rise.begin(), travel.rise.end() - 1);
       const std::vector<double> ordered = inLineOrder(travel, rises, direction);
       ASSERT_EQ(ordered.size(), line.nodes());
@@ -95,15 +95,15 @@ TEST(TravelLine, ValuesReturnToTheNodesTheyCameFrom) {
 }
 
 /// Nothing but the search for the lowest point is done after it is told to stop.
-TEST(TravelLine, StopsWhenAsked) {
+TEST(PreparedProfile, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
-    TravelLine travel;
+    PreparedProfile travel;
     EXPECT_FALSE(
-        prepareTravelInto(travel, roughLine(100), scheme, Direction::Forward, stop.get_token()));
+        prepareProfileInto(travel, roughLine(100), scheme, Direction::Forward, stop.get_token()));
     EXPECT_TRUE(travel.rise.empty());
-    EXPECT_TRUE(prepareTravelInto(travel, roughLine(100), scheme));
+    EXPECT_TRUE(prepareProfileInto(travel, roughLine(100), scheme));
     EXPECT_FALSE(travel.rise.empty());
   }
 }

@@ -21,7 +21,7 @@ struct Marched {
 };
 
 double lowestOf(const Line& line) {
-  return prepareTravel(line, Scheme::Cubic).lowestHeight;
+  return prepareProfile(line, Scheme::Cubic).lowestHeight;
 }
 
 MarchLoad underForce(double force) {
@@ -132,7 +132,7 @@ TEST(TimeMarch, BothReadingsOfFrictionConverge) {
     Errors errors;
     for (const std::size_t nodes : allNodes) {
       const Line line = lines(nodes)[shape].second;
-      const TravelLine travel = prepareTravel(line, Scheme::Cubic);
+      const PreparedProfile travel = prepareProfile(line, Scheme::Cubic);
       const double exact = slideAtForce(travel, withMemory(velocity * kTau), force).mu;
       TimeMarch march(std::make_shared<Line>(line), travel.lowestHeight, kelvin());
       double ways = 0, places = 0;
@@ -235,7 +235,7 @@ std::pair<double, double> marchErrors(double velocity, double force, std::int64_
   double friction = 0, depth = 0;
   for (int line = 0; line < kLines; ++line) {
     const SteadyResult exact =
-        slideAtForce(prepareTravel(roughLine(128, 64, 0.7, line), Scheme::Cubic),
+        slideAtForce(prepareProfile(roughLine(128, 64, 0.7, line), Scheme::Cubic),
                      {kModulus, kTau, velocity}, force);
     const Marched marched =
         marchToSteady(roughLine(128, oversampling, 0.7, line), velocity, force, 3);
