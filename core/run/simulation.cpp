@@ -26,6 +26,7 @@ constexpr double kContactsKept = 0.99;  // of a step's weight, in the next: bord
 
 // Of indentation and normal force: a picture nearer than that to the steady state shows it.
 constexpr double kSettled = 0.02;
+// A picture that comes no nearer for so many frames ripples about the steady state of its elements.
 constexpr int kFramesOfRipple = 60;
 
 // For a step by hand: so many times the element-steps of a frame, and of a motion no more than this
@@ -366,13 +367,7 @@ Frame Simulation::marchedFrame() const {
 
 /// All facts are those of the steady state, as everywhere else; the march adds its own reading.
 void Simulation::addSteady(Frame& frame) const {
-  const SteadyResult& steady = ready_->steady.result;
-  frame.indentation = steady.indentation;
-  frame.normalForce = steady.normalForce;
-  frame.tangentialForce = steady.tangentialForce;
-  frame.contactFraction = steady.contactFraction;
-  frame.muSteady = steady.mu;
-  frame.muInterface = steady.muInterface;
+  setSteadyFacts(frame, ready_->steady.result);
   if (resolves_ && resolvesContacts() && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
   frame.steadyPressure = ready_->greatestPressure;
   frame.isSettling = isSettling();

@@ -52,6 +52,15 @@ std::int64_t pointsToDraw(const Scene& scene, const LineSource& own, double seen
 
 }  // namespace
 
+void setSteadyFacts(Frame& frame, const SteadyResult& facts) {
+  frame.indentation = facts.indentation;
+  frame.normalForce = facts.normalForce;
+  frame.tangentialForce = facts.tangentialForce;
+  frame.contactFraction = facts.contactFraction;
+  frame.muSteady = facts.mu;
+  frame.muInterface = facts.muInterface;
+}
+
 Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
                  const SteadySolver& sliding, const SteadyState& shown, const SteadyResult& facts,
                  const FrameFields& fields) {
@@ -68,14 +77,9 @@ Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
   for (double& height : frame.surfaceHeight) height = -height;
   for (const double height : line.height)
     frame.lineHeight.push_back(height - travel.lowestHeight - shown.result.indentation);
-  frame.indentation = facts.indentation;
-  frame.normalForce = facts.normalForce;
-  frame.tangentialForce = facts.tangentialForce;
-  frame.contactFraction = facts.contactFraction;
+  setSteadyFacts(frame, facts);
   frame.rmsHeight = line.rmsHeight;
   frame.rmsSlope = line.rmsSlope;
-  frame.muSteady = facts.mu;
-  frame.muInterface = facts.muInterface;
   frame.velocity = velocity;
   if (fields.lineSlope) {
     // The line's slope on the side from which a point is met, as the pass has it: a corner has two.

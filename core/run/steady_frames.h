@@ -13,6 +13,9 @@
 
 namespace asperity {
 
+/// Makes the frame state forces, contact and friction of this steady state.
+void setSteadyFacts(Frame& frame, const SteadyResult& facts);
+
 /// The steady state of a line as a frame, with the line at distance 0. Pressures, slopes and depths
 /// are those of the line's points in one and the same pass: of Kelvin elements p = 4 (G |u| + eta v
 /// dz/dx) holds at each point in contact. facts: what the frame states.

@@ -82,8 +82,9 @@ std::vector<Tag> elastomerTags(const Frame& frame) {
   return {{name.before, ArrowWay::None, {{words}}}, name};
 }
 
-/// The same in places that the line leaves free now, as near to the usual ones as they are; what
-/// finds none is left out, as the line would cross it. Forces have their arrows in the labels.
+/// Names the rigid body, its motion and the forces in places that the line leaves free now, as near
+/// to the usual places as possible. A label that finds no place is left out, because the line would
+/// cross it. The labels of the forces hold their arrows.
 void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
                                float y) {
   const float gap = std::round(10 * layout.sizes.unit);

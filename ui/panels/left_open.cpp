@@ -16,9 +16,7 @@ constexpr int kDigits = 6;
 
 /// Whether 0 means: as the profile's file says, or chosen by the scene.
 bool mayBeLeftOpen(const Parameter& parameter, const Scene& scene) {
-  if (isChosenWhereOpen(parameter)) return true;
-  return scene.surface.kind == SurfaceKind::Profile &&
-         (parameter.key == kLength || parameter.key == kElements);
+  return isChosenWhereOpen(parameter) || isLeftToProfile(parameter, scene, 0);
 }
 
 void leaveOpen(const Parameter& parameter, Scene& scene) {
