@@ -10,14 +10,15 @@
 
 #include "app/contact_sheets.h"
 #include "app/picture_composer.h"
-#include "core/chart/curve_words.h"
-#include "core/friction/ensemble.h"
 #include "core/base/atomic_file.h"
 #include "core/base/file_name.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/suggestions.h"
+#include "core/chart/curve_words.h"
+#include "core/friction/ensemble.h"
 #include "core/scene/scene_file.h"
+#include "ui/language/translated.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {
@@ -107,15 +108,14 @@ std::vector<Sweep> sweepsOf(const Json& entry) {
   return sweeps;
 }
 
-/// "; H = 0.3, F = 10 mN": what tells a scene from the others of its sweep.
-std::string variedInWords(const BatchItem& item) {
-  std::string text;
+/// "H = 0.3, F = 10 mN": what tells a scene from the others of its sweep.
+Message variedInWords(const BatchItem& item) {
+  std::vector<Message> parts;
   for (const auto& [key, value] : item.varied) {
-    const std::string words = parameterInWords(key, item.scene);
-    text += (text.empty() ? "; " : ", ") +
-            (words.empty() ? fmt::format("{} = {}", key, shortened(value)) : words);
+    Message words = parameterInWords(key, item.scene);
+    parts.push_back(words.empty() ? message("{} = {}", key, shortened(value)) : std::move(words));
   }
-  return text;
+  return listed(parts);
 }
 
 /// Spreads one entry out into its items.
@@ -169,11 +169,12 @@ class Entry {
       if (!item.scene.surface.file.empty())
         item.inputs.push_back(item.scene.folder / item.scene.surface.file);
       if (item.scene.title.empty()) item.scene.title = name_;
-      item.scene.title += variedInWords(item);
+      if (const Message varied = variedInWords(item); !varied.empty())
+        item.scene.title = sceneText(item.scene.title).toStdString() + "; " + translated(varied);
       const bool isSteady = item.scene.sliding.kind == SlidingKind::Steady;
       item.show = !show_.empty() ? show_ : isSteady ? "both" : "transient";
     } catch (const InputError& error) {
-      item.error = error.what();
+      item.error = messageOf(error);
     }
     return item;
   }
@@ -236,7 +237,7 @@ void addEntry(Batch& batch, const Json& json, std::size_t number,
   } catch (const InputError& error) {
     BatchItem item;
     item.name = name;
-    item.error = error.what();
+    item.error = messageOf(error);
     batch.items.push_back(std::move(item));
   }
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -19,7 +20,7 @@ struct BatchItem {
   std::string show;                                         // layout of its picture
   Scene scene;
   std::vector<std::filesystem::path> inputs;  // files that it is read from
-  std::string error;                          // one sentence; empty: the scene is good
+  Message error;                              // one sentence; empty: the scene is good
 };
 
 /// The files that an item gives, whatever is shown of it: its picture, table and scene.

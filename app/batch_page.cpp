@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/friction/curve_file.h"
+#include "core/base/read_number.h"
 #include "core/chart/curve_words.h"
+#include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
 #include "core/scene/parameters.h"
-#include "core/base/read_number.h"
+#include "ui/draw/ticks.h"
+#include "ui/draw/xml_text.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/draw/ticks.h"
-#include "ui/draw/xml_text.h"
 
 namespace asperity {
 namespace {
@@ -65,18 +65,6 @@ std::string variedRow(const std::string& key, const std::string& value) {
   return row(translated(parameter->label), shown, key);
 }
 
-/// What follows the names of file and key in front, where it is known.
-std::string complaintText(const std::string& english) {
-  for (std::size_t from = 0; from < english.size();) {
-    const std::string rest = english.substr(from);
-    if (const auto found = translationOf(rest)) return english.substr(0, from) + *found;
-    const std::size_t colon = rest.find(": ");
-    if (colon == std::string::npos) break;
-    from += colon + 2;
-  }
-  return english;
-}
-
 /// "0.0239 ± 0.0003".
 std::string withError(double value, double standardError) {
   const std::string text = shortNumber(value, 4);
@@ -113,7 +101,7 @@ std::string article(const BatchResult& result) {
   const BatchItem& item = result.item;
   if (!item.error.empty())
     return fmt::format("<article class=\"bad\"><h2>{}</h2><p>{}</p></article>\n",
-                       xmlText(item.name), xmlText(complaintText(item.error)));
+                       xmlText(item.name), xmlText(translated(item.error)));
   std::string html = fmt::format(
       "<article><h2>{0}</h2><a href=\"{1}\"><img src=\"{1}\" alt=\"{0}\" loading=\"lazy\"></a>"
       "<table>",
@@ -189,7 +177,7 @@ std::string batchTable(const std::vector<BatchResult>& results) {
                         ofMean(&CurvePoint::muStandardError),
                         mean ? std::to_string(mean->realizations) : "", csvNumber(result.lineMu),
                         csvNumber(result.lineIndentation), csvNumber(result.lineContactFraction),
-                        quoted(result.item.error));
+                        quoted(result.item.error.english()));
   }
   return text;
 }

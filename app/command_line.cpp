@@ -16,11 +16,11 @@
 #include "app/interruption.h"
 #include "app/option_words.h"
 #include "app/vector_target.h"
-#include "core/paper/figure.h"
 #include "core/base/input_error.h"
-#include "core/base/suggestions.h"
-#include "core/scene/parameter_table.h"
 #include "core/base/printable_text.h"
+#include "core/base/suggestions.h"
+#include "core/paper/figure.h"
+#include "core/scene/parameter_table.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/window/main/scene_library.h"
@@ -90,8 +90,8 @@ class CommandLine {
       if (verb->get_name() == word) return;
       verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
     }
-    throw InputError(
-        "", "", fmt::format("{} is neither a verb ({}) nor a scene file", shortened(word), verbs));
+    throw InputError("", "",
+                     message("{} is neither a verb ({}) nor a scene file", shortened(word), verbs));
   }
 
   bool timing() const { return std::ranges::any_of(allCommon_, &CommonOptions::timing); }

@@ -13,13 +13,13 @@
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
+#include "core/base/input_error.h"
+#include "core/base/read_number.h"
+#include "core/base/suggestions.h"
 #include "core/chart/curve_words.h"
 #include "core/scene/assignments.h"
 #include "core/scene/effects.h"
-#include "core/base/input_error.h"
-#include "core/base/suggestions.h"
 #include "core/scene/parameters.h"
-#include "core/base/read_number.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/words.h"
 
@@ -44,11 +44,10 @@ std::vector<std::string> split(const std::string& text, char at) {
 }
 
 [[noreturn]] void refuseComparison(const std::string& text) {
-  throw InputError(
-      "", kCompare,
-      fmt::format("{} is not SCHEME[:OVERSAMPLING[:LINES]] with nodal, linear or cubic, "
-                  "1 to {} (nodal: 1) and 1 line or more",
-                  shortened(text), kMostOversampling));
+  throw InputError("", kCompare,
+                   message("{} is not SCHEME[:OVERSAMPLING[:LINES]] with nodal, linear or cubic, "
+                           "1 to {} (nodal: 1) and 1 line or more",
+                           shortened(text), kMostOversampling));
 }
 
 std::int64_t wholeFrom(const std::string& part, const std::string& all, std::int64_t most) {
@@ -93,9 +92,9 @@ Scene sceneWith(const Scene& scene, const std::string& assignments) {
   for (const std::string& assignment : each)
     if (each.size() > 1 && assignment.find('=') == std::string::npos)
       throw InputError("", kWith,
-                       fmt::format("'{}' between two ; is not KEY=VALUE; a ; that belongs to a "
-                                   "value is written \\;",
-                                   shortened(assignment)));
+                       message("'{}' between two ; is not KEY=VALUE; a ; that belongs to a "
+                               "value is written \\;",
+                               shortened(assignment)));
   try {
     Scene other = readScene(writeScene(scene), kWith, scene.folder, each);
     if (other.sliding.kind != scene.sliding.kind) needSteadySliding(other, "a curve");
@@ -196,9 +195,9 @@ CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<Cur
   }
   for (const std::string& assignments : choice.with) {
     const Scene other = sceneWith(scene, assignments);
-    const std::string words = differencesInWords(other, scene);
-    set.pinned.push_back({words.empty() ? Words::tr("same parameters") : words, other,
-                          pointsOf(other, common), static_cast<int>(set.pinned.size())});
+    const Message words = differencesInWords(other, scene);
+    set.pinned.push_back({words.empty() ? Message::name(Words::tr("same parameters")) : words,
+                          other, pointsOf(other, common), static_cast<int>(set.pinned.size())});
   }
   if (choice.compare.empty()) return set;
   ProgressBar bar(Words::tr("lines compared"), common.quiet);
@@ -216,7 +215,7 @@ void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
       points.push_back({{"velocity", point.velocity},
                         {"mu", numberOr(point.mu)},
                         {"mu_standard_error", numberOr(point.muStandardError)}});
-    answer["with"].push_back({{"name", curve.name}, {"points", std::move(points)}});
+    answer["with"].push_back({{"name", curve.name.english()}, {"points", std::move(points)}});
   }
   if (!set.difference) return;
   auto points = nlohmann::ordered_json::array();
@@ -226,7 +225,7 @@ void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
                       {"mu_standard_error", numberOr(point.muStandardError)},
                       {"relative_difference", numberOr(point.relative)},
                       {"relative_difference_standard_error", numberOr(point.standardError)}});
-  answer["compared"] = {{"setting", nameOf(set.difference->setting)},
+  answer["compared"] = {{"setting", nameOf(set.difference->setting).english()},
                         {"points", std::move(points)}};
 }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/run/runner.h"
 #include "core/base/input_error.h"
 #include "core/base/printed_number.h"
+#include "core/run/runner.h"
 
 namespace asperity {
 namespace {
@@ -25,9 +25,9 @@ double fpsOf(const TimeChoice& choice) {
 
 std::int64_t rounded(double frames, const char* option) {
   if (!(frames <= kMostFrames))
-    throw InputError("", option,
-                     fmt::format("{} frames are more than {}", printedNumber(frames),
-                                 printedNumber(kMostFrames)));
+    throw InputError(
+        "", option,
+        message("{} frames are more than {}", printedNumber(frames), printedNumber(kMostFrames)));
   return std::max<std::int64_t>(1, std::llround(frames));
 }
 
@@ -52,14 +52,14 @@ void checkMoment(const Scene& scene, const TimeChoice& choice, double length, bo
   if (!isSteady && *choice.at > scene.sliding.duration)
     throw InputError(
         "", "--at",
-        fmt::format("{} is after the motion's end at {}", printedQuantity(*choice.at, "s", 6),
-                    printedQuantity(scene.sliding.duration, "s", 6)));
+        message("{} is after the motion's end at {}", printedQuantity(*choice.at, "s", 6),
+                printedQuantity(scene.sliding.duration, "s", 6)));
   if (!isSteady) return;
   const double slid = choice.slid ? *choice.slid : *choice.at * scene.sliding.velocity;
   if (!(std::abs(slid) <= kMostPeriods * length))
     throw InputError("", option,
-                     fmt::format("{} slid are more than {} periods", printedQuantity(slid, "m"),
-                                 printedNumber(kMostPeriods)));
+                     message("{} slid are more than {} periods", printedQuantity(slid, "m"),
+                             printedNumber(kMostPeriods)));
 }
 
 FramePlan steadyPlan(double period, const TimeChoice& choice, bool single) {

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/base/input_error.h"
-#include "core/base/suggestions.h"
 #include "core/base/read_number.h"
+#include "core/base/suggestions.h"
 
 namespace asperity {
 namespace {
@@ -25,8 +25,8 @@ NumberRange rangeFrom(const std::string& option, const std::string& text, const 
   if (colon == std::string_view::npos || !readFinite(all.substr(0, colon), range.from) ||
       !readFinite(all.substr(colon + 1), range.to) || !(range.from < range.to))
     throw InputError("", option,
-                     fmt::format("{} is not FROM:TO{} with FROM below TO", shortened(text),
-                                 unit.empty() ? "" : " in " + unit));
+                     message("{} is not FROM:TO{} with FROM below TO", shortened(text),
+                             unit.empty() ? "" : " in " + unit));
   return range;
 }
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/suggestions.h"
 #include "core/base/range_text.h"
 #include "core/base/read_number.h"
+#include "core/base/suggestions.h"
 
 namespace asperity {
 namespace {
@@ -60,9 +60,8 @@ InputError unexpected(const CLI::App& app) {
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string_view nearest = nearestOf(word, known);
     return {"", shortened(word.substr(0, word.find('='))),
-            fmt::format("is no option of '{}'; ", call) +
-                (nearest.empty() ? fmt::format("'{} --help' names all", call)
-                                 : fmt::format("the nearest is {}", nearest))};
+            nearest.empty() ? message("is no option of '{}'; '{} --help' names all", call, call)
+                            : message("is no option of '{}'; the nearest is {}", call, nearest)};
   }
   return {"", "",
           fmt::format("{} is a word too many for '{}'",
@@ -81,7 +80,7 @@ InputError mismatch(const std::string& said) {
 }  // namespace
 
 void limit(CLI::Option* option, double least, double most, std::string_view unit) {
-  limitNumber(option, least, most, "number", rangeText(least, most, unit));
+  limitNumber(option, least, most, "number", rangeText(least, most, unit).english());
 }
 
 void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most) {

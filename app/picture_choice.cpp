@@ -10,8 +10,8 @@
 #include "app/output.h"
 #include "core/base/input_error.h"
 #include "core/base/read_number.h"
-#include "ui/language/language.h"
 #include "ui/draw/picture_origin.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {
@@ -27,8 +27,8 @@ void readSize(const std::string& text, PictureStyle& style) {
   const auto fits = [](int pixels) { return pixels >= kSmallest && pixels <= kLargest; };
   if (!good || !fits(style.width) || !fits(style.height))
     throw InputError("", "--size",
-                     fmt::format("{} is not WIDTHxHEIGHT with {} to {} pixels each",
-                                 shortened(text), kSmallest, kLargest));
+                     message("{} is not WIDTHxHEIGHT with {} to {} pixels each", shortened(text),
+                             kSmallest, kLargest));
 }
 
 float scaleFrom(const std::string& text) {
@@ -40,7 +40,7 @@ float scaleFrom(const std::string& text) {
   const double scale = isDensity ? number / kPixelsPerInch : number;
   if (!good || scale < 0.25 || scale > 16)
     throw InputError("", "--scale",
-                     fmt::format("{} is neither 0.25 to 16 nor 24dpi to 1536dpi", shortened(text)));
+                     message("{} is neither 0.25 to 16 nor 24dpi to 1536dpi", shortened(text)));
   return static_cast<float>(scale);
 }
 

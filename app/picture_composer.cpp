@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "app/named_choice.h"
+#include "core/base/input_error.h"
 #include "core/chart/curve_diagram.h"
 #include "core/run/transient_diagram.h"
-#include "core/base/input_error.h"
-#include "ui/language/words.h"
-#include "ui/contact/contact_overlay.h"
 #include "ui/chart/diagram_picture.h"
+#include "ui/contact/contact_overlay.h"
 #include "ui/draw/stacked.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -30,7 +30,7 @@ constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Co
                                                    {"transient", PictureLayout::Transient}}};
 
 DiagramSeries ringAround(DiagramSeries series) {
-  series.name.clear();
+  series.name = {};
   series.mark = SeriesMark::Ring;
   return series;
 }
@@ -60,8 +60,8 @@ void checkPanels(const DiagramSheet& sheet, const PictureStyle& style, int above
     throw InputError("", "--size", given + " is too narrow for the curve and the difference");
   const int least = 10 * ((needed * style.height / room + 19) / 10);
   throw InputError("", "--size",
-                   fmt::format("{} leaves no room for the difference under the curve; {}x{} does",
-                               given, style.width, least));
+                   message("{} leaves no room for the difference under the curve; {}x{} does",
+                           given, style.width, least));
 }
 
 PictureComposer::PictureComposer(const PictureStyle& style, PictureContent content)
@@ -77,7 +77,7 @@ DrawList PictureComposer::compose(const Frame& frame) {
   if (layout == PictureLayout::Both) {
     if (!below_ || frame.transient) {
       DiagramSheet sheet = curveWithPresent(frame);
-      sheet.title.clear();  // it stands above
+      sheet.title = {};  // it stands above
       below_ = diagram(sheet, style_.height - above);
     }
     return stacked(contact(frame, above), *below_);
@@ -116,8 +116,8 @@ void PictureComposer::checkStrips(const Scene& scene) const {
     throw InputError("", "--size", given + " is too narrow for strips over time");
   const int least = kStep * (static_cast<int>(height / (1 - kContactPart)) / kStep + 1);
   throw InputError("", "--size",
-                   fmt::format("{} leaves no room for the strips over time; {}x{} does", given,
-                               style_.width, least));
+                   message("{} leaves no room for the strips over time; {}x{} does", given,
+                           style_.width, least));
 }
 
 void PictureComposer::checkRoom(const Scene& scene) const {
@@ -125,7 +125,7 @@ void PictureComposer::checkRoom(const Scene& scene) const {
   const PictureLayout layout = content_.layout;
   if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;
   DiagramSheet sheet = curveSheet(content_.curves);
-  if (layout == PictureLayout::Both) sheet.title.clear();
+  if (layout == PictureLayout::Both) sheet.title = {};
   checkPanels(sheet, style_, layout == PictureLayout::Both ? contactHeight() : 0);
 }
 

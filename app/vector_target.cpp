@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/contact/kernels/lane_pass.h"
 #include "core/base/input_error.h"
 #include "core/base/suggestions.h"
+#include "core/contact/kernels/lane_pass.h"
 
 namespace asperity {
 namespace {
@@ -42,8 +42,8 @@ void chooseVectorTarget() {
   if (target == kTargets.end()) throw InputError("", kVariable, notOneOf(wanted, words()));
   if (!chooseInstructionSet(target->set))
     throw InputError("", kVariable,
-                     fmt::format("{} is not what this machine has; {} is", wanted,
-                                 kTargets[instructionSet() == InstructionSet::Avx2 ? 1 : 2].word));
+                     message("{} is not what this machine has; {} is", wanted,
+                             kTargets[instructionSet() == InstructionSet::Avx2 ? 1 : 2].word));
 }
 
 std::string vectorTargetHelp() {

@@ -8,9 +8,9 @@
 #include "app/number_range.h"
 #include "app/option_words.h"
 #include "core/base/input_error.h"
-#include "core/base/suggestions.h"
 #include "core/base/printed_number.h"
 #include "core/base/range_text.h"
+#include "core/base/suggestions.h"
 #include "ui/contact/contact_overlay.h"
 
 namespace asperity {
@@ -28,8 +28,8 @@ constexpr const char *kAlong = "--view", *kHeights = "--heights", *kColours = "-
 void checkPlace(const char* option, const std::optional<double>& place, double length) {
   if (place && !(std::abs(*place) <= kFarthestPeriods * length))
     throw InputError("", option,
-                     fmt::format("{} m is not within {} m of 0", plainNumber(*place),
-                                 printedNumber(kFarthestPeriods * length, 6)));
+                     message("{} m is not within {} m of 0", plainNumber(*place),
+                             printedNumber(kFarthestPeriods * length, 6)));
 }
 
 /// The heights around the middle of the fitted ones at which heights are so many times as large as
@@ -115,9 +115,9 @@ void checkView(const ViewChoice& choice, ContactOverlay overlay, double length) 
     if (width > kMostPeriods * length || width < kLeastPeriods * length)
       throw InputError(
           "", kAlong,
-          fmt::format("{} is not {} wide, of which the most are {} periods of the line",
-                      shortened(choice.along),
-                      rangeText(kLeastPeriods * length, kMostPeriods * length, "m"), kMostPeriods));
+          message("{} is not {} wide, of which the most are {} periods of the line",
+                  shortened(choice.along),
+                  rangeText(kLeastPeriods * length, kMostPeriods * length, "m"), kMostPeriods));
     checkPlace(kAlong, range.from, length);
   }
   if (!choice.heights.empty()) rangeFrom(kHeights, choice.heights, "m");

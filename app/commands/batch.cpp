@@ -16,19 +16,19 @@
 #include "app/picture_composer.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
-#include "core/friction/curve_file.h"
-#include "core/run/motion_table.h"
 #include "core/base/atomic_file.h"
-#include "core/scene/effects.h"
 #include "core/base/input_error.h"
 #include "core/base/printed_number.h"
+#include "core/friction/curve_file.h"
+#include "core/run/motion_table.h"
+#include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
-#include "ui/language/translated.h"
-#include "ui/language/words.h"
 #include "ui/draw/picture_origin.h"
 #include "ui/draw/shapes.h"
 #include "ui/draw/stacked.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -124,7 +124,7 @@ class BatchRun {
     try {
       pictures.finish();
     } catch (const std::runtime_error& error) {
-      results_.back().item.error = error.what();
+      results_.back().item.error = messageOf(error);
     }
   }
 
@@ -148,9 +148,9 @@ class BatchRun {
     try {
       if (item.error.empty()) fill(result, pictures);
     } catch (const InputError& error) {
-      result.item.error = error.what();
+      result.item.error = messageOf(error);
     } catch (const std::runtime_error& error) {
-      result.item.error = error.what();
+      result.item.error = messageOf(error);
     }
     if (!result.item.error.empty()) {
       const auto [sheet, left, top] = cell();
@@ -241,7 +241,7 @@ class BatchRun {
       Json entry = {{"name", result.item.name}, {"files", result.files}};
       if (!result.item.error.empty()) {
         ++bad;
-        entry["error"] = result.item.error;
+        entry["error"] = result.item.error.english();
         std::fputs("asperity: ", stderr);
         std::fputs(InputError(command_.common.scene, result.item.name, result.item.error).what(),
                    stderr);

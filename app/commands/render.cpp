@@ -163,9 +163,8 @@ class Rendering {
   /// What is said of a part that the layout does not have would be in vain.
   void checkParts() const {
     const auto refuse = [&](const char* option, const char* part) {
-      throw InputError(
-          "", option,
-          fmt::format("is of {}, which --layout {} does not show", part, command_.layout));
+      throw InputError("", option,
+                       message("is of {}, which --layout {} does not show", part, command_.layout));
     };
     if (layout_ == PictureLayout::Curve) {
       if (!command_.overlay.empty()) refuse("--overlay", "the contact");

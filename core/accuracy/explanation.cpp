@@ -79,7 +79,8 @@ std::string explanationJson(const Explanation& explanation) {
   root["of_verb"] = explanation.verb;
   Json stages = Json::array();
   for (const PlanStage& stage : explanation.stages)
-    stages.push_back({{"name", stage.name}, {"runs", stage.runs}, {"reason", stage.reason}});
+    stages.push_back(
+        {{"name", stage.name}, {"runs", stage.runs}, {"reason", stage.reason.english()}});
   root["stages"] = std::move(stages);
   root["few_summits_above"] = numberOrNull(explanation.fewSummitsVelocity);
   root["predicted"] = nullptr;

@@ -9,10 +9,11 @@
 #include <stdexcept>
 
 #include "core/accuracy/level_sampler.h"
+#include "core/base/input_error.h"
+#include "core/base/printed_number.h"
 #include "core/base/processor_time.h"
 #include "core/friction/study.h"
 #include "core/material/element_law.h"
-#include "core/base/printed_number.h"
 
 namespace asperity {
 namespace {
@@ -422,10 +423,9 @@ bool isFrictionless(const Scene& scene) {
 
 void requireTarget(const Curve& curve) {
   if (curve.isTargetMet) return;
-  throw std::runtime_error(
-      fmt::format("accuracy.target_relative_error is not reached within the lines and memory "
-                  "allowed: {}",
-                  printedNumber(curve.achievedError, 2)));
+  throw TextError(message(
+      "accuracy.target_relative_error is not reached within the lines and memory allowed: {}",
+      PrintedNumber{printedNumber(curve.achievedError, 2)}));
 }
 
 Curve curveOf(const Scene& scene, const CurveOptions& options) {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/printed_number.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
-#include "core/base/printed_number.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 
@@ -56,17 +56,21 @@ DiagramSeries frontSeries(const RegionPrecision& region) {
 }
 
 /// "cubic \u00D72".
-std::string printedName(const MethodChoice& choice) {
-  std::string name = nameOf(choice);
-  if (const std::size_t times = name.rfind(" x"); times != name.npos)
-    name.replace(times, 2, " \u00D7");
-  return name;
+Message printedName(const MethodChoice& choice) {
+  switch (choice.method) {
+    case Method::Linear:
+      return message("linear \u00D7{}", choice.oversampling);
+    case Method::Cubic:
+      return message("cubic \u00D7{}", choice.oversampling);
+    default:
+      return nameOf(choice);
+  }
 }
 
 /// A ring around the method that the scene has.
 DiagramSeries presentSeries(const WorkPrecisionPoint& present) {
   DiagramSeries series;
-  series.name = "this scene: " + printedName(present.choice);
+  series.name = message("this scene: {}", printedName(present.choice));
   series.mark = SeriesMark::Ring;
   series.stroke = SeriesStroke::None;
   series.isTheory = true;  // in the colour of texts, set apart from every method's
@@ -76,9 +80,9 @@ DiagramSeries presentSeries(const WorkPrecisionPoint& present) {
 
 Diagram regionDiagram(const WorkPrecision& comparison, const RegionPrecision& region) {
   Diagram diagram;
-  diagram.title = fmt::format("region {}: {} to {} m/s", region.region,
-                              printedNumber(region.velocities.front(), 2),
-                              printedNumber(region.velocities.back(), 2));
+  diagram.title = message("region {}: {} to {} m/s", region.region,
+                          PrintedNumber{printedNumber(region.velocities.front(), 2)},
+                          PrintedNumber{printedNumber(region.velocities.back(), 2)});
   diagram.x = {"time of one velocity", "s"};
   diagram.y = {"relative error of \u03BC", ""};
   diagram.series = {
@@ -92,7 +96,7 @@ Diagram regionDiagram(const WorkPrecision& comparison, const RegionPrecision& re
   const double target = comparison.scene.accuracy.targetRelativeError;
   if (target > 0) {
     DiagramSeries line;
-    line.name = "target " + printedNumber(target);
+    line.name = message("target {}", PrintedNumber{printedNumber(target)});
     line.isTheory = true;
     line.stroke = SeriesStroke::Dotted;
     double fastest = region.points.front().secondsWithLine, slowest = fastest;
@@ -123,7 +127,7 @@ Diagram spreadDiagram(const WorkPrecision& comparison, bool overSeconds) {
   for (const RegionPrecision& region : comparison.regions) {
     const double each = overSeconds ? secondsOfLine(comparison, region) : 1;
     DiagramSeries measured, law;
-    measured.name = "region " + region.region;
+    measured.name = message("region {}", region.region);
     measured.mark = SeriesMark::Circle;
     measured.stroke = SeriesStroke::None;
     measured.colour = law.colour = colour++;
@@ -139,12 +143,15 @@ Diagram spreadDiagram(const WorkPrecision& comparison, bool overSeconds) {
   return diagram;
 }
 
-std::string sentenceOf(const WorkPrecision& comparison) {
+Message sentenceOf(const WorkPrecision& comparison) {
   const Scene& scene = comparison.scene;
-  std::string text = scene.title.empty() ? std::string() : scene.title + "; ";
-  return text + fmt::format("{} line{} of {} elements, 8 velocities in each region",
-                            comparison.lines, comparison.lines == 1 ? "" : "s",
-                            LineSource(scene, 1).elements());
+  const std::int64_t elements = LineSource(scene, 1).elements();
+  const Message lines =
+      comparison.lines == 1
+          ? message("1 line of {} elements, 8 velocities in each region", elements)
+          : message("{} lines of {} elements, 8 velocities in each region", comparison.lines,
+                    elements);
+  return scene.title.empty() ? lines : message("{}; {}", Message(scene.title), lines);
 }
 
 }  // namespace
@@ -223,7 +230,7 @@ DiagramSheet workPrecisionSheet(const WorkPrecision& comparison) {
 DiagramSheet standardErrorSheet(const WorkPrecision& comparison) {
   DiagramSheet sheet;
   sheet.title = "What realizations cost in time";
-  sheet.subtitle = sentenceOf(comparison) + ", " + printedName(comparison.present);
+  sheet.subtitle = listed({sentenceOf(comparison), printedName(comparison.present)});
   sheet.diagrams = {spreadDiagram(comparison, false), spreadDiagram(comparison, true)};
   sheet.note =
       "Circles: spread of the means over groups of so many lines. Lines: one over the square root.";

@@ -38,7 +38,7 @@ fs::path targetOf(const fs::path& file) {
   if (!error) return target;
   const fs::path next = fs::read_symlink(file, error);
   throw InputError(file.string(), "",
-                   fmt::format("is a link to '{}', which is not there", next.string()));
+                   message("is a link to '{}', which is not there", next.string()));
 }
 
 fs::path folderOf(const fs::path& file) {
@@ -155,10 +155,9 @@ void checkWritable(const fs::path& file) {
     throw InputError(file.string(), "", "is not a plain file and would be replaced");
   const fs::path folder = folderOf(targetOf(file));
   if (!fs::is_directory(folder, ignored))
-    throw InputError(file.string(), "", fmt::format("folder {} does not exist", folder.string()));
+    throw InputError(file.string(), "", message("folder {} does not exist", folder.string()));
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    throw InputError(file.string(), "",
-                     fmt::format("folder {} cannot be written to", folder.string()));
+    throw InputError(file.string(), "", message("folder {} cannot be written to", folder.string()));
 }
 
 AtomicFile::AtomicFile(const fs::path& file) {
@@ -283,8 +282,8 @@ bool AtomicFile::linkAsNew() {
 void AtomicFile::fail() const {
   const int why = errno;
   unfinishedNames.waitIfEnding();
-  throw std::runtime_error(
-      fmt::format("{}: cannot be written: {}", printable(target_.string()), std::strerror(why)));
+  throw TextError(message("cannot be written: {}", Message(std::strerror(why))),
+                  {printable(target_.string())});
 }
 
 void removeUnfinishedFiles() {
@@ -303,11 +302,11 @@ std::string readWholeFile(const fs::path& file, std::size_t limit) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> handle(std::fopen(file.c_str(), "rb"),
                                                                &std::fclose);
   if (!handle)
-    throw InputError(file.string(), "", fmt::format("cannot be opened: {}", std::strerror(errno)));
+    throw InputError(file.string(), "",
+                     message("cannot be opened: {}", Message(std::strerror(errno))));
   const auto refuseAbove = [&](std::uintmax_t size) {
     if (size > limit)
-      throw InputError(file.string(), "",
-                       fmt::format("is larger than the {} bytes allowed", limit));
+      throw InputError(file.string(), "", message("is larger than the {} bytes allowed", limit));
   };
   // What says how large it is need not be read to be refused; a pipe does not.
   const std::uintmax_t size = fs::file_size(file, error);

@@ -1,51 +1,62 @@
-// The one error type for bad input: what a user gave and can mend. The command line prints it as
-// one line and exits 2; the window shows it beside the control.
+// Errors that people read. InputError is the one type for bad input, which a user gave and can
+// mend: the command line prints it as one line and exits 2, the window shows it beside the control.
 #pragma once
 
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "core/base/message.h"
 #include "core/base/printable_text.h"
 
 namespace asperity {
 
-class InputError : public std::runtime_error {
+/// An error that people read: what it says is a message, and before it stands what it is about.
+/// what() is all of it in English.
+class TextError : public std::runtime_error {
+ public:
+  explicit TextError(Message message, std::vector<std::string> about = {})
+      : std::runtime_error(joined(about, message.english())),
+        message_(std::move(message)),
+        about_(std::move(about)) {}
+
+  const Message& message() const { return message_; }
+  /// The names in front of it, such as file and key; each may be empty.
+  const std::vector<std::string>& about() const { return about_; }
+
+  /// "file: key: message"; what is empty is left out.
+  static std::string joined(const std::vector<std::string>& about, const std::string& message) {
+    std::string text;
+    for (const std::string& part : about)
+      if (!part.empty()) text += part + ": ";
+    return text + message;
+  }
+
+ private:
+  Message message_;
+  std::vector<std::string> about_;
+};
+
+/// What an error says, with what it is about in front; of an error that is not a TextError what().
+Message messageOf(const std::exception& error);
+
+/// What a user gave and can mend.
+class InputError : public TextError {
  public:
   /// file and key may be empty. message says what is wrong and what is allowed. Each may hold what
   /// a user wrote as it is: it is quoted in printable characters, and the error is one line.
-  InputError(const std::string& file, const std::string& key, const std::string& message)
-      : InputError(Quoted{printable(file), printable(key), printable(message)}) {}
+  InputError(const std::string& file, const std::string& key, const Message& message)
+      : TextError(message.quoted(), {printable(file), printable(key)}) {}
 
-  const std::string& file() const { return file_; }
-  const std::string& key() const { return key_; }
-  const std::string& message() const { return message_; }
+  const std::string& file() const { return about()[0]; }
+  const std::string& key() const { return about()[1]; }
 
   /// Whether it is about a word of the command line and not of a file: "--frames".
-  bool isOfOption() const { return key_.starts_with("--"); }
+  bool isOfOption() const { return key().starts_with("--"); }
 
   /// The same error, said of this file.
-  InputError in(const std::string& file) const { return {file, key_, message_}; }
-
- private:
-  struct Quoted {
-    std::string file, key, message;
-  };
-
-  explicit InputError(Quoted quoted)
-      : std::runtime_error(join(quoted)),
-        file_(std::move(quoted.file)),
-        key_(std::move(quoted.key)),
-        message_(std::move(quoted.message)) {}
-
-  static std::string join(const Quoted& quoted) {
-    std::string text;
-    for (const std::string* part : {&quoted.file, &quoted.key})
-      if (!part->empty()) text += *part + ": ";
-    return text + quoted.message;
-  }
-
-  std::string file_, key_, message_;
+  InputError in(const std::string& file) const { return {file, key(), message()}; }
 };
 
 }  // namespace asperity

@@ -21,7 +21,7 @@ constexpr std::size_t kMostKeys = 256;
 
 /// The parser's message without its own name in front, and without the middle of what it quotes
 /// where that is long.
-std::string parserMessage(const std::exception& error) {
+Message parserMessage(const std::exception& error) {
   constexpr std::size_t kMost = 300, kKept = 120;
   std::string text = error.what();
   const std::size_t bracket = text.find("] ");
@@ -33,7 +33,7 @@ std::string parserMessage(const std::exception& error) {
     while (isInside(to)) ++to;
     text.replace(from, to - from, " ... ");
   }
-  return "is not valid JSON: " + text;
+  return message("is not valid JSON: {}", text);
 }
 
 /// Receives the parser's events and makes values of them, each in its turn. (The library's own way
@@ -64,7 +64,7 @@ class Reader : public nlohmann::json_sax<Json> {
     if (place.value->contains(name))
       throw InputError("", path(), "stands twice in the same object");
     if (place.value->size() == kMostKeys)
-      throw InputError("", path(), fmt::format("an object has more than {} keys", kMostKeys));
+      throw InputError("", path(), message("an object has more than {} keys", kMostKeys));
     return true;
   }
 
@@ -134,7 +134,7 @@ std::string_view withoutBlanks(std::string_view text) {
 }
 
 [[noreturn]] void refuseKind(std::string_view kind, std::string_view wanted) {
-  throw InputError("", "", "is " + std::string(kind) + "; " + std::string(wanted));
+  throw InputError("", "", message("is {}; {}", Message(kind), Message(wanted)));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 namespace asperity {
 namespace {
 
@@ -21,9 +23,16 @@ std::string plainNumber(double value) {
   return withoutPadding(fmt::format("{}", value));
 }
 
-std::string rangeText(double minimum, double maximum, std::string_view unit) {
-  const auto end = [](double value) { return withoutPadding(fmt::format("{:g}", value)); };
-  return fmt::format("{} to {}{}{}", end(minimum), end(maximum), unit.empty() ? "" : " ", unit);
+PrintedNumber plain(double value) {
+  return {plainNumber(value)};
+}
+
+Message rangeText(double minimum, double maximum, std::string_view unit) {
+  const auto end = [](double value) {
+    return PrintedNumber{withoutPadding(fmt::format("{:g}", value))};
+  };
+  if (unit.empty()) return message("{} to {}", end(minimum), end(maximum));
+  return message("{} to {} {}", end(minimum), end(maximum), unit);
 }
 
 }  // namespace asperity

@@ -26,7 +26,7 @@ void requireRegular(const struct stat& status, const std::string& name) {
 RegularFile::RegularFile(const std::filesystem::path& file) : name_(file.string()) {
   const auto requireSuccess = [this](int result) {
     if (result < 0)
-      throw InputError(name_, "", fmt::format("cannot be opened: {}", std::strerror(errno)));
+      throw InputError(name_, "", message("cannot be opened: {}", Message(std::strerror(errno))));
   };
   if (file.native().find('\0') != std::string::npos)
     throw InputError(name_, "", "is no name of a file");
@@ -59,7 +59,7 @@ std::string RegularFile::read(std::uint64_t offset, std::size_t count) const {
                                 static_cast<off_t>(offset + done));
     if (now < 0 && errno == EINTR) continue;
     if (now < 0)
-      throw InputError(name_, "", fmt::format("cannot be read: {}", std::strerror(errno)));
+      throw InputError(name_, "", message("cannot be read: {}", Message(std::strerror(errno))));
     if (now == 0) break;  // it has become shorter
     done += static_cast<std::size_t>(now);
   }
@@ -70,7 +70,7 @@ std::string RegularFile::read(std::uint64_t offset, std::size_t count) const {
 std::string readRegularFile(const std::filesystem::path& file, std::size_t limit) {
   const RegularFile regular(file);
   if (regular.size() > limit)
-    throw InputError(file.string(), "", fmt::format("is larger than the {} bytes allowed", limit));
+    throw InputError(file.string(), "", message("is larger than the {} bytes allowed", limit));
   return regular.read(0, limit);
 }
 

@@ -19,13 +19,14 @@ constexpr double kSlim = 0.42;  // height of the difference, of the curves'
 constexpr double kAir = 1.3;    // factor between the outermost points and the frame
 
 /// Curves are of the deformation, also where local friction stands beside it.
-std::string nameOfMean(const NamedCurve& curve) {
+Message nameOfMean(const NamedCurve& curve) {
   const std::vector<CurvePoint>& points = curve.points;
   const bool isPart = hasLocalFriction(curve.scene);
   if (points.empty() || points.front().realizations <= 1)
     return isPart ? "this line, deformation alone" : "this line";
-  return fmt::format("mean of {} lines \u00B1 standard error{}", points.front().realizations,
-                     isPart ? ", deformation alone" : "");
+  const std::int64_t lines = points.front().realizations;
+  return isPart ? message("mean of {} lines \u00B1 standard error, deformation alone", lines)
+                : message("mean of {} lines \u00B1 standard error", lines);
 }
 
 DiagramSeries seriesOf(const NamedCurve& curve, CurveAxes axes) {
@@ -66,7 +67,7 @@ void addRegions(Diagram& diagram, const NamedCurve& curve, CurveAxes axes) {
   if (!std::isfinite(factor)) return;
   for (const CurveRegion& region : regionsOfCurve(curve.scene, curve.points))
     diagram.spans.push_back({region.from * factor, region.to * factor,
-                             fmt::format("{} {}", region.name, wordOfRegion(region.name))});
+                             message("{} {}", region.name, Message(wordOfRegion(region.name)))});
   addFewSummits(diagram, fewSummitsOf(curve.scene, curve.points), factor);
 }
 
@@ -119,7 +120,7 @@ Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& along) {
   diagram.y = {"difference", "%", AxisScale::Linear};
   const double factor = factorsOf(set.present.points, set.axes).velocity;
   DiagramSeries series, none;
-  series.name = nameOf(set.difference->setting) + " less the curve above";
+  series.name = message("{} minus the curve above", nameOf(set.difference->setting));
   series.mark = SeriesMark::Diamond;
   series.colour = colourOfPin(kPinColours - 1);
   none.isTheory = true;
@@ -143,17 +144,16 @@ DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points) 
 DiagramSheet curveSheet(const CurveSet& set) {
   const Scene& scene = set.present.scene;
   DiagramSheet sheet;
-  sheet.title = scene.title.empty() ? "Friction over velocity" : scene.title;
+  sheet.title = scene.title.empty() ? Message("Friction over velocity") : Message(scene.title);
   sheet.subtitle = parametersInWords(scene);
   sheet.diagrams = {curvesDiagram(set)};
+  std::vector<Message> notes;
   if (!sheet.diagrams.front().spans.empty())
-    sheet.note =
+    notes.emplace_back(
         "Regions as read from the curve: I ends 20 % below its line, III lies above 95 % of the "
-        "maximum.";
-  if (!sheet.diagrams.front().shades.empty()) {
-    if (!sheet.note.empty()) sheet.note += " ";
-    sheet.note += kFewSummitsSentence;
-  }
+        "maximum.");
+  if (!sheet.diagrams.front().shades.empty()) notes.emplace_back(kFewSummitsSentence);
+  sheet.note = sentences(notes);
   if (set.difference) {
     fixAlong(sheet.diagrams.front());
     sheet.diagrams.push_back(differenceDiagram(set, sheet.diagrams.front().x));

@@ -94,10 +94,10 @@ std::string curveSetCsv(const CurveSet& set) {
   for (const CurvePoint& point : set.present.points)
     rows.add("Eq. (11)", point.velocity, point.muLaw, kNotApplicable, factors, 0);
   for (std::size_t i = 0; i < set.pinned.size(); ++i)
-    rows.addCurve(fmt::format("pinned {}: {}", i + 1, set.pinned[i].name), set.pinned[i]);
+    rows.addCurve(fmt::format("pinned {}: {}", i + 1, set.pinned[i].name.english()), set.pinned[i]);
   if (set.difference)
     for (const DifferencePoint& point : set.difference->points)
-      rows.add("compared: " + nameOf(set.difference->setting), point.velocity, point.mu,
+      rows.add("compared: " + nameOf(set.difference->setting).english(), point.velocity, point.mu,
                point.muStandardError, factors, set.difference->setting.realizations, &point);
   return rows.take();
 }

@@ -29,7 +29,7 @@ struct AxesFactors {
 AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes);
 
 struct NamedCurve {
-  std::string name;  // "G = 20 MPa"; of the present curve empty
+  Message name;  // "G = 20 MPa"; of the present curve empty
   Scene scene;
   std::vector<CurvePoint> points;
   int place = 0;  // among the pinned: decides colour and mark

@@ -1,14 +1,11 @@
 #include "core/chart/curve_words.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "core/scene/parameters.h"
 #include "core/base/printed_number.h"
+#include "core/scene/parameters.h"
 
 namespace asperity {
 namespace {
@@ -25,15 +22,16 @@ std::string printed(std::string_view symbol) {
 }
 
 /// Empty where the row has no symbol, or the effect is not there.
-std::string inWords(const Parameter& row, const Scene& scene) {
+Message inWords(const Parameter& row, const Scene& scene) {
   if (row.symbol.empty() || !isApplicable(row, scene)) return {};
   const ParameterValue value = valueOf(row, scene);
   const auto* real = std::get_if<double>(&value);
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (real && *real == 0 && (value == defaultOf(row) || isLeftToProfile(row, scene, 0))) return {};
-  if (real && row.unit.empty()) return fmt::format("{} = {:g}", printed(row.symbol), *real);
-  if (real) return fmt::format("{} = {}", printed(row.symbol), printedQuantity(*real, row.unit));
-  if (whole && *whole > 0) return fmt::format("{} = {}", printed(row.symbol), *whole);
+  if (real && row.unit.empty()) return message("{} = {:g}", printed(row.symbol), *real);
+  if (real)
+    return message("{} = {}", printed(row.symbol), PrintedNumber{printedQuantity(*real, row.unit)});
+  if (whole && *whole > 0) return message("{} = {}", printed(row.symbol), *whole);
   return {};
 }
 
@@ -50,18 +48,18 @@ ParameterValue valueInCurve(const Parameter& row, const Scene& scene) {
 }
 
 /// "seed 3", "linear", "local shear = 2 N/m": of rows that have no symbol.
-std::string inPlainWords(const Parameter& row, const Scene& scene) {
+Message inPlainWords(const Parameter& row, const Scene& scene) {
   const ParameterValue value = valueInCurve(row, scene);
+  const Message label(row.label);
   if (const auto* real = std::get_if<double>(&value))
-    return fmt::format(
-        "{} = {}", row.label,
-        row.unit.empty() ? fmt::format("{:g}", *real) : printedQuantity(*real, row.unit));
-  if (const auto* whole = std::get_if<std::int64_t>(&value))
-    return fmt::format("{} {}", row.label, *whole);
+    return row.unit.empty()
+               ? message("{} = {:g}", label, *real)
+               : message("{} = {}", label, PrintedNumber{printedQuantity(*real, row.unit)});
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return message("{} {}", label, *whole);
   std::string word = std::get<std::string>(value);
-  std::replace(word.begin(), word.end(), '_', '-');
-  return std::holds_alternative<ChoiceField>(row.field) ? word
-                                                        : fmt::format("{} {}", row.label, word);
+  if (!std::holds_alternative<ChoiceField>(row.field)) return message("{} {}", label, word);
+  std::ranges::replace(word, '_', '-');
+  return word;
 }
 
 /// What a friction curve does not depend on.
@@ -79,30 +77,30 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
 
 }  // namespace
 
-std::string parameterInWords(std::string_view key, const Scene& scene) {
+Message parameterInWords(std::string_view key, const Scene& scene) {
   const Parameter* row = findParameter(key);
   if (!row || std::holds_alternative<ArmsField>(row->field)) return {};
-  const std::string words = inWords(*row, scene);
+  const Message words = inWords(*row, scene);
   return words.empty() ? inPlainWords(*row, scene) : words;
 }
 
-std::string parametersInWords(const Scene& scene) {
-  std::vector<std::string> parts;
+Message parametersInWords(const Scene& scene) {
+  std::vector<Message> parts;
   for (const Parameter& row : parameters()) {
     if (row.key.starts_with("sliding.") || isShiftIdle(row, scene)) continue;
-    if (std::string words = inWords(row, scene); !words.empty()) parts.push_back(std::move(words));
+    if (Message words = inWords(row, scene); !words.empty()) parts.push_back(std::move(words));
   }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return listed(parts);
 }
 
-std::string differencesInWords(const Scene& scene, const Scene& from) {
-  std::vector<std::string> parts;
+Message differencesInWords(const Scene& scene, const Scene& from) {
+  std::vector<Message> parts;
   for (const Parameter& row : parameters()) {
     if (!differs(row, scene, from)) continue;
-    std::string words = parameterInWords(row.key, scene);
-    parts.push_back(words.empty() ? "other arms" : std::move(words));
+    Message words = parameterInWords(row.key, scene);
+    parts.push_back(words.empty() ? Message("other arms") : std::move(words));
   }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return listed(parts);
 }
 
 }  // namespace asperity

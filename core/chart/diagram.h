@@ -10,13 +10,15 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace asperity {
 
 enum class AxisScale { Linear, Logarithmic };
 
 struct DiagramAxis {
-  std::string title{};  // "sliding velocity"
-  std::string unit{};   // "m/s"; empty: a pure number
+  Message title{};     // "sliding velocity"
+  std::string unit{};  // "m/s"; empty: a pure number
   AxisScale scale = AxisScale::Logarithmic;
   double from = 0, to = 0;  // equal: as the points need
 };
@@ -34,7 +36,7 @@ enum class SeriesMark { None, Circle, Square, Triangle, Diamond, Ring };
 enum class SeriesStroke { None, Solid, Dashed, Dotted };
 
 struct DiagramSeries {
-  std::string name{};  // for the legend; empty: not in it
+  Message name{};  // for the legend; empty: not in it
   SeriesMark mark = SeriesMark::None;
   SeriesStroke stroke = SeriesStroke::Solid;
   bool isBand = false;    // low to high as a filled band instead of error bars
@@ -48,12 +50,12 @@ struct DiagramSeries {
 /// A range along x that has a name ("I", "zone 1").
 struct DiagramSpan {
   double from = 0, to = 0;
-  std::string label{};
+  Message label{};
 };
 
 /// A text at a point, with an arrow from (x, y) to (arrowX, arrowY) where these are given.
 struct DiagramLabel {
-  std::string text{};
+  Message text{};
   double x = 0, y = 0;
   double arrowX = std::numeric_limits<double>::quiet_NaN();
   double arrowY = std::numeric_limits<double>::quiet_NaN();
@@ -61,26 +63,26 @@ struct DiagramLabel {
 
 /// What the colours of a ramp mean; shown instead of a legend entry for each of its series.
 struct DiagramRamp {
-  std::string title{};   // "normal force"
-  std::string from, to;  // "1 mN", "100 N"
+  Message title{};   // "normal force"
+  Message from, to;  // "1 mN", "100 N"
 };
 
 struct Diagram {
-  std::string title{};  // over this diagram; may be empty
+  Message title{};  // over this diagram; may be empty
   DiagramAxis x, y;
   std::vector<DiagramSeries> series;  // later ones over earlier ones
-  std::vector<DiagramSpan> spans;  // shaded by turns, named above the frame
+  std::vector<DiagramSpan> spans;     // shaded by turns, named above the frame
   std::vector<DiagramLabel> labels;
   std::optional<DiagramRamp> ramp;
-  double height = 1;  // of its row among rows, where a sheet has one column
+  double height = 1;                  // of its row among rows, where a sheet has one column
   std::vector<DiagramSpan> shades{};  // tinted over the spans, named inside the frame at its foot
 };
 
 /// Diagrams side by side under one heading.
 struct DiagramSheet {
-  std::string title{};     // "Fig. 3: six Hurst exponents"
-  std::string subtitle{};  // the parameters, one line
-  std::string note{};      // below, small: what to know when reading it
+  Message title{};     // "Fig. 3: six Hurst exponents"
+  Message subtitle{};  // the parameters, one line
+  Message note{};      // below, small: what to know when reading it
   std::vector<Diagram> diagrams;
   int columns = 0;          // diagrams in a row; 0: up to three in one row, more in a square
   bool sharesAxis = false;  // of one column: all have one axis along and stand in one line

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/input_error.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/realizations.h"
 #include "core/scene/effects.h"
-#include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "core/surface/line_source.h"
 
@@ -106,14 +106,14 @@ PairedMeans::Ratio PairedMeans::ratio() const {
   return ratio;
 }
 
-std::string nameOf(const CurveSetting& setting) {
+Message nameOf(const CurveSetting& setting) {
   const auto choices = std::get<ChoiceField>(findParameter("accuracy.scheme")->field).choices;
-  const std::string_view scheme = choices[static_cast<std::size_t>(setting.scheme)];
-  const std::string lines =
-      fmt::format("{} line{}", setting.realizations, setting.realizations == 1 ? "" : "s");
+  const Message scheme(choices[static_cast<std::size_t>(setting.scheme)]);
+  const Message lines =
+      setting.realizations == 1 ? Message("1 line") : message("{} lines", setting.realizations);
   return setting.scheme == Scheme::Nodal
-             ? fmt::format("{}, {}", scheme, lines)
-             : fmt::format("{} x{}, {}", scheme, setting.oversampling, lines);
+             ? listed({scheme, lines})
+             : listed({message("{} x{}", scheme, setting.oversampling), lines});
 }
 
 Scene withSetting(Scene scene, const CurveSetting& setting) {

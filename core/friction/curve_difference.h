@@ -8,9 +8,9 @@
 #include <functional>
 #include <memory>
 #include <stop_token>
-#include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/friction/curve_point.h"
 #include "core/scene/scene.h"
 
@@ -26,7 +26,7 @@ struct CurveSetting {
 };
 
 /// "cubic x8, 20 lines"; nodal has no oversampling.
-std::string nameOf(const CurveSetting& setting);
+Message nameOf(const CurveSetting& setting);
 
 /// The scene computed that way; its target accuracy, if any, is dropped.
 Scene withSetting(Scene scene, const CurveSetting& setting);

@@ -49,18 +49,26 @@ std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose) {
           [&](double velocity) { return sliding.isComplete(line, depth, velocity); }) -
       velocities.begin());
   const auto above = [&](double velocity) {
-    return fmt::format("contact is complete above d = {:.3g} m at {:.3g} m/s",
-                       sliding.completeAbove(line, velocity), velocity);
+    return message("contact is complete above d = {:.3g} m at {:.3g} m/s",
+                   sliding.completeAbove(line, velocity), velocity);
   };
   if (complete == velocities.size()) {
     search.runs = false;
-    search.reason = above(velocities.back()) + fmt::format(", and it is {:.3g} m", depth);
+    search.reason = message("{}, and it is {:.3g} m", above(velocities.back()), depth);
   } else if (complete > 0) {
-    search.reason = fmt::format("at {} of {} velocities; at {} {}", velocities.size() - complete,
-                                velocities.size(), complete == 1 ? "the other" : "the others",
-                                "contact is complete, and depth and friction are known");
+    const std::size_t searched = velocities.size() - complete;
+    search.reason = complete == 1
+                        ? message(
+                              "at {} of {} velocities; at the other contact is complete, and "
+                              "depth and friction are known",
+                              searched, velocities.size())
+                        : message(
+                              "at {} of {} velocities; at the others contact is complete, and "
+                              "depth and friction are known",
+                              searched, velocities.size());
   } else {
-    search.reason = "edges of contact are found inside the segments: " + above(velocities.front());
+    search.reason =
+        message("edges of contact are found inside the segments: {}", above(velocities.front()));
   }
   return stages;
 }

@@ -74,7 +74,7 @@ class Realizations {
 
   static void requireBalances(const LoadCase& one, std::span<const SteadyResult> row,
                               std::int64_t realization) {
-    const std::string where = fmt::format(" on realization {}", realization);
+    const Message where = message("on realization {}", realization);
     for (std::size_t i = 0; i < row.size(); ++i) requireBalance(row[i], one.velocities[i], where);
   }
 

@@ -40,15 +40,15 @@ std::vector<Arm> withStrength(const std::vector<Arm>& given, double shift) {
 
 void checkModulus(double modulus, const std::string& key) {
   if (modulus != 0 && modulus < kSmallestModulus)
-    throw InputError("", key,
-                     fmt::format("{} Pa is neither 0 nor at least {} Pa", plainNumber(modulus),
-                                 plainNumber(kSmallestModulus)));
+    throw InputError(
+        "", key,
+        message("{} Pa is neither 0 nor at least {} Pa", plain(modulus), plain(kSmallestModulus)));
 }
 
 void checkArms(const Elastomer& elastomer) {
   if (elastomer.rheology == Rheology::StandardSolid && elastomer.arms.size() != 1)
     throw InputError("", "elastomer.arms",
-                     fmt::format("a standard solid has one arm, not {}", elastomer.arms.size()));
+                     message("a standard solid has one arm, not {}", elastomer.arms.size()));
   for (std::size_t i = 0; i < elastomer.arms.size(); ++i)
     checkModulus(elastomer.arms[i].modulus, fmt::format("elastomer.arms[{}].modulus", i));
   checkModulus(elastomer.equilibriumModulus, "elastomer.equilibrium_modulus");

@@ -13,14 +13,14 @@ double shiftFactor(const TemperatureShift& shift, double temperature) {
   if (above == 0) return 1;
   if (!(above > -shift.c2))
     throw InputError("", "elastomer.temperature",
-                     fmt::format("{} K is not above {} K, reference_temperature - c2, where the "
-                                 "shift ends",
-                                 temperature, shift.referenceTemperature - shift.c2));
+                     message("{} K is not above {} K, reference_temperature - c2, where the "
+                             "shift ends",
+                             temperature, shift.referenceTemperature - shift.c2));
   const double decades = -shift.c1 * above / (shift.c2 + above);
   if (!(std::abs(decades) <= kMostDecades))
     throw InputError("", "elastomer.temperature",
-                     fmt::format("{} K shifts the times by {:.3g} decades; allowed is {}",
-                                 temperature, decades, kMostDecades));
+                     message("{} K shifts the times by {:.3g} decades; allowed is {}", temperature,
+                             decades, kMostDecades));
   return std::pow(10, decades);
 }
 

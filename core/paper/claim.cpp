@@ -96,23 +96,23 @@ std::string holdsText(const Claim& claim) {
     case Verdict::OnlyForScheme:
       break;
   }
-  return "only for scheme " + claim.scheme;
+  return "only for scheme " + claim.scheme.english();
 }
 
 nlohmann::ordered_json claimJson(const Claim& claim) {
   nlohmann::ordered_json json;
   json["id"] = claim.id;
-  json["where"] = claim.where;
-  json["claim"] = claim.claim;
-  json["quantity"] = claim.quantity;
+  json["where"] = claim.where.english();
+  json["claim"] = claim.claim.english();
+  json["quantity"] = claim.quantity.english();
   json["measured"] = numberOrNull(claim.measured.value);
   json["uncertainty"] = numberOrNull(claim.measured.standardError);
   json["expected"] = numberOrNull(claim.expected);
-  json["criterion"] = claim.criterion;
+  json["criterion"] = claim.criterion.english();
   json["holds_from"] = numberOrNull(claim.bounds.from);
   json["holds_to"] = numberOrNull(claim.bounds.to);
   json["holds"] = holdsText(claim);
-  json["note"] = claim.note;
+  json["note"] = claim.note.english();
   return json;
 }
 

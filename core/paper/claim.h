@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/friction/study.h"
 
 namespace asperity {
@@ -29,17 +30,17 @@ Bounds below(double border);
 Bounds above(double border);
 
 struct Claim {
-  std::string id{};        // "slope_in_region_1"
-  std::string where{};     // in the paper: "p. 2, Fig. 2"
-  std::string claim{};     // what is said there
-  std::string quantity{};  // what `measured` is, with its unit
+  std::string id{};    // "slope_in_region_1"
+  Message where{};     // in the paper: "p. 2, Fig. 2"
+  Message claim{};     // what is said there
+  Message quantity{};  // what `measured` is, with its unit
   Estimate measured{};
   double expected = kNotApplicable;  // by the paper; not every claim has a number
-  std::string criterion{};           // when it holds, in words
+  Message criterion{};               // when it holds, in words
   Bounds bounds{};                   // the same in numbers
   Verdict holds = Verdict::Undecided;
-  std::string scheme{};  // with OnlyForScheme: which
-  std::string note{};
+  Message scheme{};  // with OnlyForScheme: which
+  Message note{};
 };
 
 /// Of a number that is averaged over random lines.

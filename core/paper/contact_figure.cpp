@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/range_text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
 #include "core/paper/figure_parts.h"
@@ -70,7 +71,7 @@ Claim balanceClaim(const Contact& contact) {
               "force",
               "relative residual of the force balance"};
   claim.expected = 0;
-  claim.criterion = "below 1e-9";
+  claim.criterion = message("below {}", plain(1e-9));
   decideExactly(claim, contact.steady.residual, below(1e-9));
   claim.note = "For separate elements F_N(d) jumps where an element enters; see Fig. 2's claims.";
   return claim;
@@ -87,7 +88,7 @@ Claim unilateralClaim(const Contact& contact) {
               "Elements out of contact satisfy u < z - d, those in contact f > 0",
               "largest penetration over the largest depth"};
   claim.expected = 0;
-  claim.criterion = "at most 1e-12, and no negative pressure";
+  claim.criterion = message("at most {}, and no negative pressure", plain(1e-12));
   decideExactly(claim, worst / largest, below(1e-12));
   const double lowest = *std::min_element(contact.pressure.begin(), contact.pressure.end());
   if (lowest < 0) claim.holds = Verdict::No;

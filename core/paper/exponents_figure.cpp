@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/friction/curve_file.h"
+#include "core/friction/law.h"
 #include "core/paper/figure_parts.h"
 #include "core/paper/figures_each.h"
-#include "core/friction/law.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
@@ -50,14 +50,15 @@ double correlation(const Coefficients& a, const Coefficients& b) {
 }
 
 /// All exponents have the same random phases: what neighbours have in common.
-std::string correlationNote(const std::vector<Coefficients>& all) {
+Message correlationNote(const std::vector<Coefficients>& all) {
   double sum = 0;
   for (std::size_t k = 0; k + 1 < all.size(); ++k) sum += correlation(all[k], all[k + 1]);
   const double mean = sum / static_cast<double>(all.size() - 1);
-  std::string note = "The points share their random lines and are correlated";
-  return std::isfinite(mean)
-             ? note + fmt::format(": neighbours in \u03B1 by {:.2f} on average.", mean)
-             : note + ".";
+  if (!std::isfinite(mean)) return "The points share their random lines and are correlated.";
+  return message(
+      "The points share their random lines and are correlated: neighbours in \u03B1 by {:.2f} on "
+      "average.",
+      mean);
 }
 
 DiagramPoint pointOf(double x, const Estimate& estimate) {
@@ -116,11 +117,11 @@ Claim exponentClaim(const std::vector<Coefficients>& all) {
   const auto deviation = [](const Coefficients& one, const Estimate& alpha) {
     return Estimate{std::abs(alpha.value - forceExponent(one.hurst)), alpha.standardError};
   };
-  std::string each;
+  std::vector<Message> each;
   std::vector<Estimate> narrow, wide;
   for (const Coefficients& one : all) {
-    each += fmt::format("{}H = {:g}: {:.3f} for {:.3f}", each.empty() ? "" : ", ", one.hurst,
-                        one.alpha.value, forceExponent(one.hurst));
+    each.push_back(message("H = {:g}: {:.3f} for {:.3f}", one.hurst, one.alpha.value,
+                           forceExponent(one.hurst)));
     if (!isMiddle(one.hurst)) continue;
     narrow.push_back(deviation(one, one.alpha));
     wide.push_back(deviation(one, one.wideAlpha));
@@ -129,9 +130,9 @@ Claim exponentClaim(const std::vector<Coefficients>& all) {
   claim.criterion = "below 0.02 at each";
   decideByAll(claim, narrow, below(0.02));
   const auto widest = std::ranges::max_element(wide, {}, &Estimate::value);
-  claim.note = fmt::format(
+  claim.note = message(
       "{}. It depends on the window: with F_N / G h L up to 1 the largest deviation is {:.3f}.",
-      each, widest->value);
+      listed(each), widest->value);
   return claim;
 }
 
@@ -144,13 +145,13 @@ Claim prefactorClaim(const std::vector<Coefficients>& all) {
   claim.expected = 1;
   claim.criterion = "every beta within 0.1 of 1";
   decideByAll(claim, betas, within(1, 0.1));
-  std::string each;
+  std::vector<Message> each;
   for (const Coefficients& one : all)
-    each += fmt::format("{}{:g}: {:.2f}", each.empty() ? "" : ", ", one.hurst, one.beta.value);
-  claim.note =
+    each.push_back(message("{:g}: {:.2f}", one.hurst, one.beta.value));
+  claim.note = message(
       "Eq. (12) sets beta = 1 without saying so and is low by that factor in region I. "
-      "beta by H: " +
-      each + ".";
+      "beta by H: {}.",
+      listed(each));
   return claim;
 }
 
@@ -176,10 +177,10 @@ void addExponentsFigure(Figure& figure, const FigureOptions& options) {
         one.wideAlpha.value, csvNumber(one.wideAlpha.standardError), study.realizations());
   }
   figure.sheet.diagrams = {alphaDiagram(all), betaDiagram(all)};
-  figure.sheet.note =
-      "In the limit of low velocity. \u03B1 depends on the range of forces that it is fitted to; "
-      "\u03B2 belongs to \u03B1 = H/(1 + H). Bars: one standard error. " +
-      correlationNote(all);
+  figure.sheet.note = sentences(
+      {"In the limit of low velocity. \u03B1 depends on the range of forces that it is fitted to; "
+       "\u03B2 belongs to \u03B1 = H/(1 + H). Bars: one standard error.",
+       correlationNote(all)});
   figure.claims = {exponentClaim(all), prefactorClaim(all)};
 }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/input_error.h"
 #include "core/paper/figure_parts.h"
 #include "core/paper/figures_each.h"
-#include "core/base/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 
@@ -76,7 +76,7 @@ void checkAssignments(const FigureEntry& entry, const std::vector<std::string>& 
     if (key == "ensemble.realizations")
       throw InputError("--set", key, "is given to a figure by --realizations");
     if (listHas(entry.ownKeys, key))
-      throw InputError("--set", key, fmt::format("figure {} sets it itself", entry.word));
+      throw InputError("--set", key, message("figure {} sets it itself", entry.word));
   }
 }
 
@@ -85,7 +85,7 @@ void checkModel(const FigureEntry& entry, const Scene& scene) {
   const auto require = [&](bool fits, const char* key, const char* only) {
     if (!fits)
       throw InputError("--set", key,
-                       fmt::format("figure {} of the paper is about {}", entry.word, only));
+                       message("figure {} of the paper is about {}", entry.word, Message(only)));
   };
   require(scene.surface.kind == SurfaceKind::SelfAffine, "surface.kind", "a self_affine line");
   require(scene.elastomer.rheology == Rheology::Kelvin, "elastomer.rheology", "a kelvin body");
@@ -120,8 +120,8 @@ Figure makeFigure(FigureName name, const FigureOptions& options) {
   figure.name = name;
   figure.scene = figureScene(name, options);
   const bool isOfPaper = name < FigureName::Master;
-  figure.sheet.title = isOfPaper ? fmt::format("Fig. {}: {}", entry.word, entry.headline)
-                                 : std::string(entry.headline);
+  figure.sheet.title = isOfPaper ? message("Fig. {}: {}", entry.word, Message(entry.headline))
+                                 : Message(entry.headline);
   switch (name) {
     case FigureName::Contact:
       addContactFigure(figure, options);

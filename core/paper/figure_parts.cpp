@@ -1,4 +1,5 @@
 #include "core/paper/figure_parts.h"
+#include "core/base/range_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -53,7 +54,7 @@ Study FigureWork::study(const Scene& scene, const std::vector<double>& normalFor
   return {scene, normalForces, velocities, next(cost)};
 }
 
-DiagramSeries frictionSeries(const Study& study, std::size_t j, std::string name) {
+DiagramSeries frictionSeries(const Study& study, std::size_t j, Message name) {
   DiagramSeries series;
   series.name = std::move(name);
   for (std::size_t i = 0; i < study.velocities(j).size(); ++i) {
@@ -64,7 +65,7 @@ DiagramSeries frictionSeries(const Study& study, std::size_t j, std::string name
   return series;
 }
 
-DiagramSeries lawSeries(const Study& study, std::size_t j, std::string name) {
+DiagramSeries lawSeries(const Study& study, std::size_t j, Message name) {
   DiagramSeries series;
   series.name = std::move(name);
   series.isTheory = true;
@@ -99,25 +100,29 @@ std::string tableRows(const Study& study, std::size_t j, const std::string& lead
   return text;
 }
 
-std::string parameterLine(const Scene& scene, const FigureEntry& entry) {
+Message parameterLine(const Scene& scene, const FigureEntry& entry) {
   const auto isVaried = [&](std::string_view key) {
     return entry.ownKeys.find(key) != std::string_view::npos;
   };
-  std::vector<std::string> parts;
-  if (!isVaried("surface.hurst")) parts.push_back(fmt::format("H = {:g}", scene.surface.hurst));
+  std::vector<Message> parts;
+  if (!isVaried("surface.hurst")) parts.push_back(message("H = {:g}", scene.surface.hurst));
   if (!isVaried("load.normal_force"))
-    parts.push_back("F\u2099 = " + printedQuantity(scene.load.normalForce, "N"));
-  parts.push_back("G = " + printedQuantity(scene.elastomer.shearModulus, "Pa"));
+    parts.push_back(
+        message("F\u2099 = {}", PrintedNumber{printedQuantity(scene.load.normalForce, "N")}));
+  parts.push_back(
+      message("G = {}", PrintedNumber{printedQuantity(scene.elastomer.shearModulus, "Pa")}));
   if (!isVaried("surface.rms_height"))
-    parts.push_back("h = " + printedQuantity(scene.surface.rmsHeight, "m"));
+    parts.push_back(
+        message("h = {}", PrintedNumber{printedQuantity(scene.surface.rmsHeight, "m")}));
   if (!isVaried("elastomer.relaxation_time"))
-    parts.push_back("\u03C4 = " + printedQuantity(scene.elastomer.relaxationTime, "s"));
+    parts.push_back(message("\u03C4 = {}",
+                            PrintedNumber{printedQuantity(scene.elastomer.relaxationTime, "s")}));
   if (!isVaried("surface.length"))
-    parts.push_back("L = " + printedQuantity(scene.surface.length, "m"));
-  if (!isVaried("surface.elements")) parts.push_back(fmt::format("N = {}", scene.surface.elements));
+    parts.push_back(message("L = {}", PrintedNumber{printedQuantity(scene.surface.length, "m")}));
+  if (!isVaried("surface.elements")) parts.push_back(message("N = {}", scene.surface.elements));
   if (entry.name != FigureName::Contact)
-    parts.push_back(fmt::format("{} realizations", scene.ensemble.realizations));
-  return fmt::format("{}", fmt::join(parts, ", "));
+    parts.push_back(message("{} realizations", scene.ensemble.realizations));
+  return listed(parts);
 }
 
 Claim fullContactClaim(std::span<const Study> studies) {
@@ -133,9 +138,9 @@ Claim fullContactClaim(std::span<const Study> studies) {
               "largest |mu / Eq. (8) - 1| in complete contact, with the slope of the line as "
               "resolved"};
   claim.expected = 0;
-  claim.criterion = "below 1e-9, on at least one point";
+  claim.criterion = message("below {}, on at least one point", plain(1e-9));
   decideExactly(claim, all.points > 0 ? all.toResolved : kNotApplicable, below(1e-9));
-  claim.note = fmt::format(
+  claim.note = message(
       "{} points of complete contact. Against the slope of the spectrum the difference is {:.1e}: "
       "the resolution of the line, which falls with accuracy.oversampling.",
       all.points, all.toSpectral);

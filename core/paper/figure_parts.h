@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "core/base/printed_number.h"
 #include "core/chart/diagram.h"
+#include "core/friction/study.h"
 #include "core/paper/figure.h"
 #include "core/paper/readings.h"
-#include "core/friction/study.h"
-#include "core/base/printed_number.h"
 
 namespace asperity {
 
@@ -40,8 +40,8 @@ class FigureWork {
 };
 
 /// mu / rms slope over velocity with one standard error, and Eq. (11) over the same velocities.
-DiagramSeries frictionSeries(const Study& study, std::size_t j, std::string name);
-DiagramSeries lawSeries(const Study& study, std::size_t j, std::string name);
+DiagramSeries frictionSeries(const Study& study, std::size_t j, Message name);
+DiagramSeries lawSeries(const Study& study, std::size_t j, Message name);
 
 DiagramAxis velocityAxis();
 DiagramAxis normalizedFrictionAxis();
@@ -51,7 +51,7 @@ Diagram frictionDiagram();  // both axes, no series yet
 std::string tableRows(const Study& study, std::size_t j, const std::string& lead);
 
 /// "H = 0.7, h = 500 nm, ..." of what the figure does not vary.
-std::string parameterLine(const Scene& scene, const FigureEntry& entry);
+Message parameterLine(const Scene& scene, const FigureEntry& entry);
 
 /// Eq. (8) in complete contact, over all the studies.
 Claim fullContactClaim(std::span<const Study> studies);

@@ -29,8 +29,9 @@ Diagram diagramOf(const Study& study) {
     for (DiagramPoint& point : series.points) point.low = point.high = kNotApplicable;
     diagram.series.push_back(std::move(series));
   }
-  diagram.ramp = DiagramRamp{"normal force", printedQuantity(study.normalForce(0), "N"),
-                             printedQuantity(study.normalForce(last), "N")};
+  diagram.ramp =
+      DiagramRamp{"normal force", PrintedNumber{printedQuantity(study.normalForce(0), "N")},
+                  PrintedNumber{printedQuantity(study.normalForce(last), "N")}};
   // Curves below the data of the lowest velocities would only stretch the picture.
   diagram.y.from = study.normalizedMu(last / 2, 0);
   diagram.y.to = 3;

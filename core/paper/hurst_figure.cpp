@@ -38,7 +38,7 @@ Claim linearClaim(const std::vector<Study>& studies) {
   claim.expected = 0;
   claim.criterion = "below 0.02";
   const std::size_t worst = decideByAll(claim, estimatesOf(studies, deviation), below(0.02));
-  claim.note = fmt::format("Largest at H = {:g}.", hurstOf(studies[worst]));
+  claim.note = message("Largest at H = {:g}.", hurstOf(studies[worst]));
   return claim;
 }
 
@@ -70,17 +70,17 @@ Claim lawClaim(const std::vector<Study>& studies) {
   claim.expected = 0;
   claim.criterion = "below 0.25";
   decideByAll(claim, estimatesOf(studies, lawDeviation), below(0.25));
-  std::string each;
+  std::vector<Message> each;
   for (const Study& study : studies)
-    each += fmt::format("{}H = {:g}: {:.0f} %", each.empty() ? "" : ", ", hurstOf(study),
-                        100 * lawDeviation(study, Study::kAll));
+    each.push_back(
+        message("H = {:g}: {:.0f} %", hurstOf(study), 100 * lawDeviation(study, Study::kAll)));
   double partial = 0;
   for (const Study& study : studies) partial = std::max(partial, partOfPartialContact(study));
-  claim.note = fmt::format(
+  claim.note = message(
       "{}. With the rms slope of the whole line for that in contact. The term of partial contact, "
       "with alpha and beta, lowers Eq. (11) by at most {:.2g} % at this force: the figure does not "
       "test it.",
-      each, 100 * partial);
+      listed(each), 100 * partial);
   return claim;
 }
 
@@ -98,13 +98,13 @@ Claim outsideClaim(const std::vector<Study>& studies) {
   claim.expected = 1;
   claim.criterion = "above 0.9";
   const Study& worst = studies[decideByAll(claim, estimatesOf(studies, leftAtTheEnd), above(0.9))];
-  claim.note = fmt::format("At {:.3g} m/s, smallest at H = {:g}.", worst.velocities().back(),
-                           hurstOf(worst));
+  claim.note =
+      message("At {:.3g} m/s, smallest at H = {:g}.", worst.velocities().back(), hurstOf(worst));
   return claim;
 }
 
 /// Where the whole line touches on every realization there is nothing but Eq. (8) to see.
-std::string noteOnContact(const std::vector<Study>& studies) {
+Message noteOnContact(const std::vector<Study>& studies) {
   std::size_t complete = 0, points = 0;
   double part = 0;  // of the maximum, up to which contact is complete
   for (const Study& study : studies) {
@@ -116,10 +116,10 @@ std::string noteOnContact(const std::vector<Study>& studies) {
     }
   }
   const double force = dimensionlessForce(studies.front().lawInput(0, 0));
-  if (complete == 0) return fmt::format("F\u2099/GhL = {:.3g}. ", force);
-  return fmt::format(
+  if (complete == 0) return message("F\u2099/GhL = {:.3g}.", force);
+  return message(
       "F\u2099/GhL = {:.3g}: up to {:.0f} % of the maximum, at {} of the {} points, the whole line "
-      "is in contact, and the curves are Eq. (8), which has no fitted number. ",
+      "is in contact, and the curves are Eq. (8), which has no fitted number.",
       force, 100 * part, complete, points);
 }
 
@@ -138,7 +138,7 @@ void addHurstFigure(Figure& figure, const FigureOptions& options) {
         work.study(scene, {scene.load.normalForce}, sweepVelocities(scene.sweep), 1));
     DiagramSeries law = lawSeries(study, 0, k == 0 ? "Eq. (11)" : "");
     diagram.series.insert(diagram.series.begin() + static_cast<std::ptrdiff_t>(k), law);
-    DiagramSeries series = frictionSeries(study, 0, fmt::format("H = {:g}", exponents[k]));
+    DiagramSeries series = frictionSeries(study, 0, message("H = {:g}", exponents[k]));
     series.mark = SeriesMark::Circle;
     series.stroke = SeriesStroke::None;
     series.colour = static_cast<int>(k);
@@ -146,10 +146,10 @@ void addHurstFigure(Figure& figure, const FigureOptions& options) {
     figure.csv += tableRows(study, 0, fmt::format("{},", exponents[k]));
   }
   figure.sheet.diagrams.push_back(std::move(diagram));
-  figure.sheet.note =
-      noteOnContact(studies) +
-      "Points: averages with one standard error. Lines: Eq. (11) with the rms slope of the whole "
-      "line, \u03B1 = H/(1 + H) and \u03B2 as measured (Fig. 5).";
+  figure.sheet.note = sentences(
+      {noteOnContact(studies),
+       "Points: averages with one standard error. Lines: Eq. (11) with the rms slope of the whole "
+       "line, \u03B1 = H/(1 + H) and \u03B2 as measured (Fig. 5)."});
   figure.claims = {linearClaim(studies), lawClaim(studies), outsideClaim(studies),
                    fullContactClaim(studies)};
 }

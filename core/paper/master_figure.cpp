@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/range_text.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
@@ -16,32 +17,36 @@ namespace asperity {
 namespace {
 
 struct Variant {
-  std::string name;
+  Message name;
   Scene scene;
   int kind;  // which parameter differs, as a colour
 };
 
 std::vector<Variant> variantsOf(const Scene& base) {
   std::vector<Variant> variants{{"as given", base, 0}};
-  const auto add = [&](std::string name, int kind, const auto& change) {
+  const auto add = [&](Message name, int kind, const auto& change) {
     Variant variant{std::move(name), base, kind};
     change(variant.scene);
     variants.push_back(std::move(variant));
   };
   for (const double factor : {0.1, 10.0, 100.0})
-    add("F\u2099 = " + printedQuantity(factor * base.load.normalForce, "N"), 1,
-        [&](Scene& scene) { scene.load.normalForce *= factor; });
+    add(message("F\u2099 = {}",
+                PrintedNumber{printedQuantity(factor * base.load.normalForce, "N")}),
+        1, [&](Scene& scene) { scene.load.normalForce *= factor; });
   for (const double factor : {0.25, 4.0})
-    add("L = " + printedQuantity(factor * base.surface.length, "m"), 2, [&](Scene& scene) {
-      // The spacing stays: the elastomer is only longer.
-      scene.surface.length *= factor;
-      scene.surface.elements = std::llround(factor * static_cast<double>(scene.surface.elements));
-    });
+    add(message("L = {}", PrintedNumber{printedQuantity(factor * base.surface.length, "m")}), 2,
+        [&](Scene& scene) {
+          // The spacing stays: the elastomer is only longer.
+          scene.surface.length *= factor;
+          scene.surface.elements =
+              std::llround(factor * static_cast<double>(scene.surface.elements));
+        });
   for (const double factor : {0.1, 10.0})
-    add("\u03C4 = " + printedQuantity(factor * base.elastomer.relaxationTime, "s"), 3,
-        [&](Scene& scene) { scene.elastomer.relaxationTime *= factor; });
+    add(message("\u03C4 = {}",
+                PrintedNumber{printedQuantity(factor * base.elastomer.relaxationTime, "s")}),
+        3, [&](Scene& scene) { scene.elastomer.relaxationTime *= factor; });
   for (const double factor : {0.2, 5.0})
-    add("h = " + printedQuantity(factor * base.surface.rmsHeight, "m"), 4,
+    add(message("h = {}", PrintedNumber{printedQuantity(factor * base.surface.rmsHeight, "m")}), 4,
         [&](Scene& scene) { scene.surface.rmsHeight *= factor; });
   return variants;
 }
@@ -108,7 +113,7 @@ Claim collapseClaim(const std::vector<Study>& studies) {
          jackknife(studies.front().groups(), [&](int out) { return spreadAfter(studies, out); }),
          below(0.05));
   claim.note =
-      fmt::format("Before the shift it is {:.2f} decades.", spreadBefore(studies, Study::kAll));
+      message("Before the shift it is {:.2f} decades.", spreadBefore(studies, Study::kAll));
   return claim;
 }
 
@@ -136,7 +141,7 @@ Claim dimensionClaim(const Scene& base, FigureWork& work) {
               "largest change of mu / grad where h, L, G and tau change but F_N / G h L and "
               "tau v grad / h do not"};
   claim.expected = 0;
-  claim.criterion = "below 1e-9";
+  claim.criterion = message("below {}", plain(1e-9));
   decideExactly(claim, worst, below(1e-9));
   claim.note = "At the same number of elements; it is a third variable, by the spacing.";
   return claim;
@@ -175,11 +180,11 @@ Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
     const Study reference = work.study(scene, {scene.load.normalForce}, moved, 0.2);
     for (std::size_t i = 0; i < velocities.size(); ++i)
       worst = std::max(worst, std::abs(study.mu(0, i) / reference.mu(0, i) - 1));
-    DiagramSeries raw = frictionSeries(study, 0, fmt::format("{:g} \u00B0C", celsius[k]));
+    DiagramSeries raw = frictionSeries(study, 0, message("{:g} \u00B0C", celsius[k]));
     raw.colour = static_cast<int>(k);
     raw.stroke = SeriesStroke::Dotted;
     DiagramSeries marks = raw;
-    marks.name.clear();
+    marks.name = {};
     marks.stroke = SeriesStroke::None;
     marks.mark = SeriesMark::Circle;
     for (DiagramSeries* series : {&raw, &marks})
@@ -195,7 +200,7 @@ Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
                   "time (the master curve procedure)",
                   "largest |mu(v, T) / mu(v a_T, T_r) - 1|, 10 to 100 degrees Celsius"};
   result.claim.expected = 0;
-  result.claim.criterion = "below 1e-9";
+  result.claim.criterion = message("below {}", plain(1e-9));
   decideExactly(result.claim, worst, below(1e-9));
   result.claim.note = "WLF shift of a filled rubber: C1 = 4.41, C2 = 137.64 K, T_r = 343.15 K.";
   return result;
@@ -238,10 +243,10 @@ void addMasterFigure(Figure& figure, const FigureOptions& options) {
         variant.scene, {variant.scene.load.normalForce}, sweepVelocities(variant.scene.sweep), 1));
     before.series.push_back(plainSeries(study, variant, false));
     after.series.push_back(plainSeries(study, variant, true));
-    after.series.back().name.clear();
+    after.series.back().name = {};
     const Shift shift = shiftOf(study);
-    figure.csv +=
-        tableRows(study, 0, fmt::format("{},{},{},", variant.name, shift.velocity, shift.friction));
+    figure.csv += tableRows(
+        study, 0, fmt::format("{},{},{},", variant.name.english(), shift.velocity, shift.friction));
   }
   after.x.from = 1e-4;
   after.x.to = 1e3;

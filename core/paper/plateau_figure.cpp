@@ -55,7 +55,7 @@ Diagram diagramOf(const std::vector<Tops>& all) {
                    {first.normalForce(first.forces() - 1), std::numbers::sqrt2}};
   diagram.series.push_back(theory);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    DiagramSeries series{fmt::format("H = {:g}", all[k].hurst), SeriesMark::Circle};
+    DiagramSeries series{message("H = {:g}", all[k].hurst), SeriesMark::Circle};
     series.colour = static_cast<int>(k);
     for (std::size_t j = 0; j < all[k].tops.size(); ++j) {
       const auto [value, error] = all[k].tops[j].normalizedMu;
@@ -84,7 +84,7 @@ Claim heightClaim(const std::vector<Tops>& all) {
       plateaus.push_back(top.normalizedMu);
     }
   decideByAll(claim, plateaus, within(claim.expected, 0.1 * claim.expected));
-  claim.note = fmt::format(
+  claim.note = message(
       "From {:.3f} to {:.3f}. sqrt(2) assumes exponentially distributed slopes; random phases give "
       "Gaussian ones, for which Eq. (10) is 1.253 times the slope in contact, and 1.596 where the "
       "contact is weighted by the slope. Eq. (10)'s second line lacks a factor sqrt(L_cont).",
@@ -113,7 +113,7 @@ Claim hurstClaim(const std::vector<Tops>& all) {
            plateauOf(high->study, at, out).normalizedMu;
   };
   decide(claim, jackknife(low->groups, ratio), above(0.85));
-  claim.note = fmt::format("Smallest at H = {:g}, largest at H = {:g}.", low->hurst, high->hurst);
+  claim.note = message("Smallest at H = {:g}, largest at H = {:g}.", low->hurst, high->hurst);
   return claim;
 }
 
@@ -133,15 +133,15 @@ Claim fallClaim(const std::vector<Tops>& all) {
   };
   claim.criterion = "below 1";
   decide(claim, jackknife(all.front().groups, ratio), below(1));
-  std::string each;
+  std::vector<Message> each;
   for (const Tops& one : all)
-    each += fmt::format(
-        "{}H = {:g}: {:.2f}", each.empty() ? "" : ", ", one.hurst,
+    each.push_back(message(
+        "H = {:g}: {:.2f}", one.hurst,
         one.tops.front().normalizedMu.value /
             std::max_element(one.tops.begin(), one.tops.end(), [](const Top& a, const Top& b) {
               return a.normalizedMu.value < b.normalizedMu.value;
-            })->normalizedMu.value);
-  claim.note = each + ".";
+            })->normalizedMu.value));
+  claim.note = message("{}.", listed(each));
   return claim;
 }
 

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/friction/ensemble.h"
 #include "core/chart/few_summits.h"
-#include "core/paper/load_shares.h"
+#include "core/friction/ensemble.h"
 #include "core/friction/fit.h"
 #include "core/material/element_law.h"
+#include "core/paper/load_shares.h"
 
 namespace asperity {
 namespace {
@@ -54,8 +54,8 @@ Claim viscousClaim(const Study& study, const LoadShares& shares) {
   decide(claim,
          jackknife(shares.groups(), [&](int out) { return elasticAtMaximum(study, shares, out); }),
          below(0.1));
-  claim.note = fmt::format("The trailing sides of the summits carry {:.2g} % of it there.",
-                           100 * shares.trailing(0, kAtMaximum));
+  claim.note = message("The trailing sides of the summits carry {:.2g} % of it there.",
+                       100 * shares.trailing(0, kAtMaximum));
   return claim;
 }
 
@@ -73,7 +73,7 @@ Claim followClaim(const Study& study, const LoadShares& shares) {
   claim.criterion = "within 0.1 of 1";
   decide(claim, jackknife(shares.groups(), ratio), within(1, 0.1));
   const std::size_t last = study.velocities().size() - 1;
-  claim.note = fmt::format(
+  claim.note = message(
       "Friction itself falls to {:.2g} of its maximum. Over the slope in contact it goes from "
       "{:.3f} "
       "to {:.3f}. On a smooth summit, where the slope in contact is evenly distributed, it is "
@@ -147,14 +147,14 @@ Claim borderClaim(const std::vector<Study>& forces, const std::vector<Study>& le
       "0.03 to 0.3: the height that the contacts of one period climb together is "
       "about a tenth of h";
   decide(claim, jackknife(forces.front().groups(), mean), {0.03, 0.3});
-  std::string each;
+  std::vector<Message> each;
   for (const Study& study : forces)
-    each += fmt::format("{}F_N / G h L = {:.2g}: {:.3f}", each.empty() ? "" : ", ",
-                        dimensionlessForce(study.lawInput(0, 0)), heightAtBorder(study));
+    each.push_back(message("F_N / G h L = {:.2g}: {:.3f}", dimensionlessForce(study.lawInput(0, 0)),
+                           heightAtBorder(study)));
   for (const Study& study : lengths)
-    each +=
-        fmt::format(", L = {:.2g} m: {:.3f}", study.scene().surface.length, heightAtBorder(study));
-  claim.note = each + ".";
+    each.push_back(
+        message("L = {:.2g} m: {:.3f}", study.scene().surface.length, heightAtBorder(study)));
+  claim.note = message("{}.", listed(each));
   return claim;
 }
 
@@ -173,12 +173,13 @@ Claim lengthClaim(const std::vector<Study>& studies) {
   claim.expected = 1;
   claim.criterion = "0.5 to 1.5; 1 by F_N / (4 eta v) = 0.1 h";
   decide(claim, jackknife(studies.front().groups(), exponent), within(1, 0.5));
-  std::string each;
+  std::vector<Message> each;
   for (const Study& study : studies)
-    each += fmt::format("{}L = {:.2g} m: {:.2g} m/s", each.empty() ? "" : ", ",
-                        study.scene().surface.length, regionBorders(study, 0).offPlateau);
-  claim.note =
-      each + ". Region IV belongs to the finite period: an endless line should keep its plateau.";
+    each.push_back(message("L = {:.2g} m: {:.2g} m/s", study.scene().surface.length,
+                           regionBorders(study, 0).offPlateau));
+  claim.note = message(
+      "{}. Region IV belongs to the finite period: an endless line should keep its plateau.",
+      listed(each));
   return claim;
 }
 

@@ -5,9 +5,9 @@
 
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/fit.h"
 #include "core/paper/figure_parts.h"
 #include "core/paper/figures_each.h"
-#include "core/friction/fit.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
@@ -87,8 +87,9 @@ void addSpacingFigure(Figure& figure, const FigureOptions& options) {
     normalized.series.push_back(seriesOf(study, ramp, true));
     figure.csv += tableRows(study, 0, fmt::format("{},{},", spacings[k], study.line().rmsSlope));
   }
-  plain.ramp = normalized.ramp = DiagramRamp{"spacing", printedQuantity(spacings.front(), "m"),
-                                             printedQuantity(spacings.back(), "m")};
+  plain.ramp = normalized.ramp =
+      DiagramRamp{"spacing", PrintedNumber{printedQuantity(spacings.front(), "m")},
+                  PrintedNumber{printedQuantity(spacings.back(), "m")}};
   figure.sheet.diagrams = {std::move(plain), std::move(normalized)};
   figure.sheet.note =
       "The spacing sets the shortest wave of the line and with it the rms slope: it acts as a "

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/few_summits.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
-#include "core/chart/few_summits.h"
 #include "core/paper/element_curves.h"
 #include "core/paper/figure_parts.h"
 #include "core/paper/figures_each.h"
@@ -45,11 +45,12 @@ Curves computeCurves(const Scene& scene, const FigureOptions& options, FigureWor
   return {std::move(resolved), std::move(literal), std::move(fine), isCut};
 }
 
-DiagramSeries elementSeries(const std::vector<ElementPoint>& points, const std::string& name,
+DiagramSeries elementSeries(const std::vector<ElementPoint>& points, const char* name,
                             SeriesMark mark) {
   const std::size_t lines = points.front().normalizedMu.size();
   DiagramSeries series;
-  series.name = fmt::format("{} ({} line{})", name, lines, lines > 1 ? "s" : "");
+  series.name = lines == 1 ? message("{} (1 line)", Message(name))
+                           : message("{} ({} lines)", Message(name), lines);
   series.mark = mark;
   series.stroke = SeriesStroke::Dotted;
   for (const ElementPoint& point : points) {
@@ -74,7 +75,7 @@ Diagram diagramOf(const Curves& curves) {
   band.colour = 2;
   diagram.series.push_back(band);
   DiagramSeries resolved =
-      frictionSeries(study, 0, fmt::format("resolved line ({} lines)", study.realizations()));
+      frictionSeries(study, 0, message("resolved line ({} lines)", study.realizations()));
   for (DiagramPoint& point : resolved.points) point.low = point.high = kNotApplicable;
   resolved.colour = 2;
   diagram.series.push_back(resolved);
@@ -157,7 +158,7 @@ Claim widthClaim(const Study& study) {
   claim.criterion = "0.7 to 1.3 decades";
   decide(claim, jackknife(study.groups(), [&](int out) { return widthOf(study, out); }),
          within(1, 0.3));
-  claim.note = fmt::format(
+  claim.note = message(
       "The paper does not say where it reads the borders. From 90 % of the line to 90 % of the "
       "maximum it is {:.2f} decades.",
       widthOf(study, Study::kAll, kStrict));
@@ -172,7 +173,7 @@ Claim factorClaim(const Study& study) {
   claim.criterion = "1.5 to 2.5";
   decide(claim, jackknife(study.groups(), [&](int out) { return factorOf(study, out); }),
          within(2, 0.5));
-  claim.note = fmt::format(
+  claim.note = message(
       "From 90 % of the line to 90 % of the maximum it is {:.2f}. Region II cannot both begin on "
       "the line of slope 1 and grow by two only within a decade.",
       factorOf(study, Study::kAll, kStrict));
@@ -190,32 +191,32 @@ Claim plateauClaim(const Study& study) {
          within(claim.expected, 0.1 * claim.expected));
   const Plateau plateau = plateauOf(study, 0);
   claim.note =
-      fmt::format("At {:.2g} m/s. Mind the fall already at this small force.", plateau.velocity);
+      message("At {:.2g} m/s. Mind the fall already at this small force.", plateau.velocity);
   return claim;
 }
 
 constexpr double kLevel = 0.1;  // |n| of a level that counts as constant
 
 /// What fine steps of the same elements give where their number does not matter.
-std::string fineStepsNote(const Curves& curves) {
+Message fineStepsNote(const Curves& curves) {
   if (curves.fine.empty())
-    return fmt::format("Fine steps of the same N elements are not resolved by {} per spacing.",
-                       FineSteps{}.most);
+    return message("Fine steps of the same N elements are not resolved by {} per spacing.",
+                   FineSteps{}.most);
   // A decade is longer than the fall that they show.
   const double end = curves.fine.back().velocity, from = end / std::sqrt(10.0);
   const double exponent = exponentFrom(curves.fine, from).value;
-  const std::string measured =
+  const Message measured =
       std::isfinite(exponent)
-          ? fmt::format(
+          ? message(
                 "Fine steps of the same N elements give n = {:.2f} between {:.2g} and "
                 "{:.2g} m/s",
                 exponent, from, end)
-          : fmt::format("Fine steps of the same N elements are resolved up to {:.2g} m/s", end);
-  if (!curves.isFineCut) return measured + ".";
-  return measured + fmt::format(
-                        "; beyond, {} of them per spacing are too few for 1 %, and any fixed "
-                        "number has a floor of its own.",
-                        FineSteps{}.most);
+          : message("Fine steps of the same N elements are resolved up to {:.2g} m/s", end);
+  if (!curves.isFineCut) return message("{}.", measured);
+  return message(
+      "{}; beyond, {} of them per spacing are too few for 1 %, and any fixed number has a floor of "
+      "its own.",
+      measured, FineSteps{}.most);
 }
 
 Claim constantLevelClaim(const Curves& curves) {
@@ -239,7 +240,7 @@ Claim constantLevelClaim(const Curves& curves) {
   } else {
     claim.holds = both(claim.holds, onLine);
   }
-  claim.note = fmt::format(
+  claim.note = message(
       "n is {:.2f} on the resolved line, which falls on as v^(-1/2). The level is one node's own "
       "slope: the line moves one spacing per step, so the last contact is a single node, and more "
       "power goes in than is dissipated. {}",
@@ -261,7 +262,7 @@ Claim convergenceClaim(const Curves& curves) {
     claim.holds = Verdict::OnlyForScheme;
     claim.scheme = "linear or cubic (a resolved line)";
   }
-  claim.note = fmt::format(
+  claim.note = message(
       "At {:.2g} m/s. F_N(d) of separate elements jumps where one enters under viscous pressure; "
       "on a resolved line it is continuous and every balance is met to {:.0e}.",
       worst->velocity, std::max(curves.resolved.largestResidual(), 1e-15));
@@ -274,17 +275,17 @@ void addVelocityFigure(Figure& figure, const FigureOptions& options) {
   FigureWork work(options, 15 + kRegionClaimsCost);
   const Curves curves = computeCurves(figure.scene, options, work);
   figure.sheet.diagrams.push_back(diagramOf(curves));
-  figure.sheet.note =
+  std::vector<Message> notes{
       "Regions by 80 % of the line through region I and 95 % of the maximum. In region IV the "
       "smallest scale decides: the constant level appears only where the line moves one spacing in "
-      "each step.";
+      "each step."};
   if (curves.isFineCut && !curves.fine.empty())
-    figure.sheet.note += fmt::format(
-        " The curve of fine steps ends at {:.2g} m/s, above which {} steps per spacing are too few "
+    notes.push_back(message(
+        "The curve of fine steps ends at {:.2g} m/s, above which {} steps per spacing are too few "
         "for 1 %.",
-        curves.fine.back().velocity, FineSteps{}.most);
-  if (!figure.sheet.diagrams.front().shades.empty())
-    figure.sheet.note += std::string(" ") + kFewSummitsSentence;
+        curves.fine.back().velocity, FineSteps{}.most));
+  if (!figure.sheet.diagrams.front().shades.empty()) notes.emplace_back(kFewSummitsSentence);
+  figure.sheet.note = sentences(notes);
   figure.csv = tableOf(curves);
   const Study& study = curves.resolved;
   figure.claims = {linearClaim(study),  widthClaim(study),          factorClaim(study),

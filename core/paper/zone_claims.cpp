@@ -1,4 +1,5 @@
 #include "core/paper/zone_claims.h"
+#include "core/base/range_text.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +8,8 @@
 #include <cmath>
 
 #include "core/friction/ensemble.h"
-#include "core/paper/load_shares.h"
 #include "core/friction/fit.h"
+#include "core/paper/load_shares.h"
 
 namespace asperity {
 namespace {
@@ -139,9 +140,8 @@ Claim roughSummitsClaim(const Study& study, FigureWork& work) {
               "surface.summit_correlation = 2"};
   claim.criterion = "above 1";
   decide(claim, slopeRatio(rough, 0, 1), above(1));
-  claim.note =
-      fmt::format("With surface.summit_correlation = {:g} it is {:.3f}.",
-                  study.scene().surface.summitCorrelation, slopeRatio(study, 0, last).value);
+  claim.note = message("With surface.summit_correlation = {:g} it is {:.3f}.",
+                       study.scene().surface.summitCorrelation, slopeRatio(study, 0, last).value);
   return claim;
 }
 
@@ -185,13 +185,14 @@ Claim oneSidedClaim(const Study& study, FigureWork& work) {
   claim.expected = 1;
   claim.criterion = "between 0.1 and 10";
   decideByAll(claim, {velocities.data(), kPartial}, {0.1, 10});
-  std::string each;
+  std::vector<Message> each;
   for (std::size_t j = 0; j < kForces.size(); ++j)
-    each += fmt::format("{}F_N / G h L = {:g}: {:.2g}", each.empty() ? "" : ", ", kForces[j],
-                        velocities[j].value);
-  claim.note = each +
-               ". In complete contact it grows as the force. The detachment condition of the paper "
-               "lacks a factor G: G (d - z) + eta v z' = 0.";
+    each.push_back(message("F_N / G h L = {:g}: {:.2g}", kForces[j], velocities[j].value));
+  claim.note = message(
+      "{}. In complete contact it grows as the force. The detachment condition of the paper lacks "
+      "a "
+      "factor G: G (d - z) + eta v z' = 0.",
+      listed(each));
   return claim;
 }
 
@@ -253,9 +254,9 @@ Claim ratioClaim(const Study& study, FigureWork& work) {
   for (std::size_t j = 0; j < study.forces(); j += 6) forces.push_back(study.normalForce(j));
   std::vector<double> larger = forces;
   for (double& force : larger) force *= 3;
-  Scene plain = study.scene();
-  plain.ensemble.realizations = scene.ensemble.realizations;
-  const Study one = work.study(plain, forces, velocities, 1);
+  Scene asGiven = study.scene();
+  asGiven.ensemble.realizations = scene.ensemble.realizations;
+  const Study one = work.study(asGiven, forces, velocities, 1);
   const Study three = work.study(scene, larger, velocities, 1);
   double worst = 0;
   for (std::size_t j = 0; j < forces.size(); ++j)
@@ -265,7 +266,7 @@ Claim ratioClaim(const Study& study, FigureWork& work) {
               "The coefficient of friction depends on force and shear modulus only over F_N / G",
               "largest change of mu where both are tripled"};
   claim.expected = 0;
-  claim.criterion = "below 1e-9";
+  claim.criterion = message("below {}", plain(1e-9));
   decideExactly(claim, worst, below(1e-9));
   return claim;
 }

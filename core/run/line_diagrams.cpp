@@ -74,7 +74,7 @@ Spectrum wanted(const Scene& scene, const LineSource& source) {
   return gathered(modes);
 }
 
-DiagramSeries seriesOf(const Spectrum& spectrum, std::string name) {
+DiagramSeries seriesOf(const Spectrum& spectrum, Message name) {
   DiagramSeries series;
   series.name = std::move(name);
   for (std::size_t i = 0; i < spectrum.waveNumber.size(); ++i)
@@ -83,7 +83,7 @@ DiagramSeries seriesOf(const Spectrum& spectrum, std::string name) {
 }
 
 /// With upright sides.
-DiagramSeries stepsOf(const Histogram& histogram, std::string name, int colour) {
+DiagramSeries stepsOf(const Histogram& histogram, Message name, int colour) {
   DiagramSeries series;
   series.name = std::move(name);
   series.colour = colour;
@@ -225,14 +225,14 @@ DiagramSheet spectrumSheet(const Scene& scene) {
   line.colour = 0;
   if (scene.surface.kind == SurfaceKind::SelfAffine) {
     DiagramSeries asked = seriesOf(wanted(scene, LineSource(scene, 1)),
-                                   fmt::format("wanted, H = {:.3g}", scene.surface.hurst));
+                                   message("wanted, H = {:.3g}", scene.surface.hurst));
     asked.isTheory = true;
     diagram.series.push_back(std::move(asked));
   }
   diagram.series.push_back(std::move(line));
   if (reading.hasFit) {
     DiagramSeries fitted;
-    fitted.name = fmt::format("fitted, H = {:.3f}", reading.hurst());
+    fitted.name = message("fitted, H = {:.3f}", reading.hurst());
     fitted.stroke = SeriesStroke::Dashed;
     fitted.colour = 1;
     for (const double q : reading.waveNumber)
@@ -298,8 +298,8 @@ DiagramSheet statisticsSheet(const Frame& frame) {
   const SlopeStatistics slopes = slopeStatistics(frame);
   sheet.diagrams = {pressureDiagram(frame), slopeDiagram(slopes)};
   sheet.note = slopes.contact.share.empty()
-                   ? "No element is in contact."
-                   : fmt::format(
+                   ? Message("No element is in contact.")
+                   : message(
                          "{:.0f} % of the contact is on slopes that climb (100 %: one-sided, "
                          "50 %: both sides alike); rms slope in contact {:.2f} of the line's.",
                          100 * slopes.climbing, slopes.rmsContact);

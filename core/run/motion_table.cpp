@@ -8,17 +8,17 @@
 #include <cmath>
 #include <mutex>
 
-#include "core/friction/curve_file.h"
-#include "core/chart/curve_words.h"
+#include "core/base/input_error.h"
 #include "core/base/jobs.h"
+#include "core/base/printed_number.h"
+#include "core/chart/curve_words.h"
+#include "core/friction/curve_file.h"
 #include "core/friction/study.h"
 #include "core/run/rigid_line.h"
 #include "core/run/transient.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/columns.h"
 #include "core/scene/effects.h"
-#include "core/base/input_error.h"
-#include "core/base/printed_number.h"
 #include "core/scene/provenance.h"
 
 namespace asperity {
@@ -185,10 +185,10 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
   if (const double rows = lines * steps / static_cast<double>(table.every); rows > kMostRows)
     throw InputError(
         "", "--every",
-        fmt::format("{} time steps would give {} rows, more than {}; each {}th step "
-                    "gives fewer",
-                    printedNumber(steps), printedNumber(rows), printedNumber(kMostRows),
-                    printedNumber(std::ceil(lines * steps / kMostRows))));
+        message("{} time steps would give {} rows, more than {}; each {}th step gives fewer",
+                PrintedNumber{printedNumber(steps)}, PrintedNumber{printedNumber(rows)},
+                PrintedNumber{printedNumber(kMostRows)},
+                PrintedNumber{printedNumber(std::ceil(lines * steps / kMostRows))}));
   table.spacing = first->line->spacing;
   table.length = first->line->length;
   table.hasInterface = hasLocalFriction(scene);
@@ -259,10 +259,12 @@ DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {
   sheet.diagrams.push_back(contactStrip(scene, table.mean));
   sheet.title = scene.title;
   sheet.subtitle = parametersInWords(scene);
-  if (table.lines.size() > 1) sheet.note = fmt::format("mean of {} lines", table.lines.size());
+  std::vector<Message> notes;
+  if (table.lines.size() > 1) notes.push_back(message("mean of {} lines", table.lines.size()));
   if (std::isfinite(table.muError))
-    sheet.note += fmt::format("{}band: estimated error of elements and time steps, {} in \u03BC",
-                              sheet.note.empty() ? "" : "; ", printedNumber(table.muError, 2));
+    notes.push_back(message("band: estimated error of elements and time steps, {} in \u03BC",
+                            PrintedNumber{printedNumber(table.muError, 2)}));
+  sheet.note = listed(notes);
   return sheet;
 }
 

@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "core/accuracy/target_curve.h"
+#include "core/base/input_error.h"
 #include "core/friction/ensemble.h"
 #include "core/run/simulation.h"
-#include "core/base/input_error.h"
 
 namespace asperity {
 namespace {
@@ -58,7 +58,7 @@ struct Runner::Body {
       } catch (const InputError& error) {
         say(orders.scene ? orders.scene->number : 0, error.key(), error.message());
       } catch (const std::exception& error) {
-        say(orders.scene ? orders.scene->number : 0, "", error.what());
+        say(orders.scene ? orders.scene->number : 0, "", messageOf(error));
       }
     }
   }
@@ -149,7 +149,7 @@ struct Runner::Body {
     } catch (const InputError& error) {
       say(work.scene.number, error.key(), error.message());
     } catch (const std::exception& error) {
-      say(work.scene.number, "", error.what());
+      say(work.scene.number, "", messageOf(error));
     }
   }
 
@@ -170,7 +170,7 @@ struct Runner::Body {
     return present.number;
   }
 
-  void say(std::uint64_t number, const std::string& key, const std::string& text) {
+  void say(std::uint64_t number, const std::string& key, const Message& text) {
     const std::lock_guard guard(lock);
     messages.push_back({number, key, text});
   }

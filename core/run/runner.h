@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/run/curve_orders.h"
 #include "core/run/frame.h"
 #include "core/scene/scene.h"
@@ -21,8 +22,8 @@ namespace asperity {
 
 struct RunnerMessage {
   std::uint64_t sceneNumber = 0;
-  std::string key;   // the parameter it is about, may be empty
-  std::string text;  // one sentence
+  std::string key;  // the parameter it is about, may be empty
+  Message text;     // one sentence
 };
 
 struct RunnerOptions {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"
+#include "core/base/range_text.h"
 #include "core/base/suggestions.h"
 #include "core/scene/parameters.h"
-#include "core/base/range_text.h"
 
 namespace asperity {
 namespace {
@@ -19,18 +19,17 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<ArmMember, 2> kMembers{
     {{"modulus", &Arm::modulus, 1e15, "Pa"}, {"relaxation_time", &Arm::relaxationTime, 1e12, "s"}}};
 
-std::string allowed(const ArmMember& member) {
+Message allowed(const ArmMember& member) {
   return rangeText(0, member.most, member.unit);
 }
 
 Json parsed(std::string_view json, const std::string& key) {
   Json list = Json::parse(json, nullptr, false);
   if (list.is_discarded())
-    throw InputError("", key, "is not a list in JSON; allowed is " + allowedArms());
-  if (!list.is_array()) throw InputError("", key, "needs " + allowedArms());
+    throw InputError("", key, message("is not a list in JSON; allowed is {}", allowedArms()));
+  if (!list.is_array()) throw InputError("", key, message("needs {}", allowedArms()));
   if (list.size() > kMostArms)
-    throw InputError("", key,
-                     fmt::format("has {} arms; allowed is {}", list.size(), allowedArms()));
+    throw InputError("", key, message("has {} arms; allowed is {}", list.size(), allowedArms()));
   return list;
 }
 
@@ -48,11 +47,10 @@ Arm armFrom(const Json& json, const std::string& key) {
     if (!json.contains(member.name)) throw InputError("", path, "is missing");
     const Json& value = json[member.name];
     if (!value.is_number())
-      throw InputError("", path, "is not a number; allowed is " + allowed(member));
+      throw InputError("", path, message("is not a number; allowed is {}", allowed(member)));
     const double number = value.get<double>();
     if (!(number >= 0 && number <= member.most))
-      throw InputError("", path,
-                       fmt::format("{} is outside {}", plainNumber(number), allowed(member)));
+      throw InputError("", path, message("{} is outside {}", plain(number), allowed(member)));
     arm.*member.value = number;
   }
   return arm;
@@ -82,9 +80,9 @@ std::string textOf(const std::vector<Arm>& arms) {
   return list.dump();
 }
 
-std::string allowedArms() {
-  return fmt::format("a list of 0 to {} {{modulus, relaxation_time}}, {} and {}", kMostArms,
-                     allowed(kMembers[0]), allowed(kMembers[1]));
+Message allowedArms() {
+  return message("a list of 0 to {} {{modulus, relaxation_time}}, {} and {}", kMostArms,
+                 allowed(kMembers[0]), allowed(kMembers[1]));
 }
 
 }  // namespace asperity

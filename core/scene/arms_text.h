@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -29,6 +30,6 @@ std::vector<Arm> armsFrom(std::string_view json, const std::string& key);
 std::string textOf(const std::vector<Arm>& arms);
 
 /// What a list may hold, in words.
-std::string allowedArms();
+Message allowedArms();
 
 }  // namespace asperity

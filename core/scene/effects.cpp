@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/material/element_law.h"
 #include "core/base/input_error.h"
+#include "core/material/element_law.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {
@@ -20,12 +20,11 @@ void checkEffects(const Scene& scene) {
         "stands beside interface.friction_coefficient; only one of them may be above 0");
 }
 
-void needSteadySliding(const Scene& scene, const std::string& what) {
+void needSteadySliding(const Scene& scene, const Message& what) {
   if (scene.sliding.kind != SlidingKind::Steady) {
     const ParameterValue kind = valueOf(*findParameter("sliding.kind"), scene);
-    throw InputError(
-        "", "sliding.kind",
-        fmt::format("{} needs steady sliding, not {}", what, std::get<std::string>(kind)));
+    throw InputError("", "sliding.kind",
+                     message("{} needs steady sliding, not {}", what, std::get<std::string>(kind)));
   }
   needEquilibrium(scene);
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/base/message.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -23,6 +24,6 @@ void needEquilibrium(const Scene& scene);
 
 /// Throws InputError (sliding.kind) in one sentence where the motion is not steady or the
 /// elastomer would sink for ever; `what` needs steady sliding, e.g. "asperity curve".
-void needSteadySliding(const Scene& scene, const std::string& what);
+void needSteadySliding(const Scene& scene, const Message& what);
 
 }  // namespace asperity

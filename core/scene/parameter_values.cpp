@@ -5,11 +5,11 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/scene/arms_text.h"
 #include "core/base/input_error.h"
-#include "core/base/suggestions.h"
-#include "core/scene/parameters.h"
 #include "core/base/range_text.h"
+#include "core/base/suggestions.h"
+#include "core/scene/arms_text.h"
+#include "core/scene/parameters.h"
 
 namespace asperity {
 namespace {
@@ -40,29 +40,29 @@ Scene& readable(const Scene& scene) {
   return const_cast<Scene&>(scene);
 }
 
-[[noreturn]] void refuse(const Parameter& parameter, std::string message) {
+[[noreturn]] void refuse(const Parameter& parameter, Message message) {
   throw InputError("", std::string(parameter.key), std::move(message));
 }
 
 double numberFrom(const Parameter& parameter, const ParameterValue& value) {
-  const double number = std::visit(
-      Overloaded{[](double real) { return real; },
-                 [](std::int64_t integer) { return static_cast<double>(integer); },
-                 [&](const std::string& text) -> double {
-                   refuse(parameter, fmt::format("'{}' is not a number; allowed is {}",
-                                                 shortened(text), allowedText(parameter)));
-                 }},
-      value);
+  const double number =
+      std::visit(Overloaded{[](double real) { return real; },
+                            [](std::int64_t integer) { return static_cast<double>(integer); },
+                            [&](const std::string& text) -> double {
+                              refuse(parameter, message("'{}' is not a number; allowed is {}",
+                                                        shortened(text), allowedText(parameter)));
+                            }},
+                 value);
   if (!std::isfinite(number))
-    refuse(parameter, fmt::format("{} is not a finite number; allowed is {}", plainNumber(number),
-                                  allowedText(parameter)));
+    refuse(parameter, message("{} is not a finite number; allowed is {}", plain(number),
+                              allowedText(parameter)));
   return number;
 }
 
 void checkRange(const Parameter& parameter, const Scene& scene, double number, double minimum,
                 double maximum) {
   if ((number < minimum || number > maximum) && !isLeftToProfile(parameter, scene, number))
-    refuse(parameter, fmt::format("{} is outside {}", plainNumber(number), allowedText(parameter)));
+    refuse(parameter, message("{} is outside {}", plain(number), allowedText(parameter)));
 }
 
 void setReal(const Parameter& parameter, const RealField& field, Scene& scene,
@@ -76,8 +76,8 @@ void setInteger(const Parameter& parameter, const IntegerField& field, Scene& sc
                 const ParameterValue& value) {
   const double number = numberFrom(parameter, value);
   if (number != std::floor(number))
-    refuse(parameter, fmt::format("{} is not a whole number; allowed is {}", plainNumber(number),
-                                  allowedText(parameter)));
+    refuse(parameter, message("{} is not a whole number; allowed is {}", plain(number),
+                              allowedText(parameter)));
   checkRange(parameter, scene, number, static_cast<double>(field.minimum),
              static_cast<double>(field.maximum));
   field.member(scene) = static_cast<std::int64_t>(number);
@@ -89,9 +89,9 @@ void setChoice(const Parameter& parameter, const ChoiceField& field, Scene& scen
   const auto found =
       word ? std::find(field.choices.begin(), field.choices.end(), *word) : field.choices.end();
   if (found == field.choices.end()) {
-    const std::string given =
-        word ? fmt::format("'{}'", shortened(*word)) : std::string("a number");
-    refuse(parameter, fmt::format("{} is not {}", given, allowedText(parameter)));
+    const Message allowed = allowedText(parameter);
+    refuse(parameter, word ? message("'{}' is not {}", shortened(*word), allowed)
+                           : message("a number is not {}", allowed));
   }
   field.write(scene, static_cast<int>(found - field.choices.begin()));
 }
@@ -106,7 +106,7 @@ void setText(const Parameter& parameter, const TextField& field, Scene& scene,
 void setArms(const Parameter& parameter, const ArmsField& field, Scene& scene,
              const ParameterValue& value) {
   const auto* text = std::get_if<std::string>(&value);
-  if (!text) refuse(parameter, "a number is not " + allowedText(parameter));
+  if (!text) refuse(parameter, message("a number is not {}", allowedText(parameter)));
   field.member(scene) = armsFrom(*text, std::string(parameter.key));
 }
 
@@ -162,8 +162,8 @@ void setFromText(const Parameter& parameter, Scene& scene, std::string_view text
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc::result_out_of_range)
-    refuse(parameter, fmt::format("{} is beyond what a number can hold; allowed is {}",
-                                  shortened(text), allowedText(parameter)));
+    refuse(parameter, message("{} is beyond what a number can hold; allowed is {}", shortened(text),
+                              allowedText(parameter)));
   if (error != std::errc{} || end != text.data() + text.size())
     return setValue(parameter, scene, std::string(text));
   setValue(parameter, scene, number);
@@ -177,18 +177,19 @@ std::optional<AllowedRange> allowedRange(const Parameter& parameter) {
   return {};
 }
 
-std::string allowedText(const Parameter& parameter) {
+Message allowedText(const Parameter& parameter) {
   return std::visit(Overloaded{[&](const RealField& field) {
                                  return rangeText(field.minimum, field.maximum, parameter.unit);
                                },
                                [](const IntegerField& field) {
-                                 return fmt::format("{} to {}", field.minimum, field.maximum);
+                                 return message("{} to {}", field.minimum, field.maximum);
                                },
                                [](const ChoiceField& field) {
-                                 return (field.choices.size() > 1 ? "one of " : "") +
-                                        joined(field.choices);
+                                 const std::string words = joined(field.choices);
+                                 return field.choices.size() > 1 ? message("one of {}", words)
+                                                                 : Message::name(words);
                                },
-                               [](const TextField&) { return std::string("text"); },
+                               [](const TextField&) { return Message("text"); },
                                [](const ArmsField&) { return allowedArms(); }},
                     parameter.field);
 }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <variant>
 
+#include "core/base/message.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -107,7 +108,7 @@ struct AllowedRange {
 std::optional<AllowedRange> allowedRange(const Parameter& parameter);
 
 /// "0 to 1", "1e-6 to 1e15 Pa", "one of nodal, linear, cubic", "text".
-std::string allowedText(const Parameter& parameter);
+Message allowedText(const Parameter& parameter);
 
 /// Whether this number of the parameter stands for "as the profile's file says": a 0 of its length
 /// or its elements.

@@ -4,8 +4,8 @@
 
 #include <atomic>
 
-#include "core/scene/effects.h"
 #include "core/material/temperature_shift.h"
+#include "core/scene/effects.h"
 
 namespace asperity {
 namespace {
@@ -46,7 +46,7 @@ bool hasSteadyState(const Scene& scene, Purpose purpose) {
          (scene.sliding.kind != SlidingKind::Start && scene.sliding.velocity > 0);
 }
 
-std::string whyLine(const Scene& scene, bool) {
+Message whyLine(const Scene& scene, bool) {
   switch (scene.surface.kind) {
     case SurfaceKind::SelfAffine:
       return "waves of a self-affine spectrum with random phases are summed";
@@ -57,56 +57,58 @@ std::string whyLine(const Scene& scene, bool) {
   }
 }
 
-std::string whyRollOff(const Scene& scene, bool runs) {
+Message whyRollOff(const Scene& scene, bool runs) {
   if (runs)
-    return fmt::format("waves longer than {} m are all equally strong",
-                       scene.surface.rollOffWavelength);
+    return message("waves longer than {} m are all equally strong",
+                   scene.surface.rollOffWavelength);
   if (!isRandom(scene)) return "the line has no spectrum of its own";
   return scene.surface.rollOffWavelength > 0 ? "no wave of the line is longer than the roll-off"
                                              : "the spectrum is self-affine up to the whole length";
 }
 
-std::string whySummits(const Scene& scene, bool runs) {
+Message whySummits(const Scene& scene, bool runs) {
+  const double kappa = scene.surface.summitCorrelation;
   if (runs)
-    return fmt::format("short waves are stronger {}, kappa = {}",
-                       scene.surface.summitCorrelation > 0 ? "on the summits" : "in the valleys",
-                       scene.surface.summitCorrelation);
+    return kappa > 0 ? message("short waves are stronger on the summits, kappa = {}", kappa)
+                     : message("short waves are stronger in the valleys, kappa = {}", kappa);
   return isRandom(scene) ? "phases alone are random: summits are as rough as valleys"
                          : "the line is not random";
 }
 
-std::string whyShift(const Scene& scene, bool runs) {
+Message whyShift(const Scene& scene, bool runs) {
   const Elastomer& elastomer = scene.elastomer;
   if (runs)
-    return fmt::format("at {} K all relaxation times are {:.4g} times as long",
-                       elastomer.temperature, shiftFactor(elastomer.shift, elastomer.temperature));
+    return message("at {} K all relaxation times are {:.4g} times as long", elastomer.temperature,
+                   shiftFactor(elastomer.shift, elastomer.temperature));
   return lawOf(elastomer).kind() == ElementKind::Elastic
              ? "nothing relaxes"
              : "the elastomer is at its reference temperature";
 }
 
-std::string whyFreeSurface(const Scene& scene, bool runs) {
+Message whyFreeSurface(const Scene& scene, bool runs) {
   if (!runs) return "the elastomer is elastic and has no memory";
   return lawOf(scene.elastomer).kind() == ElementKind::Kelvin
              ? "a free surface comes back with one relaxation time"
              : "a free surface comes back with several relaxation times";
 }
 
-std::string whyArms(const Scene& scene, bool runs) {
+Message whyArms(const Scene& scene, bool runs) {
   const std::size_t arms = lawOf(scene.elastomer).arms.size();
-  if (runs) return fmt::format("{} internal variable{} an element", arms, arms == 1 ? "" : "s");
+  if (runs)
+    return arms == 1 ? Message("1 internal variable an element")
+                     : message("{} internal variables an element", arms);
   return scene.elastomer.rheology == Rheology::StandardSolid ||
                  scene.elastomer.rheology == Rheology::Prony
              ? "no arm has strength and time"
              : "the elastomer has none";
 }
 
-std::string whyStart(const Scene&, bool runs) {
+Message whyStart(const Scene&, bool runs) {
   return runs ? "the line is pressed in at v = 0 and everything has relaxed"
               : "the motion does not begin from rest";
 }
 
-std::string whySteadyPass(const Scene& scene, bool runs) {
+Message whySteadyPass(const Scene& scene, bool runs) {
   if (!runs) return "the motion begins at v = 0, where nothing slides";
   if (scene.sliding.kind == SlidingKind::Steady)
     return "steady sliding is stationary in the line's frame";
@@ -115,55 +117,55 @@ std::string whySteadyPass(const Scene& scene, bool runs) {
              : "the steady state at the first velocity is where the motion begins";
 }
 
-std::string whySearch(const Scene& scene, bool runs) {
+Message whySearch(const Scene& scene, bool runs) {
   if (!runs) return "nothing slides steadily";
   return scene.accuracy.scheme == Scheme::Nodal
              ? "whether an element touches is asked at each node"
              : "edges of contact are found inside the segments wherever contact is not complete";
 }
 
-std::string whyClosure(const Scene& scene, bool runs) {
+Message whyClosure(const Scene& scene, bool runs) {
   if (runs) return "arms must be after a period as they were before";
   return lawOf(scene.elastomer).arms.empty()
              ? "the lowest point is always in contact: the period closes in one pass"
              : "there is no steady state to close";
 }
 
-std::string whyBalance(const Scene& scene, bool runs) {
-  return runs ? fmt::format("the indentation that carries {} N is sought", scene.load.normalForce)
-              : "the indentation is given";
+Message whyBalance(const Scene& scene, bool runs) {
+  return runs ? message("the indentation that carries {} N is sought", scene.load.normalForce)
+              : Message("the indentation is given");
 }
 
-std::string whyMarch(const Scene& scene, bool runs) {
+Message whyMarch(const Scene& scene, bool runs) {
   if (!runs) return "steady sliding is stationary in the line's frame";
   return scene.sliding.kind == SlidingKind::Steady ? "the window lets the line pass by"
                                                    : "the velocity changes with time";
 }
 
-std::string whyInterface(const Scene& scene, bool runs) {
+Message whyInterface(const Scene& scene, bool runs) {
   if (!runs) return "local friction has no strength";
   return scene.interface.frictionCoefficient > 0
-             ? fmt::format("a local coefficient of {} is reported apart",
-                           scene.interface.frictionCoefficient)
-             : fmt::format("{} N/m in contact are reported apart", scene.interface.shearStress);
+             ? message("a local coefficient of {} is reported apart",
+                       scene.interface.frictionCoefficient)
+             : message("{} N/m in contact are reported apart", scene.interface.shearStress);
 }
 
-std::string whySweep(const Scene& scene, bool runs) {
-  return runs ? fmt::format("{} velocities, side by side where the kernel can", scene.sweep.points)
-              : "only one velocity is asked for";
+Message whySweep(const Scene& scene, bool runs) {
+  return runs ? message("{} velocities, side by side where the kernel can", scene.sweep.points)
+              : Message("only one velocity is asked for");
 }
 
-std::string whyAveraging(const Scene& scene, bool runs) {
+Message whyAveraging(const Scene& scene, bool runs) {
   if (runs && choosesAccuracy(scene)) return "as many random lines as the target accuracy needs";
-  if (runs) return fmt::format("{} random lines", scene.ensemble.realizations);
+  if (runs) return message("{} random lines", scene.ensemble.realizations);
   return isRandom(scene) ? "one line is enough" : "the line is not random";
 }
 
-std::string whyShape(const Scene&, bool runs) {
+Message whyShape(const Scene&, bool runs) {
   return runs ? "it is drawn, or marched on from" : "nothing is drawn";
 }
 
-using Why = std::string (*)(const Scene&, bool runs);
+using Why = Message (*)(const Scene&, bool runs);
 constexpr std::array<Why, kStages> kReasons{whyLine,        whyRollOff, whySummits,   whyShift,
                                             whyFreeSurface, whyArms,    whyStart,     whySteadyPass,
                                             whySearch,      whyClosure, whyBalance,   whyMarch,
@@ -222,8 +224,9 @@ std::vector<PlanStage> planOf(const Scene& scene, Purpose purpose) {
     const bool runs = callsFor(scene, purpose, stage);
     const bool about = i <= static_cast<std::size_t>(Stage::SummitCorrelation);
     stages.push_back({stage, std::string(kNames[i]), runs,
-                      runs || about || hasElastomer(purpose) ? kReasons[i](scene, runs)
-                                                             : "only the line is asked for"});
+                      runs || about || hasElastomer(purpose)
+                          ? kReasons[i](scene, runs)
+                          : Message("only the line is asked for")});
   }
   return stages;
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/material/element_law.h"
 #include "core/scene/scene.h"
 
@@ -45,7 +46,7 @@ struct PlanStage {
   Stage stage;
   std::string name;  // "time march"
   bool runs;
-  std::string reason;  // one sentence without a full stop: why it runs, or why it does not
+  Message reason;  // one sentence without a full stop: why it runs, or why it does not
 };
 
 /// All stages in order. Throws InputError where effects exclude each other (checkEffects).

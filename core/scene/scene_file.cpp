@@ -7,10 +7,10 @@
 #include <set>
 
 #include "core/base/atomic_file.h"
-#include "core/scene/effects.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/suggestions.h"
+#include "core/scene/effects.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {
@@ -35,9 +35,8 @@ const Parameter& rowOf(const std::string& key) {
   if (const Parameter* row = findParameter(key)) return *row;
   const std::string_view nearest = nearestKey(key);
   throw InputError("", shortened(key),
-                   nearest.empty()
-                       ? "unknown key; 'asperity help check' lists all"
-                       : fmt::format("unknown key; the nearest known one is {}", nearest));
+                   nearest.empty() ? Message("unknown key; 'asperity help check' lists all")
+                                   : message("unknown key; the nearest known one is {}", nearest));
 }
 
 ParameterValue valueFrom(const std::string& key, const Json& json) {
@@ -48,21 +47,20 @@ ParameterValue valueFrom(const std::string& key, const Json& json) {
   if (json.is_number()) return json.get<double>();
   if (json.is_string()) return json.get<std::string>();
   if (json.is_array() && std::holds_alternative<ArmsField>(row.field)) return json.dump();
+  const Message given = json.is_object()  ? Message("an object")
+                        : json.is_array() ? Message("a list")
+                                          : Message::name(json.dump());
   throw InputError("", key,
-                   fmt::format("{} is not allowed here; allowed is {}",
-                               json.is_object()  ? "an object"
-                               : json.is_array() ? "a list"
-                                                 : json.dump(),
-                               allowedText(row)));
+                   message("{} is not allowed here; allowed is {}", given, allowedText(row)));
 }
 
 void checkSchema(const Json& schema) {
   if (!schema.is_string() || schema.get<std::string>() != kSchema)
     throw InputError("", "schema",
-                     fmt::format("{} is not {}",
-                                 schema.is_string() ? shortened(schema.get<std::string>())
-                                                    : std::string(schema.type_name()),
-                                 kSchema));
+                     message("{} is not {}",
+                             schema.is_string() ? shortened(schema.get<std::string>())
+                                                : std::string(schema.type_name()),
+                             kSchema));
 }
 
 bool isSection(const std::string& name) {
@@ -104,7 +102,7 @@ std::vector<Assignment> flatten(const Json& root) {
 Assignment parseAssignment(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw InputError("--set", "", fmt::format("'{}' is not KEY=VALUE", shortened(text)));
+    throw InputError("--set", "", message("'{}' is not KEY=VALUE", shortened(text)));
   Assignment assignment{text.substr(0, equals), text.substr(equals + 1), false, false};
   rowOf(assignment.key);
   return assignment;
@@ -125,8 +123,8 @@ void apply(const Assignment& assignment, Scene& scene) {
 void refuseOtherKind(const Parameter& row, const Scene& scene) {
   const Parameter& choice = *findParameter(row.applies.choiceKey);
   throw InputError("", std::string(row.key),
-                   fmt::format("has no meaning for {} {}; it belongs to {}", choice.key,
-                               std::get<std::string>(valueOf(choice, scene)), row.applies.words));
+                   message("has no meaning for {} {}; it belongs to {}", choice.key,
+                           std::get<std::string>(valueOf(choice, scene)), row.applies.words));
 }
 
 /// One point per element is what the paper's elements have anyway, chosen or stated.
@@ -201,8 +199,8 @@ void checkWhole(const Scene& scene) {
   checkEffects(scene);
   if (scene.sweep.velocityFrom > scene.sweep.velocityTo)
     throw InputError("", "sweep.velocity_from",
-                     fmt::format("{} is above sweep.velocity_to, {}", scene.sweep.velocityFrom,
-                                 scene.sweep.velocityTo));
+                     message("{} is above sweep.velocity_to, {}", scene.sweep.velocityFrom,
+                             scene.sweep.velocityTo));
 }
 
 Json jsonOf(const Parameter& row, const ParameterValue& value) {

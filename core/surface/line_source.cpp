@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/base/range_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
-#include "core/base/range_text.h"
 #include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
 #include "core/surface/shapes.h"
@@ -28,13 +28,13 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
   if (surface_.kind == SurfaceKind::Profile) readProfileOf(scene);
   if (elements_ * oversampling > kMostNodes)
     throw InputError("", "surface.elements",
-                     fmt::format("{} times oversampling {} is more than {} points", elements_,
-                                 oversampling, kMostNodes));
+                     message("{} times oversampling {} is more than {} points", elements_,
+                             oversampling, kMostNodes));
   nodes_ = static_cast<std::size_t>(elements_ * oversampling);
   if (surface_.kind == SurfaceKind::Sine && surface_.waves > (elements_ - 1) / 2)
     throw InputError("", "surface.waves",
-                     fmt::format("{} is outside 1 to {}, what {} elements carry", surface_.waves,
-                                 (elements_ - 1) / 2, elements_));
+                     message("{} is outside 1 to {}, what {} elements carry", surface_.waves,
+                             (elements_ - 1) / 2, elements_));
   if (surface_.kind == SurfaceKind::SelfAffine) setAmplitudes(scene);
   if (surface_.kind == SurfaceKind::SelfAffine || surface_.kind == SurfaceKind::Profile)
     transform_.emplace(nodes_);
@@ -67,7 +67,7 @@ void LineSource::readProfileOf(const Scene& scene) {
     try {
       return readProfile(scene.folder / surface_.file);
     } catch (const InputError& error) {
-      throw InputError("", "surface.file", error.what());
+      throw InputError("", "surface.file", messageOf(error));
     }
   }();
   if (length_ == 0) length_ = profile.length;
@@ -77,8 +77,8 @@ void LineSource::readProfileOf(const Scene& scene) {
   const AllowedRange range = *allowedRange(row);
   if (length_ < range.minimum || length_ > range.maximum)
     throw InputError("", "surface.file",
-                     fmt::format("{}: its length {} m is outside {}", surface_.file,
-                                 plainNumber(length_), allowedText(row)));
+                     message("{}: its length {} m is outside {}", surface_.file, plain(length_),
+                             allowedText(row)));
   if (elements_ == 0) elements_ = static_cast<std::int64_t>(profile.height.size());
   profile_ = FourierTransform(profile.height.size()).analyse(profile.height, length_);
   const std::size_t most = modesOf(static_cast<std::size_t>(elements_));

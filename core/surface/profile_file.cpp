@@ -8,6 +8,7 @@
 #include "core/base/file_kind.h"
 #include "core/base/input_error.h"
 #include "core/base/read_number.h"
+#include "core/base/range_text.h"
 #include "core/base/regular_file.h"
 #include "core/surface/profile_header.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::size_t kLargestProfile = std::size_t{1} << 28;  // bytes
 constexpr double kFarthest = 1e6;                              // m, of positions and heights
+constexpr double kUniform = 1e-6;  // relative deviation of a spacing that is accepted
 constexpr std::size_t kMostRows = std::size_t{1} << 24;
 
 std::string_view trimmed(std::string_view text) {
@@ -71,20 +73,20 @@ class Reader {
  public:
   Reader(std::string_view text, const std::string& name) : rest_(text), name_(name) {
     if (const std::string_view kind = foreignKindOf(text); !kind.empty())
-      fail(fmt::format("is {}; a profile is CSV in UTF-8", kind));
+      fail(message("is {}; a profile is CSV in UTF-8", Message(kind)));
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
   }
 
   Profile read() {
     while (!rest_.empty()) takeLine();
     if (height_.size() < 3)
-      fail(fmt::format("has {} rows of numbers; at least 3 are needed", height_.size()));
+      fail(message("has {} rows of numbers; at least 3 are needed", height_.size()));
     return {position_.empty() ? 0 : lengthOfPositions(), std::move(height_)};
   }
 
  private:
   /// Messages name places, not what stands there: a scene may name any file.
-  [[noreturn]] void fail(const std::string& message) const { throw InputError(name_, "", message); }
+  [[noreturn]] void fail(const Message& message) const { throw InputError(name_, "", message); }
 
   void takeLine() {
     ++row_;
@@ -96,7 +98,7 @@ class Reader {
     const std::vector<std::string_view> fields = fieldsOf(line);
     if (height_.empty() && headerColumns_ == 0 && namesColumns(fields)) return takeHeader(fields);
     if (mayBeOneNumber(line, headerColumns_))
-      fail(fmt::format(
+      fail(message(
           "row {}: the comma may divide columns, thousands or decimals; numbers are written with a "
           "point and without thousands separators",
           row_));
@@ -109,18 +111,23 @@ class Reader {
       double number = 0;
       const std::size_t column = numbers.size() + 1;
       if (!readField(field, number))
-        fail(fmt::format("row {}: column {} is not a number", row_, column));
+        fail(message("row {}: column {} is not a number", row_, column));
       if (!std::isfinite(number))
-        fail(fmt::format("row {}: column {} is not a finite number", row_, column));
+        fail(message("row {}: column {} is not a finite number", row_, column));
       if (std::abs(number) > kFarthest)
-        fail(fmt::format("row {}: column {} is beyond {} m", row_, column, kFarthest));
+        fail(message("row {}: column {} is beyond {} m", row_, column, kFarthest));
       numbers.push_back(number);
     }
     if (height_.empty()) columns_ = numbers.size();
     if (numbers.size() != columns_ || columns_ > 2)
-      fail(fmt::format("row {}: has {} columns{}; position and height, or height alone, are needed",
-                       row_, numbers.size(), numbers.size() == kMostFields ? " or more" : ""));
-    if (height_.size() == kMostRows) fail(fmt::format("has more than {} rows", kMostRows));
+      fail(
+          numbers.size() < kMostFields
+              ? message("row {}: has {} columns; position and height, or height alone, are needed",
+                        row_, numbers.size())
+              : message("row {}: has {} columns or more; position and height, or height alone, are "
+                        "needed",
+                        row_, numbers.size()));
+    if (height_.size() == kMostRows) fail(message("has more than {} rows", kMostRows));
     if (columns_ == 2) position_.push_back(numbers.front());
     height_.push_back(numbers.back());
   }
@@ -139,8 +146,8 @@ class Reader {
   void refuseForeignUnits(const std::vector<std::string_view>& names) const {
     for (std::size_t i = 0; i < names.size(); ++i)
       if (const std::string unit = foreignUnitIn(names[i]); !unit.empty())
-        fail(fmt::format("row {}: column {} is in '{}'; positions and heights are in metres", row_,
-                         i + 1, unit));
+        fail(message("row {}: column {} is in '{}'; positions and heights are in metres", row_,
+                     i + 1, unit));
   }
 
   double lengthOfPositions() const {
@@ -149,10 +156,10 @@ class Reader {
     if (!(spacing > 0)) fail("positions must increase");
     for (std::size_t i = 1; i < position_.size(); ++i) {
       const double step = position_[i] - position_[i - 1];
-      if (std::abs(step - spacing) > 1e-6 * spacing + 4e-16 * std::abs(position_[i]))
-        fail(fmt::format(
-            "spacing {} after data row {} differs from {}; positions must be uniform to 1e-6", step,
-            i, spacing));
+      if (std::abs(step - spacing) > kUniform * spacing + 4e-16 * std::abs(position_[i]))
+        fail(
+            message("spacing {} after data row {} differs from {}; positions must be uniform to {}",
+                    step, i, spacing, plain(kUniform)));
     }
     return spacing * rows;
   }

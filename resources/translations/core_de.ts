@@ -1,11 +1,711 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_GB">
-<!-- Texts that core makes: see ui/language/translated.h. %1, %2, ... stand for numbers with their
-     units, for what is in quotes and for keys. What shipped scenes say of themselves stands in the
+<!-- Texts that core makes: see ui/language/translated.h. %1, %2, ... stand for the values of a template: numbers,
+     keys and other texts. What shipped scenes say of themselves stands in the
      second context. Written by hand; lupdate does not know them. -->
 <context>
     <name>core</name>
+    <message>
+        <source>%1 is not %2</source>
+        <translation>%1 ist nicht %2</translation>
+    </message>
+    <message>
+        <source>%1, and it is %2 m</source>
+        <translation>%1, und d ist %2 m</translation>
+    </message>
+    <message>
+        <source>1.5 to 2.5</source>
+        <translation>1,5 bis 2,5</translation>
+    </message>
+    <message>
+        <source>Fig. %1: %2</source>
+        <translation>Abb. %1: %2</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>below %1, on at least one point</source>
+        <translation>unter %1, an mindestens einem Punkt</translation>
+    </message>
+    <message>
+        <source>at most %1, and no negative pressure</source>
+        <translation>höchstens %1 und kein negativer Druck</translation>
+    </message>
+    <message>
+        <source>spacing %1 after data row %2 differs from %3; positions must be uniform to %4</source>
+        <translation>der Abstand %1 nach Datenzeile %2 unterscheidet sich von %3; die Orte müssen auf %4 gleichabständig sein</translation>
+    </message>
+    <message>
+        <source>is a link to &apos;%1&apos;, which is not there</source>
+        <translation>ist ein Verweis auf &apos;%1&apos;, was nicht da ist</translation>
+    </message>
+    <message>
+        <source>is not valid JSON: %1</source>
+        <translation>ist kein gültiges JSON: %1</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>folder %1 does not exist</source>
+        <translation>den Ordner %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>folder %1 cannot be written to</source>
+        <translation>in den Ordner %1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>die Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>das Dateisystem ist nur lesbar</translation>
+    </message>
+    <message>
+        <source>p. 2, Eqs. (1) and (2)</source>
+        <translation>S. 2, Gln. (1) und (2)</translation>
+    </message>
+    <message>
+        <source>p. 2, Fig. 2</source>
+        <translation>S. 2, Abb. 2</translation>
+    </message>
+    <message>
+        <source>p. 2, Fig. 3</source>
+        <translation>S. 2, Abb. 3</translation>
+    </message>
+    <message>
+        <source>p. 2, Fig. 4</source>
+        <translation>S. 2, Abb. 4</translation>
+    </message>
+    <message>
+        <source>p. 3, Eq. (11), Fig. 3</source>
+        <translation>S. 3, Gl. (11), Abb. 3</translation>
+    </message>
+    <message>
+        <source>p. 3, Eq. (7), Fig. 5</source>
+        <translation>S. 3, Gl. (7), Abb. 5</translation>
+    </message>
+    <message>
+        <source>p. 3, Eq. (9), Fig. 6</source>
+        <translation>S. 3, Gl. (9), Abb. 6</translation>
+    </message>
+    <message>
+        <source>p. 3, Eqs. (5) and (7)</source>
+        <translation>S. 3, Gln. (5) und (7)</translation>
+    </message>
+    <message>
+        <source>p. 3, Fig. 6</source>
+        <translation>S. 3, Abb. 6</translation>
+    </message>
+    <message>
+        <source>p. 4, Eqs. (16) and (17)</source>
+        <translation>S. 4, Gln. (16) und (17)</translation>
+    </message>
+    <message>
+        <source>p. 4, Fig. 6</source>
+        <translation>S. 4, Abb. 6</translation>
+    </message>
+    <message>
+        <source>p. 3, Eq. (8)</source>
+        <translation>S. 3, Gl. (8)</translation>
+    </message>
+    <message>
+        <source>p. 3, Eq. (9)</source>
+        <translation>S. 3, Gl. (9)</translation>
+    </message>
+    <message>
+        <source>p. 3, Eq. (6)</source>
+        <translation>S. 3, Gl. (6)</translation>
+    </message>
+    <message>
+        <source>p. 3, Eq. (12)</source>
+        <translation>S. 3, Gl. (12)</translation>
+    </message>
+    <message>
+        <source>p. 4, Eq. (15)</source>
+        <translation>S. 4, Gl. (15)</translation>
+    </message>
+    <message>
+        <source>p. 3, Eqs. (13) and (14)</source>
+        <translation>S. 3, Gln. (13) und (14)</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation>ein GIF-Bild</translation>
+    </message>
+    <message>
+        <source>a TIFF picture</source>
+        <translation>ein TIFF-Bild</translation>
+    </message>
+    <message>
+        <source>a RIFF file (as WebP is)</source>
+        <translation>eine RIFF-Datei (wie WebP)</translation>
+    </message>
+    <message>
+        <source>an old Office document</source>
+        <translation>ein altes Office-Dokument</translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <translation>ein gzip-Archiv</translation>
+    </message>
+    <message>
+        <source>an xz archive</source>
+        <translation>ein xz-Archiv</translation>
+    </message>
+    <message>
+        <source>a zstd archive</source>
+        <translation>ein zstd-Archiv</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>eine HDF5-Datei</translation>
+    </message>
+    <message>
+        <source>a WebM film</source>
+        <translation>ein WebM-Film</translation>
+    </message>
+    <message>
+        <source>%1 % of the contact is on slopes that climb (100 %: one-sided, 50 %: both sides alike); rms slope in contact %2 of the line&apos;s.</source>
+        <translation>%1 % des Kontakts liegt auf steigenden Flanken (100 %: einseitig, 50 %: beide Seiten gleich); RMS-Steigung im Kontakt das %2-Fache der Linie.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 lines)</source>
+        <translation>%1 (%2 Linien)</translation>
+    </message>
+    <message>
+        <source>%1 (1 line)</source>
+        <translation>%1 (1 Linie)</translation>
+    </message>
+    <message>
+        <source>%1 K is not above %2 K, reference_temperature - c2, where the shift ends</source>
+        <translation>%1 K liegt nicht über %2 K, Bezugstemperatur - c2, wo die Verschiebung endet</translation>
+    </message>
+    <message>
+        <source>%1 K shifts the times by %2 decades; allowed is %3</source>
+        <translation>%1 K verschiebt die Zeiten um %2 Dekaden; erlaubt sind %3</translation>
+    </message>
+    <message>
+        <source>%1 N/m in contact are reported apart</source>
+        <translation>%1 N/m im Kontakt werden getrennt ausgewiesen</translation>
+    </message>
+    <message>
+        <source>%1 Pa is neither 0 nor at least %2 Pa</source>
+        <translation>%1 Pa ist weder 0 noch mindestens %2 Pa</translation>
+    </message>
+    <message>
+        <source>%1 is above sweep.velocity_to, %2</source>
+        <translation>%1 liegt über sweep.velocity_to, %2</translation>
+    </message>
+    <message>
+        <source>%1 is beyond what a number can hold; allowed is %2</source>
+        <translation>%1 ist größer, als eine Zahl sein kann; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number; allowed is %2</source>
+        <translation>%1 ist keine endliche Zahl; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number; allowed is %2</source>
+        <translation>%1 ist keine ganze Zahl; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is not allowed here; allowed is %2</source>
+        <translation>%1 ist hier nicht erlaubt; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2</source>
+        <translation>%1 liegt außerhalb von %2</translation>
+    </message>
+    <message>
+        <source>%1 is outside 1 to %2, what %3 elements carry</source>
+        <translation>%1 liegt außerhalb von 1 bis %2, was %3 Elemente tragen</translation>
+    </message>
+    <message>
+        <source>%1 lines of %2 elements, 8 velocities in each region</source>
+        <translation>%1 Linien mit %2 Elementen; 8 Geschwindigkeiten je Bereich</translation>
+    </message>
+    <message>
+        <source>%1 minus the curve above</source>
+        <translation>%1 minus die Kurve darüber</translation>
+    </message>
+    <message>
+        <source>%1 needs steady sliding, not %2</source>
+        <translation>%1 braucht stetiges Gleiten, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 points of complete contact. Against the slope of the spectrum the difference is %2: the resolution of the line, which falls with accuracy.oversampling.</source>
+        <translation>%1 Punkte im Vollkontakt. Gegenüber der Steigung des Spektrums ist der Unterschied %2: die Auflösung der Linie; er fällt mit accuracy.oversampling.</translation>
+    </message>
+    <message>
+        <source>%1 time steps would give %2 rows, more than %3; each %4th step gives fewer</source>
+        <translation>%1 Zeitschritte ergäben %2 Zeilen, mehr als %3; jeder %4. Schritt gibt weniger</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1. In complete contact it grows as the force. The detachment condition of the paper lacks a factor G: G (d - z) + eta v z&apos; = 0.</source>
+        <translation>%1. Im vollen Kontakt wächst sie wie die Kraft. Der Ablösebedingung der Arbeit fehlt ein Faktor G: G (d - z) + eta v z&apos; = 0.</translation>
+    </message>
+    <message>
+        <source>%1. It depends on the window: with F_N / G h L up to 1 the largest deviation is %2.</source>
+        <translation>%1. Es hängt vom Fenster ab: Mit F_N / G h L bis 1 ist die größte Abweichung %2.</translation>
+    </message>
+    <message>
+        <source>%1. Region IV belongs to the finite period: an endless line should keep its plateau.</source>
+        <translation>%1. Bereich IV gehört zur endlichen Periode: Eine endlose Linie sollte ihr Plateau behalten.</translation>
+    </message>
+    <message>
+        <source>%1. With the rms slope of the whole line for that in contact. The term of partial contact, with alpha and beta, lowers Eq. (11) by at most %2 % at this force: the figure does not test it.</source>
+        <translation>%1. Mit der RMS-Steigung der ganzen Linie anstelle der im Kontakt. Das Glied des Teilkontakts mit alpha und beta senkt Gl. (11) bei dieser Kraft um höchstens %2 %: Das Bild prüft es nicht.</translation>
+    </message>
+    <message>
+        <source>%1: its length %2 m is outside %3</source>
+        <translation>%1: seine Länge %2 m liegt außerhalb von %3</translation>
+    </message>
+    <message>
+        <source>%1; beyond, %2 of them per spacing are too few for 1 %, and any fixed number has a floor of its own.</source>
+        <translation>%1; darüber sind %2 je Abstand zu wenige für 1 %, und jede feste Zahl hat ihren eigenen Boden.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not %2</source>
+        <translation>&apos;%1&apos; ist nicht %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not KEY=VALUE</source>
+        <translation>&apos;%1&apos; ist nicht SCHLÜSSEL=WERT</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number; allowed is %2</source>
+        <translation>&apos;%1&apos; ist keine Zahl; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>1 internal variable an element</source>
+        <translation>1 innere Variable je Element</translation>
+    </message>
+    <message>
+        <source>1 line</source>
+        <translation>1 Linie</translation>
+    </message>
+    <message>
+        <source>1 line of %1 elements, 8 velocities in each region</source>
+        <translation>1 Linie mit %1 Elementen; 8 Geschwindigkeiten je Bereich</translation>
+    </message>
+    <message>
+        <source>At %1 m/s, smallest at H = %2.</source>
+        <translation>Bei %1 m/s, am kleinsten für H = %2.</translation>
+    </message>
+    <message>
+        <source>At %1 m/s. F_N(d) of separate elements jumps where one enters under viscous pressure; on a resolved line it is continuous and every balance is met to %2.</source>
+        <translation>Bei %1 m/s. F_N(d) getrennter Elemente springt, wo eines unter viskosem Druck eintritt; auf einer aufgelösten Linie ist F_N(d) stetig und jedes Gleichgewicht auf %2 erfüllt.</translation>
+    </message>
+    <message>
+        <source>At %1 m/s. Mind the fall already at this small force.</source>
+        <translation>Bei %1 m/s. Zu beachten ist der Abfall schon bei dieser kleinen Kraft.</translation>
+    </message>
+    <message>
+        <source>C(q) ~ q^(−2H−1) is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal stretches of log q.</source>
+        <translation>C(q) ~ q^(−2H−1) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π durch Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
+    </message>
+    <message>
+        <source>Circles: spread of the means over groups of so many lines. Lines: one over the square root.</source>
+        <translation>Kreise: Streuung der Mittel über Gruppen von so vielen Linien. Linien: eins durch die Wurzel.</translation>
+    </message>
+    <message>
+        <source>Eq. (12) sets beta = 1 without saying so and is low by that factor in region I. beta by H: %1.</source>
+        <translation>Gl. (12) setzt beta = 1, ohne es zu sagen, und ist im Bereich I um diesen Faktor zu klein. β nach H: %1.</translation>
+    </message>
+    <message>
+        <source>Eq. (15)&apos;s exponents must read +2(1 - H). With them, and q_cont = 2 pi / L_cont for the whole contact taken as one piece, it gives the expected value; the real contact is in many pieces, which are shorter.</source>
+        <translation>Die Exponenten in Gl. (15) müssen +2(1 - H) lauten. Mit ihnen und q_cont = 2 pi / L_cont für den ganzen Kontakt als ein Stück ergibt sich der erwartete Wert; der wirkliche Kontakt besteht aus vielen kürzeren Stücken.</translation>
+    </message>
+    <message>
+        <source>Errors against cubic at two high resolutions, extrapolated. The literal march and nodal are other models at the smallest scale: theirs is a difference, not an error. Processor time of one thread, medians of repeated runs, with the share of one velocity of the sweep in making the line.</source>
+        <translation>Fehler gegen das kubische Verfahren bei zwei hohen Auflösungen, extrapoliert. Die wörtlichen Zeitschritte und das nodale Verfahren sind auf der kleinsten Skala andere Modelle: Bei ihnen ist es ein Unterschied, kein Fehler. Prozessorzeit eines Threads, Mediane wiederholter Läufe, mit dem Anteil einer Geschwindigkeit der Kurve an der Herstellung der Linie.</translation>
+    </message>
+    <message>
+        <source>Fine steps of the same N elements are resolved up to %1 m/s</source>
+        <translation>Feine Schritte derselben N Elemente sind bis %1 m/s aufgelöst</translation>
+    </message>
+    <message>
+        <source>Fine steps of the same N elements give n = %1 between %2 and %3 m/s</source>
+        <translation>Feine Schritte derselben N Elemente geben n = %1 zwischen %2 und %3 m/s</translation>
+    </message>
+    <message>
+        <source>Friction itself falls to %1 of its maximum. Over the slope in contact it goes from %2 to %3. On a smooth summit, where the slope in contact is evenly distributed, it is 2/sqrt(3) = %4.</source>
+        <translation>Die Reibung selbst fällt auf %1 ihres Maximums. Bezogen auf die Steigung im Kontakt geht sie von %2 auf %3. Auf einem glatten Gipfel, wo die Steigung im Kontakt gleichverteilt ist, ist sie 2/sqrt(3) = %4.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2. sqrt(2) assumes exponentially distributed slopes; random phases give Gaussian ones, for which Eq. (10) is 1.253 times the slope in contact, and 1.596 where the contact is weighted by the slope. Eq. (10)&apos;s second line lacks a factor sqrt(L_cont).</source>
+        <translation>Von %1 bis %2. sqrt(2) setzt exponentiell verteilte Steigungen voraus; Zufallsphasen ergeben normalverteilte, für die Gl. (10) das 1,253-Fache der Steigung im Kontakt ist und das 1,596-Fache, wo der Kontakt mit der Steigung gewichtet ist. Der zweiten Zeile von Gl. (10) fehlt ein Faktor sqrt(L_cont).</translation>
+    </message>
+    <message>
+        <source>From 90 % of the line to 90 % of the maximum it is %1. Region II cannot both begin on the line of slope 1 and grow by two only within a decade.</source>
+        <translation>Von 90 % der Geraden bis 90 % des Maximums ist er %1. Bereich II kann nicht zugleich auf der Geraden der Steigung 1 beginnen und innerhalb einer Dekade nur um den Faktor zwei wachsen.</translation>
+    </message>
+    <message>
+        <source>Fₙ/GhL = %1: up to %2 % of the maximum, at %3 of the %4 points, the whole line is in contact, and the curves are Eq. (8), which has no fitted number.</source>
+        <translation>Fₙ/GhL = %1: bis %2 % des Maximums, an %3 der %4 Punkte, ist die ganze Linie im Kontakt, und die Kurven sind Gl. (8), die keine angepasste Zahl hat.</translation>
+    </message>
+    <message>
+        <source>In the limit of low velocity. α depends on the range of forces that it is fitted to; β belongs to α = H/(1 + H). Bars: one standard error.</source>
+        <translation>Im Grenzfall kleiner Geschwindigkeit. α hängt vom Bereich der Kräfte ab, an den es angepasst wird; β gehört zu α = H/(1 + H). Balken: ein Standardfehler.</translation>
+    </message>
+    <message>
+        <source>N elements, fine steps</source>
+        <translation>N Elemente, feine Schritte</translation>
+    </message>
+    <message>
+        <source>Points: averages with one standard error. Lines: Eq. (11) with the rms slope of the whole line, α = H/(1 + H) and β as measured (Fig. 5).</source>
+        <translation>Punkte: Mittelwerte mit einem Standardfehler. Linien: Gl. (11) mit der RMS-Steigung der ganzen Linie, α = H/(1 + H) und gemessenem β (Abb. 5).</translation>
+    </message>
+    <message>
+        <source>Regions by 80 % of the line through region I and 95 % of the maximum. In region IV the smallest scale decides: the constant level appears only where the line moves one spacing in each step.</source>
+        <translation>Bereichsgrenzen bei 80 % der Geraden durch Bereich I und 95 % des Maximums. Im Bereich IV entscheidet die kleinste Skala: Das konstante Niveau erscheint nur, wo die Linie in jedem Schritt um einen Abstand weiterrückt.</translation>
+    </message>
+    <message>
+        <source>Shifted with the rms slope in contact at low velocity; f is where region I of Eq. (11) meets the plateau. Region IV is not part of Eq. (12) and does not collapse.</source>
+        <translation>Verschoben mit der RMS-Steigung im Kontakt bei kleiner Geschwindigkeit; f ist, wo Bereich I von Gl. (11) auf das Plateau trifft. Bereich IV gehört nicht zu Gl. (12) und fällt nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>The curve of fine steps ends at %1 m/s, above which %2 steps per spacing are too few for 1 %.</source>
+        <translation>Die Kurve der feinen Schritte endet bei %1 m/s; darüber sind %2 Schritte je Abstand zu wenige für 1 %.</translation>
+    </message>
+    <message>
+        <source>The maximum of each averaged curve μ(v), with one standard error. √2 assumes exponentially distributed slopes; a line of random phases has Gaussian ones.</source>
+        <translation>Das Maximum jeder gemittelten Kurve μ(v), mit einem Standardfehler. √2 setzt exponentiell verteilte Steigungen voraus; eine Linie mit Zufallsphasen hat normalverteilte.</translation>
+    </message>
+    <message>
+        <source>The paper does not say where it reads the borders. From 90 % of the line to 90 % of the maximum it is %1 decades.</source>
+        <translation>Die Arbeit sagt nicht, wo sie die Grenzen abliest. Von 90 % der Geraden bis 90 % des Maximums sind es %1 Dekaden.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s own condition for leaving the contact is f &gt; 0, not u &lt; z - d alone. With the detachment condition d - z + eta v z&apos; = 0 a factor G is missing: G (d - z) + eta v z&apos; = 0.</source>
+        <translation>Die Bedingung der Arbeit selbst für das Verlassen des Kontakts ist f &gt; 0, nicht u &lt; z - d allein. In der Ablösebedingung d - z + eta v z&apos; = 0 fehlt ein Faktor G: G (d - z) + eta v z&apos; = 0.</translation>
+    </message>
+    <message>
+        <source>The third curve from the left is that of Fig. 2. In zone 1 curves shift as Fₙ to the power H/(1 + H), in zone 2 as Fₙ.</source>
+        <translation>Die dritte Kurve von links ist die aus Abb. 2. In Zone 1 verschieben sich die Kurven wie Fₙ hoch H/(1 + H), in Zone 2 wie Fₙ.</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>a ZIP archive (as of a spreadsheet)</source>
+        <translation>ein ZIP-Archiv (etwa einer Tabellenkalkulation)</translation>
+    </message>
+    <message>
+        <source>a binary file</source>
+        <translation>eine Binärdatei</translation>
+    </message>
+    <message>
+        <source>a comparison of curves</source>
+        <translation>ein Vergleich von Kurven</translation>
+    </message>
+    <message>
+        <source>a constant force</source>
+        <translation>einer konstanten Kraft</translation>
+    </message>
+    <message>
+        <source>a kelvin body</source>
+        <translation>einem kelvin-Körper</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a list of 0 to %1 {modulus, relaxation_time}, %2 and %3</source>
+        <translation>eine Liste von 0 bis %1 {modulus, relaxation_time}, %2 und %3</translation>
+    </message>
+    <message>
+        <source>a number is not %1</source>
+        <translation>eine Zahl ist nicht %1</translation>
+    </message>
+    <message>
+        <source>a rough line: more than 0</source>
+        <translation>einer rauen Linie: mehr als 0</translation>
+    </message>
+    <message>
+        <source>a scene is JSON in UTF-8; a measured line is a CSV file, which a scene names as surface.file</source>
+        <translation>eine Szene ist JSON in UTF-8; eine gemessene Linie ist eine CSV-Datei, die eine Szene als surface.file nennt</translation>
+    </message>
+    <message>
+        <source>a self_affine line</source>
+        <translation>einer self_affine-Linie</translation>
+    </message>
+    <message>
+        <source>a viscoelastic body: more than 0</source>
+        <translation>einem viskoelastischen Körper: mehr als 0</translation>
+    </message>
+    <message>
+        <source>above 0.8</source>
+        <translation>über 0,8</translation>
+    </message>
+    <message>
+        <source>above 0.85</source>
+        <translation>über 0,85</translation>
+    </message>
+    <message>
+        <source>above 0.9</source>
+        <translation>über 0,9</translation>
+    </message>
+    <message>
+        <source>accuracy.target_relative_error is not reached within the lines and memory allowed: %1</source>
+        <translation>accuracy.target_relative_error wird mit den erlaubten Linien und dem erlaubten Speicher nicht erreicht: %1</translation>
+    </message>
+    <message>
+        <source>an empty file</source>
+        <translation>eine leere Datei</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>an output needs a name</source>
+        <translation>eine Ausgabe braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>at %1 K all relaxation times are %2 times as long</source>
+        <translation>bei %1 K sind alle Relaxationszeiten %2-mal so lang</translation>
+    </message>
+    <message>
+        <source>at velocity %1 m/s</source>
+        <translation>bei der Geschwindigkeit %1 m/s</translation>
+    </message>
+    <message>
+        <source>below 0.02</source>
+        <translation>unter 0,02</translation>
+    </message>
+    <message>
+        <source>below 0.25</source>
+        <translation>unter 0,25</translation>
+    </message>
+    <message>
+        <source>below 1e-9</source>
+        <translation>unter 1e-9</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>contact is complete above d = %1 m at %2 m/s</source>
+        <translation>bei %2 m/s ist der Kontakt ab d = %1 m vollständig</translation>
+    </message>
+    <message>
+        <source>contact is too short, or moduli are too far apart, for the digits that numbers have, %1</source>
+        <translation>für die Stellen, die Zahlen haben, ist %1 der Kontakt zu kurz, oder die Moduln liegen zu weit auseinander</translation>
+    </message>
+    <message>
+        <source>edges of contact are found inside the segments: %1</source>
+        <translation>Kontaktränder werden innerhalb der Segmente gefunden: %1</translation>
+    </message>
+    <message>
+        <source>figure %1 of the paper is about %2</source>
+        <translation>Abbildung %1 der Arbeit handelt von %2</translation>
+    </message>
+    <message>
+        <source>figure %1 sets it itself</source>
+        <translation>Abbildung %1 setzt es selbst</translation>
+    </message>
+    <message>
+        <source>has %1 arms; allowed is %2</source>
+        <translation>hat %1 Arme; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>has %1 rows of numbers; at least 3 are needed</source>
+        <translation>hat %1 Zeilen mit Zahlen; mindestens 3 sind nötig</translation>
+    </message>
+    <message>
+        <source>is %1; %2</source>
+        <translation>ist %1; %2</translation>
+    </message>
+    <message>
+        <source>is %1; a profile is CSV in UTF-8</source>
+        <translation>ist %1; ein Profil ist CSV in UTF-8</translation>
+    </message>
+    <message>
+        <source>is 0, and so is everything else: the elastomer is empty</source>
+        <translation>ist 0 und alles andere auch: Das Elastomer ist leer</translation>
+    </message>
+    <message>
+        <source>is not a list in JSON; allowed is %1</source>
+        <translation>ist keine Liste in JSON; erlaubt ist %1</translation>
+    </message>
+    <message>
+        <source>is not a number; allowed is %1</source>
+        <translation>ist keine Zahl; erlaubt ist %1</translation>
+    </message>
+    <message>
+        <source>is steady, where nothing changes in time; asperity motion is of start, step, oscillation and reversal</source>
+        <translation>ist stetig, und nichts ändert sich mit der Zeit; asperity motion ist für start, step, oscillation und reversal</translation>
+    </message>
+    <message>
+        <source>n is %1 on the resolved line, which falls on as v^(-1/2). The level is one node&apos;s own slope: the line moves one spacing per step, so the last contact is a single node, and more power goes in than is dissipated. %2</source>
+        <translation>n ist %1 auf der aufgelösten Linie, die wie v^(-1/2) weiter fällt. Das Niveau ist die Steigung eines einzelnen Knotens: Die Linie rückt je Schritt um einen Abstand weiter, daher ist der letzte Kontakt ein einziger Knoten, und es geht mehr Leistung hinein, als dissipiert wird. %2</translation>
+    </message>
+    <message>
+        <source>needs %1</source>
+        <translation>braucht %1</translation>
+    </message>
+    <message>
+        <source>on realization %1</source>
+        <translation>in Realisierung %1</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>p. 1, abstract</source>
+        <translation>S. 1, Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>p. 1, abstract; p. 4, conclusion</source>
+        <translation>S. 1, Zusammenfassung; S. 4, Schluss</translation>
+    </message>
+    <message>
+        <source>p. 1, definitions of h and of the rms gradient</source>
+        <translation>S. 1, Definitionen von h und der RMS-Steigung</translation>
+    </message>
+    <message>
+        <source>p. 2, Fig. 2; abstract</source>
+        <translation>S. 2, Abb. 2; Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>p. 2, Figs. 3 and 4</source>
+        <translation>S. 2, Abb. 3 und 4</translation>
+    </message>
+    <message>
+        <source>p. 2, after Eq. (4)</source>
+        <translation>S. 2, nach Gl. (4)</translation>
+    </message>
+    <message>
+        <source>p. 2, before Eq. (5)</source>
+        <translation>S. 2, vor Gl. (5)</translation>
+    </message>
+    <message>
+        <source>p. 2, before Fig. 2</source>
+        <translation>S. 2, vor Abb. 2</translation>
+    </message>
+    <message>
+        <source>p. 3, after Eq. (14)</source>
+        <translation>S. 3, nach Gl. (14)</translation>
+    </message>
+    <message>
+        <source>p. 3, before Eq. (7)</source>
+        <translation>S. 3, vor Gl. (7)</translation>
+    </message>
+    <message>
+        <source>p. 4, after Eq. (15)</source>
+        <translation>S. 4, nach Gl. (15)</translation>
+    </message>
+    <message>
+        <source>p. 4, after Eq. (17)</source>
+        <translation>S. 4, nach Gl. (17)</translation>
+    </message>
+    <message>
+        <source>region %1</source>
+        <translation>Bereich %1</translation>
+    </message>
+    <message>
+        <source>region %1: %2 to %3 m/s</source>
+        <translation>Bereich %1: %2 bis %3 m/s</translation>
+    </message>
+    <message>
+        <source>row %1: column %2 is beyond %3 m</source>
+        <translation>Zeile %1: Spalte %2 liegt jenseits von %3 m</translation>
+    </message>
+    <message>
+        <source>row %1: column %2 is in &apos;%3&apos;; positions and heights are in metres</source>
+        <translation>Zeile %1: Spalte %2 ist in &apos;%3&apos;; Orte und Höhen stehen in Metern</translation>
+    </message>
+    <message>
+        <source>spacing %1 after data row %2 differs from %3; positions must be uniform to 1e-6</source>
+        <translation>der Abstand %1 nach Datenzeile %2 unterscheidet sich von %3; die Orte müssen auf 1e-6 gleichabständig sein</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>text in UTF-16</source>
+        <translation>Text in UTF-16</translation>
+    </message>
+    <message>
+        <source>text in UTF-32</source>
+        <translation>Text in UTF-32</translation>
+    </message>
+    <message>
+        <source>text that is not JSON</source>
+        <translation>Text, aber kein JSON</translation>
+    </message>
+    <message>
+        <source>the force balance is not met %1: relative residual %2</source>
+        <translation>das Kräftegleichgewicht ist %1 nicht erfüllt: relativer Rest %2</translation>
+    </message>
+    <message>
+        <source>the indentation that carries %1 N is sought</source>
+        <translation>die Eindringung, die %1 N trägt, wird gesucht</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s literal rule</source>
+        <translation>die wörtliche Regel der Arbeit</translation>
+    </message>
+    <message>
+        <source>this scene: %1</source>
+        <translation>diese Szene: %1</translation>
+    </message>
+    <message>
+        <source>this surface has one line, and no other realization</source>
+        <translation>diese Oberfläche hat eine Linie und keine weitere Realisierung</translation>
+    </message>
+    <message>
+        <source>unknown key; &apos;asperity help check&apos; lists all</source>
+        <translation>unbekannter Schlüssel; &apos;asperity help check&apos; nennt alle</translation>
+    </message>
+    <message>
+        <source>waves longer than %1 m are all equally strong</source>
+        <translation>Wellen über %1 m sind alle gleich stark</translation>
+    </message>
     <message>
         <source>A name for the scene, shown above its pictures.</source>
         <translation>Name der Szene; er steht über ihren Bildern.</translation>
@@ -423,14 +1123,6 @@
         <translation>Keil</translation>
     </message>
     <message>
-        <source>%1 in contact are reported apart</source>
-        <translation>%1 im Kontakt werden getrennt ausgewiesen</translation>
-    </message>
-    <message>
-        <source>%1 internal variable an element</source>
-        <translation>%1 innere Variable je Element</translation>
-    </message>
-    <message>
         <source>%1 internal variables an element</source>
         <translation>%1 innere Variablen je Element</translation>
     </message>
@@ -461,10 +1153,6 @@
     <message>
         <source>arms must be after a period as they were before</source>
         <translation>die Arme müssen nach einer Periode sein wie zuvor</translation>
-    </message>
-    <message>
-        <source>at %1 all relaxation times are %2 times as long</source>
-        <translation>bei %1 sind alle Relaxationszeiten %2-mal so lang</translation>
     </message>
     <message>
         <source>averaging</source>
@@ -579,10 +1267,6 @@
         <translation>die Eindringung ist vorgegeben</translation>
     </message>
     <message>
-        <source>the indentation that carries %1 is sought</source>
-        <translation>die Eindringung, die %1 trägt, wird gesucht</translation>
-    </message>
-    <message>
         <source>the line has no spectrum of its own</source>
         <translation>die Linie hat kein eigenes Spektrum</translation>
     </message>
@@ -643,40 +1327,8 @@
         <translation>Geschwindigkeitsreihe</translation>
     </message>
     <message>
-        <source>waves longer than %1 are all equally strong</source>
-        <translation>Wellen über %1 sind alle gleich stark</translation>
-    </message>
-    <message>
         <source>waves of a self-affine spectrum with random phases are summed</source>
         <translation>Wellen eines selbstaffinen Spektrums mit Zufallsphasen werden summiert</translation>
-    </message>
-    <message>
-        <source>%1 is not a number; allowed is %2 to %3</source>
-        <translation>%1 ist keine Zahl; erlaubt ist %2 bis %3</translation>
-    </message>
-    <message>
-        <source>%1 is not a whole number; allowed is %2 to %3</source>
-        <translation>%1 ist keine ganze Zahl; erlaubt ist %2 bis %3</translation>
-    </message>
-    <message>
-        <source>%1 is outside %2 to %3</source>
-        <translation>%1 liegt außerhalb von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>%1 is beyond what a number can hold; allowed is %2 to %3</source>
-        <translation>%1 ist größer, als eine Zahl sein kann; erlaubt ist %2 bis %3</translation>
-    </message>
-    <message>
-        <source>inf is not a finite number; allowed is %1 to %2</source>
-        <translation>inf ist keine endliche Zahl; erlaubt ist %1 bis %2</translation>
-    </message>
-    <message>
-        <source>nan is not a finite number; allowed is %1 to %2</source>
-        <translation>nan ist keine endliche Zahl; erlaubt ist %1 bis %2</translation>
-    </message>
-    <message>
-        <source>-inf is not a finite number; allowed is %1 to %2</source>
-        <translation>-inf ist keine endliche Zahl; erlaubt ist %1 bis %2</translation>
     </message>
     <message>
         <source>0 by the literal rule</source>
@@ -707,36 +1359,8 @@
         <translation>H = %1: %2 bei Theorie %3</translation>
     </message>
     <message>
-        <source>beta by H: %1: %2</source>
-        <translation>β nach H: %1: %2</translation>
-    </message>
-    <message>
         <source>%1 realizations</source>
         <translation>%1 Realisierungen</translation>
-    </message>
-    <message>
-        <source>%1 points of complete contact.</source>
-        <translation>%1 Punkte im Vollkontakt.</translation>
-    </message>
-    <message>
-        <source>Against the slope of the spectrum the difference is %1: the resolution of the line, which falls with accuracy.oversampling.</source>
-        <translation>Gegenüber der Steigung des Spektrums ist der Unterschied %1: die Auflösung der Linie; er fällt mit accuracy.oversampling.</translation>
-    </message>
-    <message>
-        <source>At %1.</source>
-        <translation>Bei %1.</translation>
-    </message>
-    <message>
-        <source>Mind the fall already at this small force.</source>
-        <translation>Zu beachten ist der Abfall schon bei dieser kleinen Kraft.</translation>
-    </message>
-    <message>
-        <source>F_N(d) of separate elements jumps where one enters under viscous pressure; on a resolved line it is continuous and every balance is met to %1.</source>
-        <translation>F_N(d) getrennter Elemente springt, wo eines unter viskosem Druck eintritt; auf einer aufgelösten Linie ist F_N(d) stetig und jedes Gleichgewicht auf %1 erfüllt.</translation>
-    </message>
-    <message>
-        <source>At %1, smallest at H = %2.</source>
-        <translation>Bei %1, am kleinsten für H = %2.</translation>
     </message>
     <message>
         <source>At first the coefficient of friction increases linearly with velocity (region I)</source>
@@ -807,24 +1431,8 @@
         <translation>Gl. (11) interpoliert zwischen den Bereichen I, II und III; ihre Güte zeigt Abb. 3</translation>
     </message>
     <message>
-        <source>Eq. (12) sets beta = 1 without saying so and is low by that factor in region I.</source>
-        <translation>Gl. (12) setzt beta = 1, ohne es zu sagen, und ist im Bereich I um diesen Faktor zu klein.</translation>
-    </message>
-    <message>
-        <source>Eq. (15)'s exponents must read +2(1 - H).</source>
-        <translation>Die Exponenten in Gl. (15) müssen +2(1 - H) lauten.</translation>
-    </message>
-    <message>
-        <source>With them, and q_cont = 2 pi / L_cont for the whole contact taken as one piece, it gives the expected value; the real contact is in many pieces, which are shorter.</source>
-        <translation>Mit ihnen und q_cont = 2 pi / L_cont für den ganzen Kontakt als ein Stück ergibt sich der erwartete Wert; der wirkliche Kontakt besteht aus vielen kürzeren Stücken.</translation>
-    </message>
-    <message>
         <source>F_N / G h L of about 1 gives the order of magnitude of the force of complete contact</source>
         <translation>F_N / G h L von etwa 1 gibt die Größenordnung der Kraft für Vollkontakt an</translation>
-    </message>
-    <message>
-        <source>Fig. %1</source>
-        <translation>Abb. %1</translation>
     </message>
     <message>
         <source>For 0.2 &lt; H &lt; 0.8 and not too small forces the plateau is almost constant, about sqrt(2) times the rms slope</source>
@@ -847,44 +1455,12 @@
         <translation>Reibung auf dem Plateau über der Normalkraft</translation>
     </message>
     <message>
-        <source>From %1 to %2.</source>
-        <translation>Von %1 bis %2.</translation>
-    </message>
-    <message>
-        <source>sqrt(2) assumes exponentially distributed slopes; random phases give Gaussian ones, for which Eq. (10) is 1.253 times the slope in contact, and 1.596 where the contact is weighted by the slope.</source>
-        <translation>sqrt(2) setzt exponentiell verteilte Steigungen voraus; Zufallsphasen ergeben normalverteilte, für die Gl. (10) das 1,253-Fache der Steigung im Kontakt ist und das 1,596-Fache, wo der Kontakt mit der Steigung gewichtet ist.</translation>
-    </message>
-    <message>
-        <source>Eq. (10)'s second line lacks a factor sqrt(L_cont).</source>
-        <translation>Der zweiten Zeile von Gl. (10) fehlt ein Faktor sqrt(L_cont).</translation>
-    </message>
-    <message>
-        <source>From %1 % of the line to %2 % of the maximum it is %3.</source>
-        <translation>Von %1 % der Geraden bis %2 % des Maximums ist er %3.</translation>
-    </message>
-    <message>
-        <source>Region II cannot both begin on the line of slope 1 and grow by two only within a decade.</source>
-        <translation>Bereich II kann nicht zugleich auf der Geraden der Steigung 1 beginnen und innerhalb einer Dekade nur um den Faktor zwei wachsen.</translation>
-    </message>
-    <message>
-        <source>With the rms slope of the whole line for that in contact.</source>
-        <translation>Mit der RMS-Steigung der ganzen Linie anstelle der im Kontakt.</translation>
-    </message>
-    <message>
         <source>Hurst exponent H</source>
         <translation>Hurst-Exponent H</translation>
     </message>
     <message>
         <source>In complete contact mu = 4 L eta grad^2 v / F_N, exactly confirmed</source>
         <translation>Im Vollkontakt ist mu = 4 L eta grad^2 v / F_N, exakt bestätigt</translation>
-    </message>
-    <message>
-        <source>In the limit of low velocity.</source>
-        <translation>Im Grenzfall kleiner Geschwindigkeit.</translation>
-    </message>
-    <message>
-        <source>Bars: one standard error.</source>
-        <translation>Balken: ein Standardfehler.</translation>
     </message>
     <message>
         <source>In zone 1 the coefficient of friction is a power of the force, mu ~ F_N^(-H/(1+H))</source>
@@ -895,28 +1471,12 @@
         <translation>Am größten bei H = %1.</translation>
     </message>
     <message>
-        <source>N elements, fine steps (%1 line)</source>
-        <translation>N Elemente, feine Schritte (%1 Linie)</translation>
-    </message>
-    <message>
-        <source>N elements, fine steps (%1 lines)</source>
-        <translation>N Elemente, feine Schritte (%1 Linien)</translation>
-    </message>
-    <message>
         <source>On the plateau (region III) mu is about sqrt(2) times the rms slope</source>
         <translation>Auf dem Plateau (Bereich III) ist mu etwa sqrt(2) mal die RMS-Steigung</translation>
     </message>
     <message>
         <source>On the plateau the coefficient of friction depends only weakly on the Hurst exponent</source>
         <translation>Auf dem Plateau hängt die Reibungszahl nur schwach vom Hurst-Exponenten ab</translation>
-    </message>
-    <message>
-        <source>Points: averages with one standard error.</source>
-        <translation>Punkte: Mittelwerte mit einem Standardfehler.</translation>
-    </message>
-    <message>
-        <source>Lines: Eq. (11) with the rms slope of the whole line, α = H/(1 + H) and β as measured (Fig. 5).</source>
-        <translation>Linien: Gl. (11) mit der RMS-Steigung der ganzen Linie, α = H/(1 + H) und gemessenem β (Abb. 5).</translation>
     </message>
     <message>
         <source>few summits carry the load</source>
@@ -975,18 +1535,6 @@
         <translation>mu / Steigung im Kontakt bei der höchsten Geschwindigkeit, bezogen auf den Wert im Maximum; jeweils über die Linien gemittelt</translation>
     </message>
     <message>
-        <source>Friction itself falls to %1 of its maximum.</source>
-        <translation>Die Reibung selbst fällt auf %1 ihres Maximums.</translation>
-    </message>
-    <message>
-        <source>Over the slope in contact it goes from %1 to %2.</source>
-        <translation>Bezogen auf die Steigung im Kontakt geht sie von %1 auf %2.</translation>
-    </message>
-    <message>
-        <source>On a smooth summit, where the slope in contact is evenly distributed, it is %1/sqrt(%2) = %3.</source>
-        <translation>Auf einem glatten Gipfel, wo die Steigung im Kontakt gleichverteilt ist, ist sie %1/sqrt(%2) = %3.</translation>
-    </message>
-    <message>
         <source>The plateau decreases where the contact becomes extremely small, at extremely high sliding velocities or extremely low normal forces</source>
         <translation>Das Plateau nimmt ab, wo der Kontakt äußerst klein wird: bei äußerst hohen Geschwindigkeiten oder äußerst kleinen Normalkräften</translation>
     </message>
@@ -997,10 +1545,6 @@
     <message>
         <source>0.03 to 0.3: the height that the contacts of one period climb together is about a tenth of h</source>
         <translation>0,03 bis 0,3: Die Höhe, die alle Kontakte einer Periode zusammen erklimmen, ist etwa ein Zehntel von h</translation>
-    </message>
-    <message>
-        <source>F_N / G h L = %1</source>
-        <translation>F_N / G h L = %1</translation>
     </message>
     <message>
         <source>The law of friction depends on the size of the system, which shifts the curves</source>
@@ -1015,60 +1559,16 @@
         <translation>0,5 bis 1,5; 1 nach F_N / (4 eta v) = 0,1 h</translation>
     </message>
     <message>
-        <source>Region IV belongs to the finite period: an endless line should keep its plateau.</source>
-        <translation>Bereich IV gehört zur endlichen Periode: Eine endlose Linie sollte ihr Plateau behalten.</translation>
-    </message>
-    <message>
-        <source>n is %1 on the resolved line, which falls on as v^(%2/%3).</source>
-        <translation>n ist %1 auf der aufgelösten Linie, die wie v^(%2/%3) weiter fällt.</translation>
-    </message>
-    <message>
-        <source>Fine steps of the same N elements give n = %1 between %2 and %3.</source>
-        <translation>Feine Schritte derselben N Elemente geben n = %1 zwischen %2 und %3.</translation>
-    </message>
-    <message>
-        <source>Fine steps of the same N elements give n = %1 between %2 and %3; beyond, %4 of them per spacing are too few for %5 %, and any fixed number has a floor of its own.</source>
-        <translation>Feine Schritte derselben N Elemente geben n = %1 zwischen %2 und %3; darüber sind %4 je Abstand zu wenige für %5 %, und jede feste Zahl hat ihren eigenen Boden.</translation>
-    </message>
-    <message>
-        <source>Fine steps of the same N elements are resolved up to %1.</source>
-        <translation>Feine Schritte derselben N Elemente sind bis %1 aufgelöst.</translation>
-    </message>
-    <message>
-        <source>Fine steps of the same N elements are resolved up to %1; beyond, %2 of them per spacing are too few for %3 %, and any fixed number has a floor of its own.</source>
-        <translation>Feine Schritte derselben N Elemente sind bis %1 aufgelöst; darüber sind %2 je Abstand zu wenige für %3 %, und jede feste Zahl hat ihren eigenen Boden.</translation>
-    </message>
-    <message>
         <source>Fine steps of the same N elements are not resolved by %1 per spacing.</source>
         <translation>Feine Schritte derselben N Elemente sind mit %1 je Abstand nicht aufgelöst.</translation>
-    </message>
-    <message>
-        <source>The curve of fine steps ends at %1, above which %2 steps per spacing are too few for %3 %.</source>
-        <translation>Die Kurve der feinen Schritte endet bei %1; darüber sind %2 Schritte je Abstand zu wenige für %3 %.</translation>
-    </message>
-    <message>
-        <source>Fₙ/GhL = %1: up to %2 % of the maximum, at %3 of the %4 points, the whole line is in contact, and the curves are Eq. (%5), which has no fitted number.</source>
-        <translation>Fₙ/GhL = %1: bis %2 % des Maximums, an %3 der %4 Punkte, ist die ganze Linie im Kontakt, und die Kurven sind Gl. (%5), die keine angepasste Zahl hat.</translation>
     </message>
     <message>
         <source>Fₙ/GhL = %1.</source>
         <translation>Fₙ/GhL = %1.</translation>
     </message>
     <message>
-        <source>The term of partial contact, with alpha and beta, lowers Eq. (%1) by at most %2 % at this force: the figure does not test it.</source>
-        <translation>Das Glied des Teilkontakts mit alpha und beta senkt Gl. (%1) bei dieser Kraft um höchstens %2 %: Das Bild prüft es nicht.</translation>
-    </message>
-    <message>
         <source>largest |alpha - H/(1+H)| at the five Hurst exponents between 0.2 and 0.8, without the ends; F_N / G h L from 0.001 to 0.1</source>
         <translation>größtes |alpha - H/(1+H)| an den fünf Hurst-Exponenten zwischen 0,2 und 0,8, ohne die Enden; F_N / G h L von 0,001 bis 0,1</translation>
-    </message>
-    <message>
-        <source>It depends on the window: with F_N / G h L up to %1 the largest deviation is %2.</source>
-        <translation>Es hängt vom Fenster ab: Mit F_N / G h L bis %1 ist die größte Abweichung %2.</translation>
-    </message>
-    <message>
-        <source>α depends on the range of forces that it is fitted to; β belongs to α = H/(1 + H).</source>
-        <translation>α hängt vom Bereich der Kräfte ab, an den es angepasst wird; β gehört zu α = H/(1 + H).</translation>
     </message>
     <message>
         <source>The points share their random lines and are correlated: neighbours in α by %1 on average.</source>
@@ -1111,14 +1611,6 @@
         <translation>dimensionslose Geschwindigkeit, bei der ablaufende Seiten ein Zehntel der Last tragen, F_N / G h L = 0,01, 0,1 und 1: die entfernteste</translation>
     </message>
     <message>
-        <source>In complete contact it grows as the force.</source>
-        <translation>Im vollen Kontakt wächst sie wie die Kraft.</translation>
-    </message>
-    <message>
-        <source>The detachment condition of the paper lacks a factor G: G (d - z) + eta v z' = 0.</source>
-        <translation>Der Ablösebedingung der Arbeit fehlt ein Faktor G: G (d - z) + eta v z' = 0.</translation>
-    </message>
-    <message>
         <source>F_N / G h L at which 90 % of the line are in contact, at the lowest velocity</source>
         <translation>F_N / G h L, bei dem 90 % der Linie im Kontakt sind, bei der kleinsten Geschwindigkeit</translation>
     </message>
@@ -1133,22 +1625,6 @@
     <message>
         <source>Region II covers one decade of velocities</source>
         <translation>Bereich II umfasst eine Dekade der Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Regions by 80 % of the line through region I and 95 % of the maximum.</source>
-        <translation>Bereichsgrenzen bei 80 % der Geraden durch Bereich I und 95 % des Maximums.</translation>
-    </message>
-    <message>
-        <source>In region IV the smallest scale decides: the constant level appears only where the line moves one spacing in each step.</source>
-        <translation>Im Bereich IV entscheidet die kleinste Skala: Das konstante Niveau erscheint nur, wo die Linie in jedem Schritt um einen Abstand weiterrückt.</translation>
-    </message>
-    <message>
-        <source>Shifted with the rms slope in contact at low velocity; f is where region I of Eq. (11) meets the plateau.</source>
-        <translation>Verschoben mit der RMS-Steigung im Kontakt bei kleiner Geschwindigkeit; f ist, wo Bereich I von Gl. (11) auf das Plateau trifft.</translation>
-    </message>
-    <message>
-        <source>Region IV is not part of Eq. (12) and does not collapse.</source>
-        <translation>Bereich IV gehört nicht zu Gl. (12) und fällt nicht zusammen.</translation>
     </message>
     <message>
         <source>Simulations with different rms gradients, varied by the spacing, show mu very accurately proportional to the squared gradient</source>
@@ -1191,32 +1667,8 @@
         <translation>Die Masterkurve nach Gl. (16) und (17)</translation>
     </message>
     <message>
-        <source>The maximum of each averaged curve μ(v), with one standard error.</source>
-        <translation>Das Maximum jeder gemittelten Kurve μ(v), mit einem Standardfehler.</translation>
-    </message>
-    <message>
-        <source>√2 assumes exponentially distributed slopes; a line of random phases has Gaussian ones.</source>
-        <translation>√2 setzt exponentiell verteilte Steigungen voraus; eine Linie mit Zufallsphasen hat normalverteilte.</translation>
-    </message>
-    <message>
         <source>The maximum of the coefficient of friction in the medium range of velocities is proportional to the rms gradient</source>
         <translation>Das Maximum der Reibungszahl im mittleren Geschwindigkeitsbereich ist proportional zur RMS-Steigung</translation>
-    </message>
-    <message>
-        <source>The paper does not say where it reads the borders.</source>
-        <translation>Die Arbeit sagt nicht, wo sie die Grenzen abliest.</translation>
-    </message>
-    <message>
-        <source>From %1 % of the line to %2 % of the maximum it is %3 decades.</source>
-        <translation>Von %1 % der Geraden bis %2 % des Maximums sind es %3 Dekaden.</translation>
-    </message>
-    <message>
-        <source>The paper's own condition for leaving the contact is f &gt; 0, not u &lt; z - d alone.</source>
-        <translation>Die Bedingung der Arbeit selbst für das Verlassen des Kontakts ist f &gt; 0, nicht u &lt; z - d allein.</translation>
-    </message>
-    <message>
-        <source>With the detachment condition d - z + eta v z' = 0 a factor G is missing: G (d - z) + eta v z' = 0.</source>
-        <translation>In der Ablösebedingung d - z + eta v z' = 0 fehlt ein Faktor G: G (d - z) + eta v z' = 0.</translation>
     </message>
     <message>
         <source>The plateau decreases at very small forces</source>
@@ -1239,14 +1691,6 @@
         <translation>Der Abstand legt die kürzeste Welle der Linie und damit die RMS-Steigung fest: Er wirkt als Parameter des Modells.</translation>
     </message>
     <message>
-        <source>The third curve from the left is that of Fig. 2.</source>
-        <translation>Die dritte Kurve von links ist die aus Abb. 2.</translation>
-    </message>
-    <message>
-        <source>In zone 1 curves shift as Fₙ to the power H/(1 + H), in zone 2 as Fₙ.</source>
-        <translation>In Zone 1 verschieben sich die Kurven wie Fₙ hoch H/(1 + H), in Zone 2 wie Fₙ.</translation>
-    </message>
-    <message>
         <source>Typical dependence of friction on velocity</source>
         <translation>Typische Abhängigkeit der Reibung von der Geschwindigkeit</translation>
     </message>
@@ -1263,10 +1707,6 @@
         <translation>Was der Abstand der Elemente bewirkt</translation>
     </message>
     <message>
-        <source>above %1</source>
-        <translation>über %1</translation>
-    </message>
-    <message>
         <source>as computed</source>
         <translation>wie berechnet</translation>
     </message>
@@ -1277,10 +1717,6 @@
     <message>
         <source>at most 1e-12, and no negative pressure</source>
         <translation>höchstens 1e-12 und kein negativer Druck</translation>
-    </message>
-    <message>
-        <source>below %1</source>
-        <translation>unter %1</translation>
     </message>
     <message>
         <source>below 0.02 at each</source>
@@ -1423,10 +1859,6 @@
         <translation>mu am Ende von Bereich II durch mu an seinem Anfang, Grenzen wie für seine Breite</translation>
     </message>
     <message>
-        <source>The level is one node's own slope: the line moves one spacing per step, so the last contact is a single node, and more power goes in than is dissipated.</source>
-        <translation>Das Niveau ist die Steigung eines einzelnen Knotens: Die Linie rückt je Schritt um einen Abstand weiter, daher ist der letzte Kontakt ein einziger Knoten, und es geht mehr Leistung hinein, als dissipiert wird.</translation>
-    </message>
-    <message>
         <source>normal force Fₙ</source>
         <translation>Normalkraft Fₙ</translation>
     </message>
@@ -1437,54 +1869,6 @@
     <message>
         <source>over the rms slope</source>
         <translation>bezogen auf die RMS-Steigung</translation>
-    </message>
-    <message>
-        <source>p. %1, abstract</source>
-        <translation>S. %1, Zusammenfassung</translation>
-    </message>
-    <message>
-        <source>p. %1, abstract; p. %2, conclusion</source>
-        <translation>S. %1, Zusammenfassung; S. %2, Schluss</translation>
-    </message>
-    <message>
-        <source>p. %1, definitions of h and of the rms gradient</source>
-        <translation>S. %1, Definitionen von h und der RMS-Steigung</translation>
-    </message>
-    <message>
-        <source>p. %1, Eq. (%2)</source>
-        <translation>S. %1, Gl. (%2)</translation>
-    </message>
-    <message>
-        <source>p. %1, Eqs. (%2) and (%3)</source>
-        <translation>S. %1, Gl. (%2) und (%3)</translation>
-    </message>
-    <message>
-        <source>p. %1, Fig. %2</source>
-        <translation>S. %1, Abb. %2</translation>
-    </message>
-    <message>
-        <source>p. %1, Fig. %2; abstract</source>
-        <translation>S. %1, Abb. %2; Zusammenfassung</translation>
-    </message>
-    <message>
-        <source>p. %1, Figs. %2 and %3</source>
-        <translation>S. %1, Abb. %2 und %3</translation>
-    </message>
-    <message>
-        <source>p. %1, after Eq. (%2)</source>
-        <translation>S. %1, nach Gl. (%2)</translation>
-    </message>
-    <message>
-        <source>p. %1, before Eq. (%2)</source>
-        <translation>S. %1, vor Gl. (%2)</translation>
-    </message>
-    <message>
-        <source>p. %1, before Fig. %2</source>
-        <translation>S. %1, vor Abb. %2</translation>
-    </message>
-    <message>
-        <source>p. %1, Eq. (%2), Fig. %3</source>
-        <translation>S. %1, Gl. (%2), Abb. %3</translation>
     </message>
     <message>
         <source>plateau at the smallest force over the largest plateau, mean over H</source>
@@ -1551,14 +1935,6 @@
         <translation>hier für Gl. (11) benutzte Tabelle</translation>
     </message>
     <message>
-        <source>the paper's literal rule (%1 line)</source>
-        <translation>wörtliche Regel der Arbeit (%1 Linie)</translation>
-    </message>
-    <message>
-        <source>the paper's literal rule (%1 lines)</source>
-        <translation>wörtliche Regel der Arbeit (%1 Linien)</translation>
-    </message>
-    <message>
         <source>velocity v (lines), v aₜ (circles)</source>
         <translation>Geschwindigkeit v (Linien), v aₜ (Kreise)</translation>
     </message>
@@ -1621,26 +1997,6 @@
     <message>
         <source>√2, Eq. (9)</source>
         <translation>√2, Gl. (9)</translation>
-    </message>
-    <message>
-        <source>Circles: spread of the means over groups of so many lines.</source>
-        <translation>Kreise: Streuung der Mittel über Gruppen von so vielen Linien.</translation>
-    </message>
-    <message>
-        <source>Lines: one over the square root.</source>
-        <translation>Linien: eins durch die Wurzel.</translation>
-    </message>
-    <message>
-        <source>Errors against cubic at two high resolutions, extrapolated.</source>
-        <translation>Fehler gegen das kubische Verfahren bei zwei hohen Auflösungen, extrapoliert.</translation>
-    </message>
-    <message>
-        <source>The literal march and nodal are other models at the smallest scale: theirs is a difference, not an error.</source>
-        <translation>Die wörtlichen Zeitschritte und das nodale Verfahren sind auf der kleinsten Skala andere Modelle: Bei ihnen ist es ein Unterschied, kein Fehler.</translation>
-    </message>
-    <message>
-        <source>Processor time of one thread, medians of repeated runs, with the share of one velocity of the sweep in making the line.</source>
-        <translation>Prozessorzeit eines Threads, Mediane wiederholter Läufe, mit dem Anteil einer Geschwindigkeit der Kurve an der Herstellung der Linie.</translation>
     </message>
     <message>
         <source>Friction over velocity</source>
@@ -1711,18 +2067,6 @@
         <translation>Bereich I</translation>
     </message>
     <message>
-        <source>region II</source>
-        <translation>Bereich II</translation>
-    </message>
-    <message>
-        <source>region III</source>
-        <translation>Bereich III</translation>
-    </message>
-    <message>
-        <source>region IV</source>
-        <translation>Bereich IV</translation>
-    </message>
-    <message>
         <source>relative error of μ</source>
         <translation>relativer Fehler von μ</translation>
     </message>
@@ -1739,10 +2083,6 @@
         <translation>diese Linie</translation>
     </message>
     <message>
-        <source>time of one simulation</source>
-        <translation>Zeit einer Simulation</translation>
-    </message>
-    <message>
         <source>time of one velocity</source>
         <translation>Zeit einer Geschwindigkeit</translation>
     </message>
@@ -1755,22 +2095,6 @@
         <translation>Geschwindigkeit v</translation>
     </message>
     <message>
-        <source>the force balance is not met at velocity %1: relative residual %2</source>
-        <translation>das Kräftegleichgewicht ist bei der Geschwindigkeit %1 nicht erfüllt: relativer Rest %2</translation>
-    </message>
-    <message>
-        <source>the force balance is not met at velocity %1 on realization %2: relative residual %3</source>
-        <translation>das Kräftegleichgewicht ist bei der Geschwindigkeit %1 in Realisierung %2 nicht erfüllt: relativer Rest %3</translation>
-    </message>
-    <message>
-        <source>contact is too short, or moduli are too far apart, for the digits that numbers have, at velocity %1</source>
-        <translation>für die Stellen, die Zahlen haben, ist bei der Geschwindigkeit %1 der Kontakt zu kurz, oder die Moduln liegen zu weit auseinander</translation>
-    </message>
-    <message>
-        <source>contact is too short, or moduli are too far apart, for the digits that numbers have, at velocity %1 on realization %2</source>
-        <translation>für die Stellen, die Zahlen haben, ist bei der Geschwindigkeit %1 in Realisierung %2 der Kontakt zu kurz, oder die Moduln liegen zu weit auseinander</translation>
-    </message>
-    <message>
         <source>the force balance is not met</source>
         <translation>das Kräftegleichgewicht ist nicht erfüllt</translation>
     </message>
@@ -1781,22 +2105,6 @@
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>%1 lines of %2 elements</source>
-        <translation>%1 Linien mit %2 Elementen</translation>
-    </message>
-    <message>
-        <source>%1 line of %2 elements</source>
-        <translation>%1 Linie mit %2 Elementen</translation>
-    </message>
-    <message>
-        <source>%1 velocities in each region</source>
-        <translation>%1 Geschwindigkeiten je Bereich</translation>
-    </message>
-    <message>
-        <source>this scene</source>
-        <translation>diese Szene</translation>
     </message>
     <message>
         <source>cubic x%1</source>
@@ -1815,22 +2123,6 @@
         <translation>linear ×%1</translation>
     </message>
     <message>
-        <source>a predicted curve needs steady sliding, not start</source>
-        <translation>eine Vorhersage der Kurve braucht stationäres Gleiten, kein Anfahren</translation>
-    </message>
-    <message>
-        <source>a predicted curve needs steady sliding, not step</source>
-        <translation>eine Vorhersage der Kurve braucht stationäres Gleiten, keinen Sprung</translation>
-    </message>
-    <message>
-        <source>a predicted curve needs steady sliding, not oscillation</source>
-        <translation>eine Vorhersage der Kurve braucht stationäres Gleiten, keine Schwingung</translation>
-    </message>
-    <message>
-        <source>a predicted curve needs steady sliding, not reversal</source>
-        <translation>eine Vorhersage der Kurve braucht stationäres Gleiten, keine Umkehr</translation>
-    </message>
-    <message>
         <source>dimensionless velocity v̄ = τ v ∇z / (√2 h)</source>
         <translation>dimensionslose Geschwindigkeit v̄ = τ v ∇z / (√2 h)</translation>
     </message>
@@ -1843,20 +2135,8 @@
         <translation>Unterschied</translation>
     </message>
     <message>
-        <source>%1 lines less the curve above</source>
-        <translation>%1 Linien minus obere Kurve</translation>
-    </message>
-    <message>
-        <source>%1 line less the curve above</source>
-        <translation>%1 Linie minus obere Kurve</translation>
-    </message>
-    <message>
         <source>%1 lines</source>
         <translation>%1 Linien</translation>
-    </message>
-    <message>
-        <source>%1 line</source>
-        <translation>%1 Linie</translation>
     </message>
     <message>
         <source>Regions as read from the curve: I ends 20 % below its line, III lies above 95 % of the maximum.</source>
@@ -1893,14 +2173,6 @@
     <message>
         <source>I linear</source>
         <translation>I linear</translation>
-    </message>
-    <message>
-        <source>II transition</source>
-        <translation>II Übergang</translation>
-    </message>
-    <message>
-        <source>III plateau</source>
-        <translation>III Plateau</translation>
     </message>
     <message>
         <source>IV decrease</source>
@@ -1955,20 +2227,8 @@
         <translation>angepasst, H = %1</translation>
     </message>
     <message>
-        <source>C(q) ~ q^(−2H−1) is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing.</source>
-        <translation>C(q) ~ q^(−2H−1) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π durch Elementabstand.</translation>
-    </message>
-    <message>
-        <source>Points are means over equal stretches of log q.</source>
-        <translation>Punkte sind Mittel über gleiche Strecken von log q.</translation>
-    </message>
-    <message>
         <source>No element is in contact.</source>
         <translation>Kein Element ist in Kontakt.</translation>
-    </message>
-    <message>
-        <source>%1 % of the contact is on slopes that climb (%2 %: one-sided, %3 %: both sides alike); rms slope in contact %4 of the line's.</source>
-        <translation>%1 % des Kontakts liegt auf steigenden Flanken (%2 %: einseitig, %3 %: beide Seiten gleich); RMS-Steigung im Kontakt das %4-Fache der Linie.</translation>
     </message>
     <message>
         <source>contact search</source>
@@ -1981,18 +2241,6 @@
     <message>
         <source>edges of contact are found inside the segments wherever contact is not complete</source>
         <translation>Kontaktränder werden innerhalb der Segmente gefunden, wo der Kontakt nicht vollständig ist</translation>
-    </message>
-    <message>
-        <source>edges of contact are found inside the segments</source>
-        <translation>Kontaktränder werden innerhalb der Segmente gefunden</translation>
-    </message>
-    <message>
-        <source>contact is complete above d = %1 at %2</source>
-        <translation>bei %2 ist der Kontakt ab d = %1 vollständig</translation>
-    </message>
-    <message>
-        <source>contact is complete above d = %1 at %2, and it is %3</source>
-        <translation>bei %2 ist der Kontakt ab d = %1 vollständig, und d ist %3</translation>
     </message>
     <message>
         <source>at %1 of %2 velocities; at the other contact is complete, and depth and friction are known</source>
@@ -2019,60 +2267,16 @@
         <translation>ist 0: Arme und Dämpfer tragen im Mittel über eine Periode nichts, daher sinkt das Elastomer gleitend oder nicht ohne Ende ein; nötig ist mehr als 0</translation>
     </message>
     <message>
-        <source>is %1, and so is everything else: the elastomer is empty</source>
-        <translation>ist %1 und alles andere auch: Das Elastomer ist leer</translation>
-    </message>
-    <message>
-        <source>%1 is neither %2 nor at least %3</source>
-        <translation>%1 ist weder %2 noch mindestens %3</translation>
-    </message>
-    <message>
         <source>a standard solid has one arm, not %1</source>
         <translation>ein Standardkörper hat einen Arm, nicht %1</translation>
-    </message>
-    <message>
-        <source>stands beside %1; only one of them may be above %2</source>
-        <translation>steht neben %1; nur eines von beiden darf über %2 liegen</translation>
-    </message>
-    <message>
-        <source>a comparison of curves needs steady sliding, not start</source>
-        <translation>ein Vergleich von Kurven braucht stetiges Gleiten, nicht Anfahren</translation>
-    </message>
-    <message>
-        <source>a comparison of curves needs steady sliding, not step</source>
-        <translation>ein Vergleich von Kurven braucht stetiges Gleiten, nicht einen Sprung</translation>
-    </message>
-    <message>
-        <source>a comparison of curves needs steady sliding, not oscillation</source>
-        <translation>ein Vergleich von Kurven braucht stetiges Gleiten, nicht eine Schwingung</translation>
-    </message>
-    <message>
-        <source>a comparison of curves needs steady sliding, not reversal</source>
-        <translation>ein Vergleich von Kurven braucht stetiges Gleiten, nicht eine Umkehr</translation>
     </message>
     <message>
         <source>a comparison needs the same resolution at every velocity, not a target</source>
         <translation>ein Vergleich braucht dieselbe Auflösung bei jeder Geschwindigkeit, kein Ziel</translation>
     </message>
     <message>
-        <source>is %1: arms and dashpots carry nothing on average over a period, so sliding or not the elastomer sinks for ever; it needs more than %2</source>
-        <translation>ist %1: Arme und Dämpfer tragen im Mittel über eine Periode nichts, sodass das Elastomer mit oder ohne Gleiten immer weiter einsinkt; nötig ist mehr als %2</translation>
-    </message>
-    <message>
-        <source>%1 is not above %2, reference_temperature - c2, where the shift ends</source>
-        <translation>%1 liegt nicht über %2, Bezugstemperatur - c2, wo die Verschiebung endet</translation>
-    </message>
-    <message>
-        <source>%1 shifts the times by %2 decades; allowed is %3</source>
-        <translation>%1 verschiebt die Zeiten um %2 Dekaden; erlaubt sind %3</translation>
-    </message>
-    <message>
         <source>%1 times oversampling %2 is more than %3 points</source>
         <translation>%1 mal Überabtastung %2 sind mehr als %3 Punkte</translation>
-    </message>
-    <message>
-        <source>%1 is outside %2 to %3, what %4 elements carry</source>
-        <translation>%1 liegt außerhalb von %2 bis %3, was %4 Elemente tragen</translation>
     </message>
     <message>
         <source>is missing; the profile has heights without positions</source>
@@ -2085,14 +2289,6 @@
     <message>
         <source>is missing</source>
         <translation>fehlt</translation>
-    </message>
-    <message>
-        <source>its length %1 is outside %2 to %3</source>
-        <translation>seine Länge %1 liegt außerhalb von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>%1 is above %2, %3</source>
-        <translation>%1 liegt über %2, %3</translation>
     </message>
     <message>
         <source>chooses scheme and oversampling itself; give it or them</source>
@@ -2131,44 +2327,12 @@
         <translation>ist kein gültiges JSON</translation>
     </message>
     <message>
-        <source>%1 is not allowed here; allowed is %2 to %3</source>
-        <translation>%1 ist hier nicht erlaubt; erlaubt ist %2 bis %3</translation>
-    </message>
-    <message>
-        <source>true is not allowed here; allowed is %1 to %2</source>
-        <translation>true ist hier nicht erlaubt; erlaubt ist %1 bis %2</translation>
-    </message>
-    <message>
-        <source>false is not allowed here; allowed is %1 to %2</source>
-        <translation>false ist hier nicht erlaubt; erlaubt ist %1 bis %2</translation>
-    </message>
-    <message>
-        <source>null is not allowed here; allowed is %1 to %2</source>
-        <translation>null ist hier nicht erlaubt; erlaubt ist %1 bis %2</translation>
-    </message>
-    <message>
-        <source>a list is not allowed here; allowed is %1 to %2</source>
-        <translation>eine Liste ist hier nicht erlaubt; erlaubt ist %1 bis %2</translation>
-    </message>
-    <message>
-        <source>an object is not allowed here; allowed is %1 to %2</source>
-        <translation>ein Objekt ist hier nicht erlaubt; erlaubt ist %1 bis %2</translation>
-    </message>
-    <message>
         <source>unknown key; the nearest known one is %1</source>
         <translation>unbekannter Schlüssel; der nächste bekannte ist %1</translation>
     </message>
     <message>
-        <source>unknown key; %1 lists all</source>
-        <translation>unbekannter Schlüssel; %1 nennt alle</translation>
-    </message>
-    <message>
         <source>unknown key; an arm has modulus and relaxation_time</source>
         <translation>unbekannter Schlüssel; ein Arm hat modulus und relaxation_time</translation>
-    </message>
-    <message>
-        <source>has %1 rows of numbers; at least %2 are needed</source>
-        <translation>hat %1 Zeilen mit Zahlen; mindestens %2 sind nötig</translation>
     </message>
     <message>
         <source>has no meaning for %1 %2; it belongs to %3</source>
@@ -2179,104 +2343,16 @@
         <translation>hat mehr als %1 Zeilen</translation>
     </message>
     <message>
-        <source>is an empty file</source>
-        <translation>ist eine leere Datei</translation>
-    </message>
-    <message>
-        <source>is text that is not JSON</source>
-        <translation>ist Text, aber kein JSON</translation>
-    </message>
-    <message>
-        <source>is text in UTF-16</source>
-        <translation>ist Text in UTF-16</translation>
-    </message>
-    <message>
-        <source>is text in UTF-32</source>
-        <translation>ist Text in UTF-32</translation>
-    </message>
-    <message>
-        <source>is a PNG picture</source>
-        <translation>ist ein PNG-Bild</translation>
-    </message>
-    <message>
-        <source>is a JPEG picture</source>
-        <translation>ist ein JPEG-Bild</translation>
-    </message>
-    <message>
-        <source>is a GIF picture</source>
-        <translation>ist ein GIF-Bild</translation>
-    </message>
-    <message>
-        <source>is a TIFF picture</source>
-        <translation>ist ein TIFF-Bild</translation>
-    </message>
-    <message>
-        <source>is a RIFF file (as WebP is)</source>
-        <translation>ist eine RIFF-Datei (wie WebP)</translation>
-    </message>
-    <message>
-        <source>is a PDF document</source>
-        <translation>ist ein PDF-Dokument</translation>
-    </message>
-    <message>
-        <source>is a ZIP archive (as of a spreadsheet)</source>
-        <translation>ist ein ZIP-Archiv (etwa einer Tabellenkalkulation)</translation>
-    </message>
-    <message>
-        <source>is an old Office document</source>
-        <translation>ist ein altes Office-Dokument</translation>
-    </message>
-    <message>
-        <source>is a gzip archive</source>
-        <translation>ist ein gzip-Archiv</translation>
-    </message>
-    <message>
-        <source>is an xz archive</source>
-        <translation>ist ein xz-Archiv</translation>
-    </message>
-    <message>
-        <source>is a zstd archive</source>
-        <translation>ist ein zstd-Archiv</translation>
-    </message>
-    <message>
-        <source>is an HDF5 file</source>
-        <translation>ist eine HDF5-Datei</translation>
-    </message>
-    <message>
-        <source>is a WebM film</source>
-        <translation>ist ein WebM-Film</translation>
-    </message>
-    <message>
-        <source>is a binary file</source>
-        <translation>ist eine Binärdatei</translation>
-    </message>
-    <message>
         <source>JSON in UTF-8 is needed</source>
         <translation>nötig ist JSON in UTF-8</translation>
-    </message>
-    <message>
-        <source>a scene is JSON in UTF-8</source>
-        <translation>eine Szene ist JSON in UTF-8</translation>
     </message>
     <message>
         <source>a measured line is a CSV file, which a scene names as surface.file</source>
         <translation>eine gemessene Linie ist eine CSV-Datei, die eine Szene als surface.file nennt</translation>
     </message>
     <message>
-        <source>a profile is CSV in UTF-8</source>
-        <translation>ein Profil ist CSV in UTF-8</translation>
-    </message>
-    <message>
         <source>row %1: the comma may divide columns, thousands or decimals; numbers are written with a point and without thousands separators</source>
         <translation>Zeile %1: das Komma kann Spalten, Tausender oder Dezimalen trennen; Zahlen stehen mit Punkt und ohne Tausendertrennung</translation>
-    </message>
-    <message>
-        <source>row %1: column %2 is in %3; positions and heights are in metres</source>
-        <translation>Zeile %1: Spalte %2 ist in %3; Orte und Höhen stehen in Metern</translation>
-    </message>
-    <message>
-        <source>is a link to %1, which is not there</source>
-        <translation>ist ein Verweis auf %1, das es nicht gibt</translation>
     </message>
     <message>
         <source>row %1: column %2 is not a number</source>
@@ -2285,10 +2361,6 @@
     <message>
         <source>row %1: column %2 is not a finite number</source>
         <translation>Zeile %1: in Spalte %2 steht keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>row %1: column %2 is beyond %3</source>
-        <translation>Zeile %1: Spalte %2 liegt jenseits von %3</translation>
     </message>
     <message>
         <source>row %1: has %2 columns; position and height, or height alone, are needed</source>
@@ -2303,20 +2375,8 @@
         <translation>die Orte müssen zunehmen</translation>
     </message>
     <message>
-        <source>spacing %1 after data row %2 differs from %3; positions must be uniform to %4</source>
-        <translation>der Abstand %1 nach Datenzeile %2 unterscheidet sich von %3; die Orte müssen bis auf %4 gleichabständig sein</translation>
-    </message>
-    <message>
         <source>cannot be opened</source>
         <translation>lässt sich nicht öffnen</translation>
-    </message>
-    <message>
-        <source>No such file or directory</source>
-        <translation>die Datei gibt es nicht</translation>
-    </message>
-    <message>
-        <source>Permission denied</source>
-        <translation>keine Berechtigung</translation>
     </message>
     <message>
         <source>cannot be read</source>
@@ -2353,10 +2413,6 @@
     <message>
         <source>shows many scenes; open the picture or the table of one of them</source>
         <translation>zeigt viele Szenen; zu öffnen ist das Bild oder die Tabelle einer davon</translation>
-    </message>
-    <message>
-        <source>%1 is not one of .png, .svg, .pdf</source>
-        <translation>%1 ist nicht .png, .svg oder .pdf</translation>
     </message>
 </context>
 <context>
@@ -2550,8 +2606,8 @@
         <translation>Bereiche I bis IV</translation>
     </message>
     <message>
-        <source>Relaxation times from 100 s to 1e-10 s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 1e-10 s, so the fall beyond about 1e5 m/s belongs to the fit and not to the rubber.</source>
-        <translation>Relaxationszeiten von 100 s bis 1e-10 s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 1e-10 s abgeschnitten, daher gehört der Abfall oberhalb von etwa 1e5 m/s zur Anpassung und nicht zum Gummi.</translation>
+        <source>Relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber.</source>
+        <translation>Relaxationszeiten von 100 s bis 10⁻¹⁰ s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 10⁻¹⁰ s abgeschnitten, daher gehört der Abfall oberhalb von etwa 10⁵ m/s zur Anpassung und nicht zum Gummi.</translation>
     </message>
     <message>
         <source>Reversal</source>

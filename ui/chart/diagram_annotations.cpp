@@ -29,7 +29,7 @@ std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const Diag
       return std::isfinite(place) ? std::clamp(axes.plot.px(place), box.x, box.right()) : otherwise;
     };
     const float left = column(span.from, box.x), right = column(span.to, box.right());
-    boxes.push_back({{left, box.y, right - left, box.height}, span.label});
+    boxes.push_back({{left, box.y, right - left, box.height}, span.label.text});
   }
   return boxes;
 }
@@ -164,7 +164,7 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     const bool hasArrow = std::isfinite(target.x) && std::isfinite(target.y);
     if (!std::isfinite(at.x) || !std::isfinite(at.y)) continue;
     PlacedLabel out;
-    out.lines = linesOf(label.text, size, 0.9F * map.area().width);
+    out.lines = linesOf(label.text.text, size, 0.9F * map.area().width);
     float width = 0;
     for (const std::string& line : out.lines) width = std::max(width, textWidth(line, size));
     if (out.lines.empty()) continue;

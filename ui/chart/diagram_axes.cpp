@@ -90,7 +90,7 @@ double barEnd(AxisScale scale, double end, double value) {
 PictureAxis plainTicksOnLogarithmic(const DiagramAxis& axis, const AxisRange& range, int most) {
   const AxisTicks ticks =
       linearTicks(std::pow(10, range.from), std::pow(10, range.to), most, axis.unit);
-  PictureAxis plot{range.from, range.to, {}, titleWithUnit(axis.title, ticks.unit), {}, {}};
+  PictureAxis plot{range.from, range.to, {}, titleWithUnit(axis.title.text, ticks.unit), {}, {}};
   for (const Tick& tick : ticks.ticks)
     if (tick.value > 0) plot.ticks.push_back({std::log10(tick.value), tick.label});
   return plot;
@@ -101,7 +101,7 @@ PictureAxis logarithmic(const DiagramAxis& axis, const AxisRange& range, int mos
   const std::vector<LogTick> ticks = logTicks(range.from, range.to, most);
   if (ticks.size() < 2) return plainTicksOnLogarithmic(axis, range, most);
   PictureAxis plot =
-      logarithmicAxis(range.from, range.to, most, titleWithUnit(axis.title, axis.unit), {});
+      logarithmicAxis(range.from, range.to, most, titleWithUnit(axis.title.text, axis.unit), {});
   plot.minor =
       minorLogTicks(range.from, range.to, ticks, pixels / (range.to - range.from), 3.0 * unit);
   return plot;
@@ -200,7 +200,7 @@ PictureAxis diagramAxisAlong(const DiagramAxis& axis, const AxisRange& range, fl
                              const DiagramSizes& sizes) {
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
-    return linearAxisAlong(range.from, range.to, pixels, size, axis.title, axis.unit);
+    return linearAxisAlong(range.from, range.to, pixels, size, axis.title.text, axis.unit);
   for (int most = std::clamp(static_cast<int>(pixels / (3.5F * size)), 2, 20);; --most) {
     PictureAxis plot = logarithmic(axis, range, most, pixels, sizes.unit);
     if (most <= 1 || plot.ticks.size() < 2) return plot;
@@ -221,7 +221,7 @@ PictureAxis diagramAxisUp(const DiagramAxis& axis, const AxisRange& range, float
                           const DiagramSizes& sizes) {
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
-    return linearAxisUp(range.from, range.to, pixels, size, axis.title, axis.unit);
+    return linearAxisUp(range.from, range.to, pixels, size, axis.title.text, axis.unit);
   for (int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16);; --most) {
     PictureAxis plot = logarithmic(axis, range, most, pixels, sizes.unit);
     if (most <= 1 || plot.ticks.size() < 2) return plot;

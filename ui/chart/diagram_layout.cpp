@@ -159,14 +159,14 @@ float addHeading(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& 
   if (sheet.title.empty() && sheet.subtitle.empty()) return std::round(2 * sizes.unit);
   const float side = sheetMargin(sizes), width = static_cast<float>(list.width) - 2 * side;
   float room = 0.3F * static_cast<float>(list.height) - side, top = std::round(0.8F * side);
-  const Paragraph title = paragraph(sheet.title, sizes.title, std::round(0.75F * sizes.title), true,
-                                    width, linesIn(room, sizes.title, 2));
+  const Paragraph title = paragraph(sheet.title.text, sizes.title, std::round(0.75F * sizes.title),
+                                    true, width, linesIn(room, sizes.title, 2));
   addParagraph(list, title, {side, top}, true, theme.text);
   top += title.height();
   room -= title.height();
   const Paragraph subtitle =
-      paragraph(sheet.subtitle, sizes.subtitle, std::round(0.85F * sizes.subtitle), false, width,
-                linesIn(room, sizes.subtitle, 3));
+      paragraph(sheet.subtitle.text, sizes.subtitle, std::round(0.85F * sizes.subtitle), false,
+                width, linesIn(room, sizes.subtitle, 3));
   addParagraph(list, subtitle, {side, top}, false, theme.faintText);
   return std::round(top + subtitle.height() + 2 * sizes.unit);
 }
@@ -175,8 +175,8 @@ float addNote(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& siz
               const Theme& theme) {
   const float side = sheetMargin(sizes), width = static_cast<float>(list.width) - 2 * side;
   const auto bottom = static_cast<float>(list.height);
-  const Paragraph note = paragraph(sheet.note, sizes.note, std::round(0.85F * sizes.note), false,
-                                   width, linesIn(0.2F * bottom, sizes.note, 5));
+  const Paragraph note = paragraph(sheet.note.text, sizes.note, std::round(0.85F * sizes.note),
+                                   false, width, linesIn(0.2F * bottom, sizes.note, 5));
   if (note.lines.empty()) return bottom - std::round(8 * sizes.unit);
   const float top = std::round(bottom - 10 * sizes.unit - note.height());
   addParagraph(list, note, {side, top}, false, theme.faintText);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/language/words.h"
-#include "ui/draw/colours.h"
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/marks.h"
+#include "ui/draw/colours.h"
 #include "ui/draw/text_metrics.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -31,7 +31,7 @@ std::vector<LegendEntry> entriesOf(const Diagram& diagram, const std::vector<Ser
     const bool known = std::any_of(entries.begin(), entries.end(), [&](const LegendEntry& entry) {
       return entry.name == series.name && sameLook(entry.style, styles[i]);
     });
-    if (!known) entries.push_back({series.name, styles[i], true});
+    if (!known) entries.push_back({series.name.text, styles[i], true});
   };
   for (const bool theory : {false, true})
     for (std::size_t i = 0; i < diagram.series.size(); ++i)
@@ -40,8 +40,8 @@ std::vector<LegendEntry> entriesOf(const Diagram& diagram, const std::vector<Ser
 }
 
 float rampWidth(const DiagramRamp& ramp, float size) {
-  const float ends = textWidth(ramp.from, size) + textWidth(ramp.to, size);
-  return std::max(textWidth(ramp.title, size), ends + (kBar + 2 * kGap) * size);
+  const float ends = textWidth(ramp.from.text, size) + textWidth(ramp.to.text, size);
+  return std::max(textWidth(ramp.title.text, size), ends + (kBar + 2 * kGap) * size);
 }
 
 float rampHeight(const DiagramRamp& ramp, float size) {
@@ -120,20 +120,21 @@ void addSample(DrawLayer& lines, DrawLayer& marks, const LegendEntry& entry, Pla
 void addRamp(DrawList& list, DrawLayer& layer, const DiagramRamp& ramp, Place at, float width,
              float size, const Theme& theme) {
   if (!ramp.title.empty()) {
-    addLabel(list, elided(ramp.title, size, false, width), {at.x, std::round(at.y + 1.1F * size)},
-             size, TextAnchor::Left, theme.text);
+    addLabel(list, elided(ramp.title.text, size, false, width),
+             {at.x, std::round(at.y + 1.1F * size)}, size, TextAnchor::Left, theme.text);
     at.y += kRow * size;
   }
   const float baseline = std::round(at.y + 1.1F * size);
-  addLabel(list, ramp.from, {at.x, baseline}, size, TextAnchor::Left, theme.text);
-  const float left = at.x + textWidth(ramp.from, size) + kGap * size;
+  addLabel(list, ramp.from.text, {at.x, baseline}, size, TextAnchor::Left, theme.text);
+  const float left = at.x + textWidth(ramp.from.text, size) + kGap * size;
   const float bar = kBar * size, top = baseline - 0.36F * size - kBarHeight * size / 2;
   for (int i = 0; i < kBarSteps; ++i) {  // each to the right end: no seams between them
     const float done = bar * static_cast<float>(i) / kBarSteps;
     addRectangle(layer, {left + done, top, bar - done, kBarHeight * size},
                  rampColour((i + 0.5) / kBarSteps, theme));
   }
-  addLabel(list, ramp.to, {left + bar + kGap * size, baseline}, size, TextAnchor::Left, theme.text);
+  addLabel(list, ramp.to.text, {left + bar + kGap * size, baseline}, size, TextAnchor::Left,
+           theme.text);
 }
 
 }  // namespace

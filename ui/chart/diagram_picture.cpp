@@ -75,9 +75,9 @@ class Panel {
     const float baseline =
         std::round(box.y - above - aboveAxes(axes_, sizes_) - 0.55F * sizes_.panel);
     const float size =
-        fittingSize(diagram_.title, sizes_.panel, std::max(7.0F, std::round(0.8F * sizes_.panel)),
-                    true, cell_.right() - box.x);
-    const std::string title = elided(diagram_.title, size, true, cell_.right() - box.x);
+        fittingSize(diagram_.title.text, sizes_.panel,
+                    std::max(7.0F, std::round(0.8F * sizes_.panel)), true, cell_.right() - box.x);
+    const std::string title = elided(diagram_.title.text, size, true, cell_.right() - box.x);
     if (!title.empty()) addText(list, {{title, true}}, {box.x, baseline}, size, theme_.text);
   }
 

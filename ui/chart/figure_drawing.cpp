@@ -12,9 +12,9 @@ namespace {
 constexpr double kFramesPerSecond = 25;  // of the film whose first frame a contact is
 
 /// Its title is the figure's own, not a person's.
-Frame inPresentLanguage(Frame contact) {
+Frame inPresentLanguage(Frame contact, const Figure& figure) {
   Scene scene = *contact.scene;
-  scene.title = translated(scene.title);
+  scene.title = translated(figure.sheet.title);
   contact.scene = std::make_shared<const Scene>(std::move(scene));
   return contact;
 }
@@ -24,7 +24,7 @@ Frame inPresentLanguage(Frame contact) {
 std::shared_ptr<const Frame> contactOf(const Figure& figure) {
   if (!figure.sheet.diagrams.empty()) return nullptr;
   Scene scene = figure.scene;
-  scene.title = figure.sheet.title;
+  scene.title = figure.sheet.title.english();
   const SteadyFrames frames(std::make_shared<const Scene>(std::move(scene)));
   return std::make_shared<const Frame>(frames.frame(0, 1, kFramesPerSecond));
 }
@@ -36,7 +36,7 @@ DrawList composeFigure(const Figure& figure, const Frame* contact, const Diagram
   picture.height = options.height;
   picture.scale = options.scale;
   picture.theme = options.theme;
-  return composeContact(inPresentLanguage(*contact), picture);
+  return composeContact(inPresentLanguage(*contact, figure), picture);
 }
 
 }  // namespace asperity

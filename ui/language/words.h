@@ -2,8 +2,9 @@
 // thread.
 #pragma once
 
-#include <initializer_list>
 #include <string>
+
+#include "core/base/message.h"
 
 namespace asperity {
 
@@ -12,8 +13,5 @@ class Words {
   /// UTF-8. Found by Qt's tool for translators like any tr().
   static std::string tr(const char* english);
 };
-
-/// Puts the values in the places of %1, %2, ...
-std::string filled(const std::string& text, std::initializer_list<std::string> values);
 
 }  // namespace asperity

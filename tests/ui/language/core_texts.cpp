@@ -8,19 +8,19 @@
 #include <vector>
 
 #include "core/accuracy/work_precision_sheet.h"
-#include "core/contact/balance_error.h"
+#include "core/base/input_error.h"
 #include "core/chart/curve_diagram.h"
-#include "core/friction/curve_difference.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
+#include "core/contact/balance_error.h"
+#include "core/friction/curve_difference.h"
 #include "core/friction/ensemble.h"
-#include "core/paper/figure.h"
 #include "core/friction/line_plan.h"
+#include "core/paper/figure.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/motion_table.h"
 #include "core/run/steady_frames.h"
 #include "core/scene/effects.h"
-#include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
 #include "core/scene/scene_file.h"
@@ -30,7 +30,7 @@
 namespace asperity {
 namespace {
 
-using Texts = std::set<std::string>;
+using Texts = std::set<Message>;
 
 std::vector<Scene> shippedScenes() {
   std::vector<Scene> scenes;
@@ -80,7 +80,7 @@ void addRegions(Texts& texts, Scene scene) {
   const std::vector<CurvePoint> points = frictionCurve(scene).points;
   add(texts, curveSheet(scene, points));
   for (const char* name : {"I", "II", "III", "IV"})
-    texts.insert({std::string(wordOfRegion(name)), std::string(sentenceOfRegion(name))});
+    texts.insert({wordOfRegion(name), sentenceOfRegion(name)});
 }
 
 /// A curve pinned, one of another setting, and every parameter that may tell two curves apart.
@@ -134,7 +134,7 @@ void addMotion(Texts& texts, Scene scene) {
 Texts tableTexts() {
   Texts texts;
   for (const Parameter& row : parameters()) {
-    texts.insert({std::string(row.label), std::string(row.sentence)});
+    texts.insert({row.label, row.sentence});
     if (const auto* choice = std::get_if<ChoiceField>(&row.field))
       for (const std::string_view key : choice->choices) {
         std::string word(key);
@@ -172,8 +172,8 @@ Texts refusalTexts() {
   SteadyResult unmet;
   for (const double residual : {0.0, 0.03}) {
     unmet.residual = residual;
-    for (const char* where : {"", " on realization 3"})
-      texts.insert(unmetBalance(unmet, 0.5, where).what());
+    for (const Message& where : {Message(), message("on realization {}", 3)})
+      texts.insert(unmetBalance(unmet, 0.5, where).message());
   }
   const auto refused = [&](const Parameter& row, const auto& give) {
     Scene scene;
@@ -268,7 +268,7 @@ Texts figureTexts() {
   options.realizations = 2;
   for (const FigureEntry& entry : figureEntries()) {
     const Figure figure = makeFigure(entry.name, options);
-    texts.insert({std::string(entry.headline), figure.scene.title});
+    texts.insert({entry.headline, figure.scene.title});
     add(texts, figure.sheet);
     for (const Claim& claim : figure.claims)
       texts.insert(

@@ -3,16 +3,16 @@
 #pragma once
 
 #include <set>
-#include <string>
+#include "core/base/message.h"
 
 namespace asperity {
 
-std::set<std::string> tableTexts();      // labels, sentences, choices
-std::set<std::string> sceneTexts();      // titles, chapters, descriptions of shipped scenes
-std::set<std::string> planTexts();       // stages, and the reasons of every shipped scene and more
-std::set<std::string> refusalTexts();    // of values that the table does not allow
-std::set<std::string> complaintTexts();  // of scenes and profiles that cannot be read or cannot run
-std::set<std::string> figureTexts();     // headlines, diagrams and claims, from few realizations
-std::set<std::string> diagramTexts();    // curves, motions, what accuracy costs
+std::set<Message> tableTexts();      // labels, sentences, choices
+std::set<Message> sceneTexts();      // titles, chapters, descriptions of shipped scenes
+std::set<Message> planTexts();       // stages, and the reasons of every shipped scene and more
+std::set<Message> refusalTexts();    // of values that the table does not allow
+std::set<Message> complaintTexts();  // of scenes and profiles that cannot be read or cannot run
+std::set<Message> figureTexts();     // headlines, diagrams and claims, from few realizations
+std::set<Message> diagramTexts();    // curves, motions, what accuracy costs
 
 }  // namespace asperity

@@ -2,7 +2,10 @@
 // as Qt's own tool finds them.
 #include <gtest/gtest.h>
 
+#include <QDirIterator>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -55,11 +58,11 @@ class German : public testing::Test {
   ~German() override { useLanguage("en"); }
 
   /// Those that have no translation, one a line.
-  static std::string missing(const std::set<std::string>& texts) {
+  static std::string missing(const std::set<Message>& texts) {
     EXPECT_GT(texts.size(), 20U);
     std::string lines;
-    for (const std::string& text : texts)
-      if (!translationOf(text)) lines += text + "\n";
+    for (const Message& text : texts)
+      if (!translationOf(text)) lines += text.english() + "\n";
     return lines;
   }
 };
@@ -70,7 +73,7 @@ TEST_F(German, HasTheTableOfParameters) {
 
 TEST_F(German, HasTheShippedScenes) {
   EXPECT_EQ(missing(sceneTexts()), "");
-  for (const std::string& text : sceneTexts()) EXPECT_TRUE(isTranslatedScene(text)) << text;
+  for (const Message& text : sceneTexts()) EXPECT_TRUE(isTranslatedScene(text.text)) << text.text;
 }
 
 TEST_F(German, HasThePlans) {
@@ -93,6 +96,45 @@ TEST_F(German, HasTheDiagrams) {
   EXPECT_EQ(missing(diagramTexts()), "");
 }
 
+/// The templates of a source file: the texts of message("..."), with %1, %2, ... for their places.
+QStringList templatesIn(const QString& source) {
+  static const QRegularExpression call(
+      QStringLiteral(R"re(\bmessage\(\s*((?:"(?:[^"\\]|\\.)*"\s*)+))re"));
+  static const QRegularExpression literal(QStringLiteral(R"re("((?:[^"\\]|\\.)*)")re"));
+  QStringList templates;
+  for (auto it = call.globalMatch(source); it.hasNext();) {
+    QByteArray json = "[\"";
+    for (auto part = literal.globalMatch(it.next().captured(1)); part.hasNext();)
+      json += part.next().captured(1).replace("\\'", "'").toUtf8();
+    const QJsonArray one = QJsonDocument::fromJson(json + "\"]").array();
+    EXPECT_EQ(one.size(), 1) << json.toStdString();
+    const QByteArray text = one.at(0).toString().toUtf8();
+    templates += QString::fromStdString(
+        detail::Places({text.data(), static_cast<std::size_t>(text.size())}).form);
+  }
+  return templates;
+}
+
+/// Those that no test asks for, too.
+TEST_F(German, HasEveryTemplateOfTheSources) {
+  std::string lines;
+  int count = 0;
+  for (const char* layer : {"core", "ui"}) {
+    QDirIterator files(QStringLiteral(ASPERITY_SOURCE_DIR "/") + layer, {"*.cpp", "*.h"},
+                       QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+      QFile file(files.next());
+      ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+      for (const QString& text : templatesIn(QString::fromUtf8(file.readAll()))) {
+        ++count;
+        if (!translationOf(text.toStdString())) lines += text.toStdString() + "\n";
+      }
+    }
+  }
+  EXPECT_GT(count, 100);
+  EXPECT_EQ(lines, "");
+}
+
 /// Numbers are printed in one style wherever a text of core is shown: never "1e-10".
 TEST(Translations, ShowNoNumberAsComputersWriteIt) {
   static const QRegularExpression machine(QStringLiteral("(?<![\\w.,])\\d[\\d.,]*e[-+]?\\d"));
@@ -100,8 +142,9 @@ TEST(Translations, ShowNoNumberAsComputersWriteIt) {
     useLanguage(code);
     for (const auto& texts : {tableTexts(), sceneTexts(), planTexts(), refusalTexts(),
                               complaintTexts(), figureTexts(), diagramTexts()})
-      for (const std::string& text : texts) {
-        const QString shown = translatedText(text);
+      for (const Message& message : texts) {
+        const QString shown = translatedText(message);
+        const std::string text = message.english();
         // What somebody typed is quoted as it was typed.
         if (text.find('\'') == text.npos && !text.starts_with("1e999")) {
           EXPECT_FALSE(machine.match(shown).hasMatch()) << shown.toStdString();

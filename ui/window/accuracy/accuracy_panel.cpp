@@ -12,9 +12,9 @@
 
 #include "core/accuracy/work_precision_sheet.h"
 #include "ui/chart/friction_series.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
-#include "ui/draw/ticks.h"
 #include "ui/window/curve/comparison_box.h"
 #include "ui/window/curve/region_pictures.h"
 
@@ -224,7 +224,7 @@ void AccuracyPanel::predict() {
 
 void AccuracyPanel::takePrediction(const PredictionAnswer& answer) {
   if (answer.number != asked_) return;
-  if (!answer.prediction) return predicted_->setText(translatedText(answer.reason.toStdString()));
+  if (!answer.prediction) return predicted_->setText(translatedText(answer.reason));
   const Prediction& prediction = *answer.prediction;
   if (prediction.steps > 0)
     return predicted_->setText(

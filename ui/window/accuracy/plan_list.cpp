@@ -32,7 +32,7 @@ void PlanList::showScene(const Scene& scene) {
       addTopLevelItem(item);
     }
   } catch (const InputError& error) {
-    addTopLevelItem(new QTreeWidgetItem({{}, {}, translatedText(error.what())}));
+    addTopLevelItem(new QTreeWidgetItem({{}, {}, translatedError(error)}));
   }
   fitColumns();
 }

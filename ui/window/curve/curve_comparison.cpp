@@ -49,7 +49,7 @@ void CurveComparison::start() {
     try {
       curveDifference(scene, setting, options);
     } catch (const std::exception& error) {
-      later([this, reason = translatedText(error.what())] { emit failed(reason); });
+      later([this, reason = translatedError(error)] { emit failed(reason); });
     }
   });
 }

@@ -1,15 +1,15 @@
 #include "ui/window/curve/curve_files.h"
 
-#include "core/chart/curve_diagram.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/chart/curve_diagram.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
-#include "ui/language/translated.h"
 #include "ui/chart/diagram_picture.h"
+#include "ui/draw/osmesa_context.h"
 #include "ui/draw/picture_origin.h"
 #include "ui/draw/text_painter.h"
-#include "ui/draw/osmesa_context.h"
+#include "ui/language/translated.h"
 #include "ui/window/main/picture_files.h"
 
 namespace asperity {
@@ -25,7 +25,7 @@ nlohmann::ordered_json originOf(const CurveSet& set) {
   if (set.axes == CurveAxes::Dimensionless) origin["axes"] = "dimensionless";
   for (const NamedCurve& curve : set.pinned)
     origin["pinned"].push_back(provenance("curve", curve.scene)["scene"]);
-  if (set.difference) origin["compared_with"] = nameOf(set.difference->setting);
+  if (set.difference) origin["compared_with"] = nameOf(set.difference->setting).english();
   return origin;
 }
 

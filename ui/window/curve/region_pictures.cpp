@@ -31,7 +31,7 @@ std::shared_ptr<const MadeFigure> alone(const MadeFigure& made, std::size_t inde
   one->figure.scene = made.figure.scene;
   const DiagramSheet& sheet = made.figure.sheet;
   one->figure.sheet.diagrams = {sheet.diagrams[index]};
-  one->figure.sheet.diagrams.front().title.clear();
+  one->figure.sheet.diagrams.front().title = {};
   return one;
 }
 

@@ -6,8 +6,9 @@
 #include <exception>
 #include <utility>
 
-#include "ui/chart/plot_marks.h"
+#include "core/base/input_error.h"
 #include "ui/chart/diagram_picture.h"
+#include "ui/chart/plot_marks.h"
 #include "ui/draw/text_painter.h"
 
 namespace asperity {
@@ -22,7 +23,7 @@ DiagramSheet sheetOf(const DiagramView::Maker& maker) {
     return maker();
   } catch (const std::exception& error) {
     DiagramSheet sheet;
-    sheet.title = error.what();
+    sheet.title = messageOf(error);
     return sheet;
   }
 }

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/friction/study.h"
-#include "ui/language/translated.h"
 #include "ui/chart/figure_drawing.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 
@@ -32,7 +32,7 @@ void FigureWorker::run(const FigureJob& job, const std::stop_token& stop) const 
   } catch (const StudyStopped&) {
     events_.stopped(job.name);
   } catch (const std::exception& error) {
-    events_.failed(job.name, translatedText(error.what()));
+    events_.failed(job.name, translatedError(error));
   }
 }
 

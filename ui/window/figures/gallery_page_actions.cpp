@@ -8,11 +8,11 @@
 #include <exception>
 
 #include "ui/language/translated.h"
-#include "ui/window/main/ask_file.h"
 #include "ui/window/figures/figure_files.h"
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_picture.h"
 #include "ui/window/figures/gallery_page.h"
+#include "ui/window/main/ask_file.h"
 #include "ui/window/main/message_bar.h"
 
 namespace asperity {
@@ -85,7 +85,7 @@ void GalleryPage::save(const QString& file,
     try {
       write(file.toStdString(), *made);
     } catch (const std::exception& error) {
-      complaint = translatedText(error.what());
+      complaint = translatedError(error);
     }
     QMetaObject::invokeMethod(this, [this, file, complaint] {
       if (complaint.isEmpty()) {

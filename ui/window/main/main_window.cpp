@@ -15,20 +15,20 @@
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/accuracy/accuracy_panel.h"
-#include "ui/window/main/appearance.h"
-#include "ui/window/main/contact_canvas.h"
+#include "ui/window/accuracy/plan_list.h"
 #include "ui/window/curve/curve_reading.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/gallery_page.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/contact_canvas.h"
 #include "ui/window/main/gesture_counter.h"
-#include "ui/window/tasks/latest_work.h"
 #include "ui/window/main/message_bar.h"
-#include "ui/window/accuracy/plan_list.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/session.h"
 #include "ui/window/main/status_line.h"
 #include "ui/window/main/tour_bar.h"
 #include "ui/window/main/window_sight.h"
+#include "ui/window/tasks/latest_work.h"
 
 namespace asperity {
 
@@ -164,7 +164,7 @@ void MainWindow::connectSession() {
   connect(session_, &Session::frameArrived, this, &MainWindow::showFrame);
   connect(accuracy_, &AccuracyPanel::sceneEdited, this,
           [this](const Scene& scene) { editScene(scene); });
-  connect(session_, &Session::complained, this, [this](const QString& key, const QString& english) {
+  connect(session_, &Session::complained, this, [this](const QString& key, const Message& english) {
     complaint_ = {key, english};
     showComplaint();
   });
@@ -189,7 +189,7 @@ void MainWindow::showFrame() {
 
 void MainWindow::showComplaint() {
   const auto& [key, english] = *complaint_;
-  const QString text = translatedText(english.toStdString());
+  const QString text = translatedText(english);
   messages_->showFailure(MessageBar::Failure::Scene, key.isEmpty() ? text : key + ": " + text);
   panel_->showError(key, text);
 }

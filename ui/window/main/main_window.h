@@ -274,7 +274,7 @@ class MainWindow : public QMainWindow {
   std::optional<Scene> timed_;                            // whose curve is timed
   QElapsedTimer curveTime_;                               // since it was wanted; invalid once there
   std::optional<Measured> measured_;                      // of the present curve
-  std::optional<std::pair<QString, QString>> complaint_;  // of the scene: key and text of core
+  std::optional<std::pair<QString, Message>> complaint_;  // of the scene: key and text of core
   MessageBar* messages_ = nullptr;
   MessageBar* description_ = nullptr;  // what to look for in the scene that was opened
   std::optional<QString> described_;   // and what it said last

@@ -12,12 +12,12 @@
 #include "ui/chart/transient_strips.h"
 #include "ui/language/translated.h"
 #include "ui/window/accuracy/accuracy_panel.h"
+#include "ui/window/curve/curve_commands.h"
+#include "ui/window/figures/gallery_page.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/ask_file.h"
 #include "ui/window/main/command_text.h"
 #include "ui/window/main/contact_canvas.h"
-#include "ui/window/curve/curve_commands.h"
-#include "ui/window/figures/gallery_page.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/picture_files.h"
@@ -69,7 +69,7 @@ void MainWindow::runExport(std::function<void()> work, std::function<void()> don
     try {
       work();
     } catch (const std::exception& error) {
-      complaint = translatedText(error.what());
+      complaint = translatedError(error);
     }
     QMetaObject::invokeMethod(this, [this, complaint, done] {
       if (!complaint.isEmpty())

@@ -15,19 +15,19 @@
 #include <string>
 
 #include "core/base/atomic_file.h"
-#include "core/scene/foreign_scene.h"
 #include "core/base/input_error.h"
+#include "core/scene/foreign_scene.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/main/ask_file.h"
 #include "ui/window/main/command_words.h"
-#include "ui/window/tasks/latest_work.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/recent_files.h"
 #include "ui/window/main/scene_document.h"
+#include "ui/window/tasks/latest_work.h"
 
 namespace asperity {
 
@@ -97,11 +97,11 @@ void MainWindow::openScene(const QString& file) {
   if (!reader_) reader_ = std::make_unique<LatestWork>();
   reader_->request([this, file, number = ++openings_](const std::stop_token&) {
     std::shared_ptr<const FoundScene> found;
-    std::string error;
+    Message error;
     try {
       found = std::make_shared<const FoundScene>(findScene(file.toStdString()));
     } catch (const std::exception& failure) {
-      error = failure.what();
+      error = messageOf(failure);
     }
     const auto take = [this, file, number, found, error] {
       if (number != openings_) return;  // another scene was shown meanwhile
@@ -158,7 +158,7 @@ bool MainWindow::saveScene(const QString& file) {
     checkWritable(path);
     writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), document_->scene())));
   } catch (const std::exception& error) {
-    messages_->showFailure(MessageBar::Failure::Files, translatedText(error.what()));
+    messages_->showFailure(MessageBar::Failure::Files, translatedError(error));
     return false;
   }
   endFailure(MessageBar::Failure::Files);

@@ -151,7 +151,7 @@ void Session::takeMessages() {
   for (const RunnerMessage& message : runner_.takeMessages()) {
     if (message.sceneNumber != sceneNumber_) continue;
     brokenNumber_ = sceneNumber_;
-    emit complained(QString::fromStdString(message.key), QString::fromStdString(message.text));
+    emit complained(QString::fromStdString(message.key), message.text);
   }
 }
 
@@ -194,7 +194,7 @@ void Session::judgeFrame() {
   trouble_ = trouble;
   if (!isNews) return;
   if (!trouble.isEmpty())
-    emit complained({}, trouble);
+    emit complained({}, Message::name(trouble.toStdString()));
   else if (brokenNumber_ != sceneNumber_)  // the curve may fail where the present velocity is fine
     emit sceneRuns();
 }

@@ -80,7 +80,7 @@ class Session : public QObject {
   /// As isWaiting() says: what is on the screen is of the scene before, for longer than a moment.
   void waitingChanged(bool isWaiting);
   /// What is wrong with the present scene, by the runner's word or by its frame; key may be empty.
-  void complained(const QString& key, const QString& text);
+  void complained(const QString& key, const Message& text);
   /// A sound frame of the present scene is here and nothing was said against it: whatever was wrong
   /// before is over.
   void sceneRuns();

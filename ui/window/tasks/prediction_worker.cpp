@@ -3,6 +3,7 @@
 #include <exception>
 #include <utility>
 
+#include "core/base/input_error.h"
 #include "core/friction/study.h"
 #include "core/run/motion_accuracy.h"
 
@@ -24,7 +25,7 @@ void PredictionWorker::answer(const Scene& scene, std::uint64_t number,
   } catch (const StudyStopped&) {
     return;
   } catch (const std::exception& error) {
-    answer.reason = QString::fromUtf8(error.what());
+    answer.reason = messageOf(error);
   }
   answered_(std::move(answer));
 }

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/accuracy/prediction.h"
+#include "core/base/message.h"
 #include "core/scene/scene.h"
 #include "ui/window/tasks/latest_work.h"
 
@@ -21,7 +22,7 @@ namespace asperity {
 struct PredictionAnswer {
   std::uint64_t number = 0;  // of the request
   std::optional<Prediction> prediction;
-  QString reason;  // where there is none
+  Message reason;  // where there is none
 };
 
 class PredictionWorker {

@@ -1,0 +1,101 @@
+#include "core/base/message.h"
+
+#include <utility>
+
+#include "core/base/input_error.h"
+#include "core/base/printable_text.h"
+
+namespace asperity {
+namespace {
+
+Message joined(const std::vector<Message>& parts, const char* form) {
+  Message whole;
+  for (const Message& part : parts) {
+    if (part.empty()) continue;
+    if (whole.empty()) {
+      whole = part;
+      continue;
+    }
+    Message pair(form);
+    pair.values = {std::move(whole), part};
+    whole = std::move(pair);
+  }
+  return whole;
+}
+
+}  // namespace
+
+Message Message::name(std::string text) {
+  Message made(std::move(text));
+  made.kind = Kind::Name;
+  return made;
+}
+
+std::string Message::english() const {
+  if (values.empty()) return text;
+  std::vector<std::string> parts;
+  for (const Message& value : values) parts.push_back(value.english());
+  return filled(text, parts);
+}
+
+Message Message::quoted() const {
+  Message made = *this;
+  made.text = printable(text);
+  for (Message& value : made.values) value = value.quoted();
+  return made;
+}
+
+std::string filled(std::string_view form, const std::vector<std::string>& values) {
+  std::string whole;
+  for (std::size_t i = 0; i < form.size(); ++i) {
+    const bool isPlace = form[i] == '%' && i + 1 < form.size() && form[i + 1] >= '1' &&
+                         form[i + 1] <= '9' &&
+                         static_cast<std::size_t>(form[i + 1] - '1') < values.size();
+    if (isPlace) {
+      whole += values[static_cast<std::size_t>(form[i + 1] - '1')];
+      ++i;
+    } else {
+      whole += form[i];
+    }
+  }
+  return whole;
+}
+
+Message listed(const std::vector<Message>& parts) {
+  return joined(parts, "%1, %2");
+}
+
+Message sentences(const std::vector<Message>& parts) {
+  return joined(parts, "%1 %2");
+}
+
+Message messageOf(const std::exception& error) {
+  const auto* text = dynamic_cast<const TextError*>(&error);
+  if (!text) return Message::name(error.what());
+  Message whole = text->message();
+  for (auto name = text->about().rbegin(); name != text->about().rend(); ++name)
+    if (!name->empty()) whole = message("{}: {}", *name, whole);
+  return whole;
+}
+
+namespace detail {
+
+Places::Places(std::string_view format) {
+  for (std::size_t i = 0; i < format.size(); ++i) {
+    const char letter = format[i];
+    if ((letter == '{' || letter == '}') && i + 1 < format.size() && format[i + 1] == letter) {
+      form += letter;
+      ++i;
+    } else if (letter == '{') {
+      const std::size_t end = format.find('}', i);
+      formats.emplace_back(format.substr(i, end + 1 - i));
+      form += '%' + std::to_string(formats.size());
+      i = end;
+    } else {
+      form += letter;
+    }
+  }
+}
+
+}  // namespace detail
+}  // namespace asperity
