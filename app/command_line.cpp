@@ -13,12 +13,11 @@
 #include <functional>
 
 #include "app/batch_file.h"
+#include "app/command_options.h"
 #include "app/interruption.h"
-#include "app/option_words.h"
 #include "app/vector_target.h"
 #include "core/base/input_error.h"
-#include "core/base/printable_text.h"
-#include "core/base/suggestions.h"
+#include "core/base/text.h"
 #include "core/paper/figure.h"
 #include "core/scene/parameter_table.h"
 #include "core/scene/scene_file.h"

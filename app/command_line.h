@@ -9,8 +9,7 @@
 
 #include "app/curve_choice.h"
 #include "app/frame_source.h"
-#include "app/picture_choice.h"
-#include "app/view_choice.h"
+#include "app/picture_options.h"
 #include "core/base/input_error.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene.h"

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "core/base/printable_text.h"
+#include "core/base/text.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {

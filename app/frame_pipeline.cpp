@@ -4,8 +4,6 @@
 #include <mutex>
 #include <thread>
 
-#include "app/bounded_queue.h"
-
 namespace asperity {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/base/input_error.h"
-#include "core/base/printed_number.h"
+#include "core/base/number_text.h"
 #include "core/run/runner.h"
 
 namespace asperity {

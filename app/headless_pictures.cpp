@@ -5,11 +5,11 @@
 
 #include "app/output.h"
 #include "core/base/input_error.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/pdf_file.h"
+#include "ui/draw/pixel_context.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/svg_file.h"
-#include "ui/draw/text_painter.h"
-#include "ui/draw/pixel_context.h"
 
 namespace asperity {
 namespace {

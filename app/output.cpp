@@ -10,8 +10,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/base/suggestions.h"
-#include "core/base/printable_text.h"
+#include "core/base/text.h"
 #include "ui/language/words.h"
 
 namespace asperity {

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "app/named_choice.h"
+#include "app/command_options.h"
 #include "core/base/input_error.h"
 #include "core/chart/curve_diagram.h"
 #include "core/run/transient_diagram.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_overlay.h"
-#include "ui/draw/stacked.h"
+#include "ui/draw/stroke_pattern.h"
 #include "ui/language/words.h"
 
 namespace asperity {

@@ -6,8 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/picture_choice.h"
-#include "app/view_choice.h"
+#include "app/picture_options.h"
 #include "core/chart/curve_set.h"
 #include "core/chart/diagram.h"
 #include "core/run/frame.h"

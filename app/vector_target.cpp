@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/input_error.h"
-#include "core/base/suggestions.h"
+#include "core/base/text.h"
 #include "core/contact/kernels/lane_pass.h"
 
 namespace asperity {

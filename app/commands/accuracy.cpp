@@ -16,7 +16,7 @@
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/diagram_picture.h"
-#include "ui/draw/picture_origin.h"
+#include "ui/draw/png_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"

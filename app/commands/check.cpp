@@ -4,7 +4,7 @@
 #include "app/command_line.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
-#include "core/base/printable_text.h"
+#include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/law.h"
 #include "core/material/element_law.h"

@@ -13,12 +13,12 @@
 #include "app/progress_bar.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/base/suggestions.h"
+#include "core/base/text.h"
 #include "core/scene/provenance.h"
+#include "ui/chart/figure_drawing.h"
+#include "ui/draw/png_file.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/chart/figure_drawing.h"
-#include "ui/draw/picture_origin.h"
 #include "ui/window/figures/claim_text.h"
 
 namespace asperity {

@@ -10,7 +10,7 @@
 #include "app/command_line.h"
 #include "app/headless_pictures.h"
 #include "app/output.h"
-#include "app/picture_choice.h"
+#include "app/picture_options.h"
 #include "app/progress_bar.h"
 #include "core/base/atomic_file.h"
 #include "core/scene/provenance.h"

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "app/command_line.h"
-#include "core/scene/foreign_scene.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 

@@ -10,7 +10,7 @@
 #include "core/surface/line_source.h"
 #include "core/surface/surface_file.h"
 #include "ui/contact/surface_picture.h"
-#include "ui/draw/picture_origin.h"
+#include "ui/draw/png_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"

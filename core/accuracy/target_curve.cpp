@@ -10,7 +10,7 @@
 
 #include "core/accuracy/level_sampler.h"
 #include "core/base/input_error.h"
-#include "core/base/printed_number.h"
+#include "core/base/number_text.h"
 #include "core/base/processor_time.h"
 #include "core/friction/study.h"
 #include "core/material/element_law.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/base/printed_number.h"
+#include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"

@@ -22,7 +22,7 @@
 #include <utility>
 
 #include "core/base/input_error.h"
-#include "core/base/printable_text.h"
+#include "core/base/text.h"
 
 namespace asperity {
 namespace {

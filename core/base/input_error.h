@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/message.h"
-#include "core/base/printable_text.h"
+#include "core/base/text.h"
 
 namespace asperity {
 

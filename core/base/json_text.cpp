@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/file_kind.h"
 #include "core/base/input_error.h"
-#include "core/base/suggestions.h"
+#include "core/base/regular_file.h"
+#include "core/base/text.h"
 
 namespace asperity {
 namespace {

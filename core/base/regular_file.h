@@ -1,10 +1,12 @@
-// Reading of plain files on a disk, and of nothing else: a pipe or a device might never answer.
+// Reading of plain files on a disk, and of nothing else: a pipe or a device might never answer; and
+// what a file is that cannot be read as text in UTF-8.
 // Failure: InputError that names the file; nothing of its content.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace asperity {
 
@@ -30,5 +32,9 @@ class RegularFile {
 
 /// The whole of a regular file of at most `limit` bytes.
 std::string readRegularFile(const std::filesystem::path& file, std::size_t limit);
+
+/// "text in UTF-16", "a PNG picture", "a ZIP archive (as of a spreadsheet)", "a binary file"; empty
+/// where the bytes may be text in UTF-8. Looks at the beginning alone.
+std::string_view foreignKindOf(std::string_view bytes);
 
 }  // namespace asperity

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/printed_number.h"
+#include "core/base/number_text.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {

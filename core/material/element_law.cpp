@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/base/input_error.h"
-#include "core/base/range_text.h"
+#include "core/base/number_text.h"
 #include "core/material/temperature_shift.h"
 
 namespace asperity {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/range_text.h"
+#include "core/base/number_text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
 #include "core/paper/figure_parts.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/printed_number.h"
+#include "core/base/number_text.h"
 #include "core/chart/diagram.h"
 #include "core/friction/study.h"
 #include "core/paper/figure.h"

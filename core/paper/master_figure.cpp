@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/range_text.h"
+#include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"

@@ -1,5 +1,5 @@
 #include "core/paper/zone_claims.h"
-#include "core/base/range_text.h"
+#include "core/base/number_text.h"
 
 #include <fmt/format.h>
 

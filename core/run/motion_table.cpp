@@ -10,7 +10,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/jobs.h"
-#include "core/base/printed_number.h"
+#include "core/base/number_text.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/study.h"

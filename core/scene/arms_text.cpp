@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"
-#include "core/base/range_text.h"
-#include "core/base/suggestions.h"
+#include "core/base/number_text.h"
+#include "core/base/text.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/number_text.h"
 #include "core/scene/parameters.h"
-#include "core/base/range_text.h"
 
 namespace asperity {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
-#include "core/base/range_text.h"
-#include "core/base/suggestions.h"
+#include "core/base/number_text.h"
+#include "core/base/text.h"
 #include "core/scene/arms_text.h"
 #include "core/scene/parameters.h"
 

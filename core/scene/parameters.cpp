@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/base/suggestions.h"
+#include "core/base/text.h"
 
 namespace asperity {
 namespace {

@@ -2,6 +2,8 @@
 // version, the canonical scene and its seed; never a date, the threads or a file's name. And the
 // way back: the scene out of a file that the program wrote. Pure but for what reads one file; any
 // thread.
+// A scene that comes inside of a picture, film or table may be another person's: SceneDemands says
+// what it asks for beyond being shown, so that its reader can be asked first.
 #pragma once
 
 #include <filesystem>
@@ -50,5 +52,20 @@ FoundScene findScene(std::string_view bytes, const std::string& name,
 
 /// The scene alone.
 Scene readProvenance(const std::filesystem::path& file);
+
+/// What such a scene may take unasked.
+inline constexpr double kMemoryUnasked = 1e9;   // bytes
+inline constexpr double kSecondsUnasked = 600;  // of one processor
+
+struct SceneDemands {
+  std::filesystem::path file;  // a profile that lies neither beside the scene nor below; or empty
+  double memory = 0;           // bytes, where it is more than kMemoryUnasked, roughly
+  double seconds = 0;          // of one processor, where it is more than kSecondsUnasked, roughly
+
+  bool any() const { return !file.empty() || memory > 0 || seconds > 0; }
+};
+
+/// scene.folder: where the file lies that carries the scene.
+SceneDemands demandsOf(const Scene& scene);
 
 }  // namespace asperity

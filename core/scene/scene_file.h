@@ -1,5 +1,6 @@
-// Scene files: JSON, UTF-8, "schema": "asperity-scene/1". Reads and writes through the table of
-// parameters; holds no state. Bad input throws InputError naming file, key and what is allowed.
+// Scene files (JSON) and assignments (KEY=VALUE): reading a scene, writing it, and what has to be
+// set over one scene so that it becomes another. Reads and writes through the table of parameters;
+// holds no state. Bad input throws InputError naming file, key and what is allowed.
 #pragma once
 
 #include <filesystem>
@@ -26,5 +27,13 @@ Scene readScene(std::string_view json, const std::string& name,
 /// The canonical text: every applicable key, in the table's order, numbers in shortest form that
 /// reads back to the same value. readScene(writeScene(s)) == s up to the folder.
 std::string writeScene(const Scene& scene);
+
+/// "KEY=VALUE" of every key that differs, in the table's order: readScene(text of base, ...,
+/// assignments) is `scene` up to the folder and to keys that have no meaning in it.
+std::vector<std::string> assignmentsFrom(const Scene& base, const Scene& scene);
+
+/// "KEY=VALUE;KEY=VALUE" and back. A ';' inside a value is written "\;", and a '\' "\\".
+std::string joinedAssignments(const std::vector<std::string>& assignments);
+std::vector<std::string> separatedAssignments(std::string_view text);
 
 }  // namespace asperity

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
-#include "core/base/range_text.h"
+#include "core/base/number_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
 #include "core/surface/phase_factors.h"

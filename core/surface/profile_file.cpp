@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/file_kind.h"
 #include "core/base/input_error.h"
-#include "core/base/read_number.h"
-#include "core/base/range_text.h"
+#include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/surface/profile_header.h"
 

@@ -18,8 +18,8 @@
 #include "core/scene/scene_file.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/contact/contact_picture.h"
-#include "ui/draw/text_painter.h"
 #include "ui/contact/view_navigation.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/osmesa_context.h"
 
 namespace asperity {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <optional>
 
-#include "ui/draw/colours.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <optional>
 
-#include "ui/draw/colours.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/log_ticks.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "ui/draw/colours.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {

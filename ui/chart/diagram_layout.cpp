@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ui/chart/diagram_axes.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/fonts.h"
 
 namespace asperity {
 namespace {

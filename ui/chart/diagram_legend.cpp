@@ -5,8 +5,8 @@
 
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/marks.h"
-#include "ui/draw/colours.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/theme.h"
 #include "ui/language/words.h"
 
 namespace asperity {

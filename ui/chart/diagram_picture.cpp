@@ -6,7 +6,7 @@
 
 #include "ui/chart/diagram_annotations.h"
 #include "ui/chart/diagram_legend.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/fonts.h"
 #include "ui/language/translated.h"
 
 namespace asperity {

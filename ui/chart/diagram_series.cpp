@@ -6,8 +6,8 @@
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/marks.h"
 #include "ui/contact/smooth_line.h"
-#include "ui/draw/colours.h"
 #include "ui/draw/stroke_pattern.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {

@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "ui/language/words.h"
-#include "ui/draw/colours.h"
 #include "ui/contact/contact_parts.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/theme.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {

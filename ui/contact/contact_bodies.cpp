@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/draw/colours.h"
 #include "ui/contact/contact_glow.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/decimate.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/scene/effects.h"
-#include "ui/draw/colours.h"
+#include "ui/draw/theme.h"
 #include "ui/draw/ticks.h"
 
 namespace asperity {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/draw/colours.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/language/translated.h"
-#include "ui/language/words.h"
 #include "ui/contact/contact_forces.h"
 #include "ui/contact/contact_parts.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/fonts.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {

@@ -11,8 +11,8 @@
 #include "ui/contact/decimate.h"
 #include "ui/contact/label_placement.h"
 #include "ui/contact/narrow_contact.h"
-#include "ui/draw/colours.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/theme.h"
 #include "ui/language/words.h"
 
 namespace asperity {

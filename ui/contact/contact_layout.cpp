@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/language/words.h"
 #include "ui/contact/narrow_contact.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/plot_axes.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {

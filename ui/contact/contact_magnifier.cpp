@@ -3,13 +3,13 @@
 #include <cmath>
 #include <optional>
 
-#include "ui/contact/label_placement.h"
-#include "ui/draw/colours.h"
 #include "ui/contact/contact_insets.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/decimate.h"
+#include "ui/contact/label_placement.h"
 #include "ui/contact/narrow_contact.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {

@@ -6,12 +6,12 @@
 
 #include "core/contact/arms/retardation.h"
 #include "core/material/element_law.h"
-#include "ui/language/words.h"
-#include "ui/draw/colours.h"
 #include "ui/contact/contact_forces.h"
 #include "ui/contact/decimate.h"
 #include "ui/contact/narrow_contact.h"
+#include "ui/draw/theme.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {

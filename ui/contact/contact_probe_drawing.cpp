@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 
-#include "ui/draw/colours.h"
 #include "ui/contact/contact_insets.h"
 #include "ui/contact/contact_probe.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {

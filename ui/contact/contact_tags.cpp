@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/draw/colours.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/contact/contact_layout.h"
+#include "ui/contact/smooth_line.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/plot_axes.h"
+#include "ui/draw/theme.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
-#include "ui/draw/colours.h"
-#include "ui/contact/contact_layout.h"
-#include "ui/draw/plot_axes.h"
-#include "ui/contact/smooth_line.h"
-#include "ui/draw/text_metrics.h"
 
 namespace asperity {
 namespace {

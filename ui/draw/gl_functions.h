@@ -1,9 +1,11 @@
-// The OpenGL 3.3 functions the renderer uses, found at run time. Private to ui/draw: the only
-// header that sees OpenGL's types. Threading: a table belongs to one context and its thread.
-// Failure: the constructor throws std::runtime_error naming the function that is missing.
+// OpenGL 3.3 without a library of its own: its functions, found at run time, shader programs, and
+// the state of somebody else's context that drawing leaves as it was. A context is current in every
+// call. Failure: std::runtime_error naming the function that is missing, or with the compiler's
+// message.
 #pragma once
 
 #include <GL/glcorearb.h>
+#include <array>
 
 #include "ui/draw/renderer.h"
 
@@ -62,6 +64,46 @@ struct GlFunctions {
 #define ASPERITY_GL_MEMBER(Type, member, name) Type member = nullptr;
   ASPERITY_GL_FUNCTIONS(ASPERITY_GL_MEMBER)
 #undef ASPERITY_GL_MEMBER
+};
+
+class ShaderProgram {
+ public:
+  ShaderProgram(const GlFunctions& gl, const char* vertexSource, const char* fragmentSource);
+  ~ShaderProgram();
+  ShaderProgram(const ShaderProgram&) = delete;
+  ShaderProgram& operator=(const ShaderProgram&) = delete;
+
+  /// Makes it current for a picture of this size in pixels.
+  void use(int width, int height) const;
+
+ private:
+  const GlFunctions& gl_;
+  GLuint program_ = 0;
+  GLint pictureSize_ = -1;
+};
+
+class SavedState {
+ public:
+  explicit SavedState(const GlFunctions& gl);
+  ~SavedState();
+  SavedState(const SavedState&) = delete;
+  SavedState& operator=(const SavedState&) = delete;
+
+ private:
+  GLint integer(GLenum name) const;
+  void setEnabled(GLenum capability, bool on) const;
+
+  static constexpr std::array<GLenum, 6> kCapabilities = {
+      GL_BLEND, GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB};
+
+  const GlFunctions& gl_;
+  std::array<bool, kCapabilities.size()> enabled_{};
+  GLint program_, vertexArray_, arrayBuffer_, drawFramebuffer_, readFramebuffer_;
+  GLint blendEquationColour_, blendEquationAlpha_;
+  GLint sourceColour_, targetColour_, sourceAlpha_, targetAlpha_;
+  std::array<GLint, 4> viewport_{}, scissor_{};
+  std::array<GLfloat, 4> clearColour_{};
+  std::array<GLboolean, 4> colourMask_{};
 };
 
 }  // namespace asperity

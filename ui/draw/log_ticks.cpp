@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/printed_number.h"
+#include "core/base/number_text.h"
 
 namespace asperity {
 namespace {

@@ -11,9 +11,9 @@
 #include <string_view>
 
 #include "core/base/atomic_file.h"
-#include "ui/draw/text_painter.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/svg_file.h"
 #include "ui/draw/vector_shapes.h"
-#include "ui/draw/xml_text.h"
 
 namespace asperity {
 namespace {

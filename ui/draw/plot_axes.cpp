@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/draw/fonts.h"
 #include "ui/draw/log_ticks.h"
-#include "ui/draw/text_metrics.h"
 
 namespace asperity {
 namespace {

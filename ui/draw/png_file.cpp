@@ -1,7 +1,6 @@
 #include "ui/draw/png_file.h"
 
 #include <libdeflate.h>
-
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -10,6 +9,8 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/carried_text.h"
+#include "core/scene/provenance.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 namespace {
@@ -122,6 +123,22 @@ void writePng(const std::filesystem::path& path, const QImage& image, const PngO
 
 std::string pngMetadata(std::string_view bytes) {
   return bytes.starts_with(kSignature) ? carriedText(bytes) : std::string();
+}
+
+void addLanguage(nlohmann::ordered_json& picture) {
+  if (presentLanguage() != "en") picture["language"] = presentLanguage();
+}
+
+void nameLanguage(nlohmann::ordered_json& origin) {
+  nlohmann::ordered_json picture;
+  addLanguage(picture);
+  if (!picture.is_null()) origin["picture"] = picture;
+}
+
+std::string pictureOrigin(const std::string& verb, const Scene& scene) {
+  nlohmann::ordered_json origin = provenance(verb, scene);
+  nameLanguage(origin);
+  return provenanceLine(origin);
 }
 
 }  // namespace asperity

@@ -3,7 +3,10 @@
 
 #include <QImage>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
+
+#include "core/scene/scene.h"
 
 namespace asperity {
 
@@ -25,5 +28,14 @@ void writePng(const std::filesystem::path& path, const QImage& image,
 
 /// The text chunk "asperity" of a PNG's bytes; empty where there is none.
 std::string pngMetadata(std::string_view bytes);
+
+/// "language" among what is said of a picture, where it is not English.
+void addLanguage(nlohmann::ordered_json& picture);
+
+/// The same in the provenance of a picture of which nothing else was chosen.
+void nameLanguage(nlohmann::ordered_json& origin);
+
+/// The provenance of a picture of which only the language was chosen, as one line.
+std::string pictureOrigin(const std::string& verb, const Scene& scene);
 
 }  // namespace asperity

@@ -1,10 +1,8 @@
 #include "ui/draw/renderer.h"
 
 #include "shader_sources.h"
-#include "ui/draw/geometry.h"
 #include "ui/draw/gl_functions.h"
-#include "ui/draw/saved_state.h"
-#include "ui/draw/shader_program.h"
+#include "ui/draw/shapes.h"
 
 namespace asperity {
 namespace {

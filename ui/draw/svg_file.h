@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "ui/draw/draw_list.h"
 
@@ -20,5 +21,12 @@ std::string svgOf(const DrawList& list, const SvgOptions& options = {});
 /// As writeFileAtomically.
 void writeSvg(const std::filesystem::path& path, const DrawList& list,
               const SvgOptions& options = {});
+
+/// With markup characters escaped, and characters that XML cannot hold replaced by U+FFFD.
+std::string xmlText(std::string_view utf8);
+
+/// The XMP packet of a file: title and description where they are not empty, no date, no
+/// identifier.
+std::string xmpPacket(const std::string& title, const std::string& description);
 
 }  // namespace asperity

@@ -1,5 +1,9 @@
 #include "ui/draw/theme.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace asperity {
 namespace {
 
@@ -49,6 +53,57 @@ const Theme& printTheme() {
     return print;
   }();
   return theme;
+}
+
+namespace {
+
+constexpr Rgba bytes(int r, int g, int b) {
+  return {static_cast<float>(r) / 255, static_cast<float>(g) / 255, static_cast<float>(b) / 255, 1};
+}
+
+// Control colours of "inferno" (matplotlib, CC0) at 0.5, 0.55, ..., 1. Its dark half is left out:
+// it would not stand out from the elastomer.
+constexpr std::array<Rgba, 11> kInferno = {
+    bytes(188, 55, 84),  bytes(206, 68, 71),   bytes(221, 81, 58),  bytes(234, 99, 42),
+    bytes(243, 120, 25), bytes(249, 142, 9),   bytes(252, 165, 10), bytes(251, 190, 35),
+    bytes(246, 215, 70), bytes(242, 239, 118), bytes(252, 255, 164)};
+
+// Control colours of "viridis" (matplotlib, CC0) at 1, 0.9, ..., 0.3. The rest is darker than the
+// elastomer.
+constexpr std::array<Rgba, 8> kViridis = {
+    bytes(253, 231, 37), bytes(189, 223, 38), bytes(122, 209, 81), bytes(68, 191, 112),
+    bytes(34, 168, 132), bytes(33, 145, 140), bytes(42, 120, 142), bytes(53, 95, 141)};
+
+template <std::size_t N>
+Rgba alongMap(const std::array<Rgba, N>& map, float t) {
+  const float place = std::clamp(std::isfinite(t) ? t : 0.0F, 0.0F, 1.0F) * (N - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), N - 2);
+  return mix(map[below], map[below + 1], place - static_cast<float>(below));
+}
+
+}  // namespace
+
+Rgba mix(const Rgba& a, const Rgba& b, float t) {
+  return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t,
+          a.a + (b.a - a.a) * t};
+}
+
+Rgba withAlpha(Rgba colour, float alpha) {
+  colour.a = alpha;
+  return colour;
+}
+
+Rgba textOn(const Rgba& fill) {
+  const float lightness = 0.299F * fill.r + 0.587F * fill.g + 0.114F * fill.b;
+  return lightness > 0.5F ? bytes(22, 30, 40) : bytes(240, 245, 250);
+}
+
+Rgba pressureColour(float t) {
+  return alongMap(kInferno, t);
+}
+
+Rgba ageColour(float t) {
+  return alongMap(kViridis, t);
 }
 
 }  // namespace asperity

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/printed_number.h"
+#include "core/base/number_text.h"
 
 namespace asperity {
 

@@ -1,10 +1,13 @@
 #include "ui/draw/vector_shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
 
-#include "ui/draw/colours.h"
-#include "ui/draw/vector_fills.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {
@@ -100,6 +103,240 @@ VectorLayer vectorized(const DrawLayer& layer) {
   StrokeCollector strokes(vector.strokes);
   for (const DrawLine& line : layer.lines) strokes.add(line);
   return vector;
+}
+
+namespace {
+
+using Corner = std::array<float, 2>;
+using Triangle = std::array<DrawVertex, 3>;
+
+// As differences of what is seen, 0 to 1.
+constexpr float kOneColour = 1e-4F;   // a triangle that varies less was meant to be of one colour
+constexpr float kSameShade = 0.012F;  // two descriptions of the same change of colour
+constexpr float kPiece = 0.08F;       // a piece of a mesh varies no more than this
+constexpr float kInvisible = 0.002F;  // opacity
+constexpr float kSmallest = 4;        // pixels; smaller pieces are not split
+
+float areaOf(const Triangle& t) {
+  return ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y)) / 2;
+}
+
+/// What is nearly transparent may be of any colour.
+float seenDistance(const Rgba& a, const Rgba& b) {
+  const float opacity = std::max(a.a, b.a);
+  return std::max({opacity * std::abs(a.r - b.r), opacity * std::abs(a.g - b.g),
+                   opacity * std::abs(a.b - b.b), std::abs(a.a - b.a)});
+}
+
+Rgba meanOf(const Triangle& t) {
+  return {(t[0].colour.r + t[1].colour.r + t[2].colour.r) / 3,
+          (t[0].colour.g + t[1].colour.g + t[2].colour.g) / 3,
+          (t[0].colour.b + t[1].colour.b + t[2].colour.b) / 3,
+          (t[0].colour.a + t[1].colour.a + t[2].colour.a) / 3};
+}
+
+float variation(const Triangle& t) {
+  return std::max({seenDistance(t[0].colour, t[1].colour), seenDistance(t[1].colour, t[2].colour),
+                   seenDistance(t[2].colour, t[0].colour)});
+}
+
+std::array<float, 4> channels(const Rgba& c) {
+  return {c.r, c.g, c.b, c.a};
+}
+
+/// Colour as a function of the distance along one direction.
+struct Shade {
+  Place origin;
+  Rgba colour;                   // there
+  float x = 1, y = 0;            // unit vector
+  std::array<float, 4> slope{};  // of the channels, per pixel
+
+  float along(const DrawVertex& v) const { return (v.x - origin.x) * x + (v.y - origin.y) * y; }
+  Rgba at(float distance) const {
+    const auto held = [&](float c, int channel) {
+      return std::clamp(c + slope[static_cast<std::size_t>(channel)] * distance, 0.0F, 1.0F);
+    };
+    return {held(colour.r, 0), held(colour.g, 1), held(colour.b, 2), held(colour.a, 3)};
+  }
+  bool describes(const Triangle& t) const {
+    return std::all_of(t.begin(), t.end(), [&](const DrawVertex& v) {
+      return seenDistance(at(along(v)), v.colour) <= kSameShade;
+    });
+  }
+};
+
+/// None where the colours do not change along one direction.
+std::optional<Shade> shadeOf(const Triangle& t) {
+  const double ux = t[1].x - t[0].x, uy = t[1].y - t[0].y;
+  const double vx = t[2].x - t[0].x, vy = t[2].y - t[0].y;
+  const double determinant = ux * vy - vx * uy;
+  const auto c0 = channels(t[0].colour), c1 = channels(t[1].colour), c2 = channels(t[2].colour);
+  std::array<std::array<double, 2>, 4> gradients{};
+  double steepest = 0;
+  Shade shade{{t[0].x, t[0].y}, t[0].colour, 1, 0, {}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double du = c1[i] - c0[i], dv = c2[i] - c0[i];
+    gradients[i] = {(du * vy - dv * uy) / determinant, (dv * ux - du * vx) / determinant};
+    const double size = std::hypot(gradients[i][0], gradients[i][1]);
+    if (size <= steepest) continue;
+    steepest = size;
+    shade.x = static_cast<float>(gradients[i][0] / size);
+    shade.y = static_cast<float>(gradients[i][1] / size);
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+    shade.slope[i] = static_cast<float>(gradients[i][0] * shade.x + gradients[i][1] * shade.y);
+  if (!std::isfinite(shade.x + shade.y) || !shade.describes(t)) return std::nullopt;
+  return shade;
+}
+
+/// Gathers triangles until one comes that needs another paint.
+class FillCollector {
+ public:
+  void add(Triangle t) {
+    const float area = areaOf(t);
+    if (!(std::abs(area) > 1e-6F)) return;
+    if (std::max({t[0].colour.a, t[1].colour.a, t[2].colour.a}) < kInvisible) return;
+    if (area < 0) std::swap(t[1], t[2]);
+    if (variation(t) <= kOneColour)
+      addFlat(t, meanOf(t), false);
+    else if (shade_ && shade_->describes(t))
+      append(t);
+    else if (const auto shade = shadeOf(t))
+      start(*shade, t);
+    else
+      addPieces(t);
+  }
+
+  std::vector<VectorFill> take() {
+    finish();
+    return std::move(fills_);
+  }
+
+ private:
+  void addFlat(const Triangle& t, const Rgba& colour, bool piece) {
+    if (!flat_ || !sameColour(*flat_, colour) || piece_ != piece) {
+      finish();
+      flat_ = colour;
+      piece_ = piece;
+    }
+    append(t);
+  }
+
+  void start(const Shade& shade, const Triangle& t) {
+    finish();
+    shade_ = shade;
+    least_ = most_ = 0;
+    append(t);
+  }
+
+  void append(const Triangle& t) {
+    for (const DrawVertex& v : t) {
+      corners_.push_back({v.x, v.y});
+      if (!shade_) continue;
+      least_ = std::min(least_, shade_->along(v));
+      most_ = std::max(most_, shade_->along(v));
+    }
+  }
+
+  /// Four by the middles of its sides, until each is nearly of one colour.
+  void addPieces(const Triangle& t) {
+    float longest = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      longest = std::max(longest, std::hypot(t[i].x - t[(i + 1) % 3].x, t[i].y - t[(i + 1) % 3].y));
+    if (variation(t) <= kPiece || longest <= kSmallest) return addFlat(t, meanOf(t), true);
+    const auto middle = [&](std::size_t a, std::size_t b) {
+      return DrawVertex{(t[a].x + t[b].x) / 2, (t[a].y + t[b].y) / 2,
+                        mix(t[a].colour, t[b].colour, 0.5F)};
+    };
+    const DrawVertex ab = middle(0, 1), bc = middle(1, 2), ca = middle(2, 0);
+    for (const Triangle& piece : {Triangle{t[0], ab, ca}, Triangle{ab, t[1], bc},
+                                  Triangle{ca, bc, t[2]}, Triangle{ab, bc, ca}})
+      addPieces(piece);
+  }
+
+  void finish() {
+    if (!corners_.empty()) {
+      VectorFill fill;
+      fill.outlines = outlineOf(corners_);
+      if (shade_) {
+        const auto at = [&](float distance) {
+          return Place{shade_->origin.x + distance * shade_->x,
+                       shade_->origin.y + distance * shade_->y};
+        };
+        fill.paint = {shade_->at(least_), shade_->at(most_), at(least_), at(most_), true};
+      } else {
+        fill.paint.from = fill.paint.to = *flat_;
+      }
+      fill.isPieceOfMesh = shade_.has_value() || piece_;
+      fills_.push_back(std::move(fill));
+    }
+    corners_.clear();
+    shade_.reset();
+    flat_.reset();
+    piece_ = false;
+  }
+
+  std::vector<VectorFill> fills_;
+  std::vector<Place> corners_;
+  std::optional<Shade> shade_;
+  std::optional<Rgba> flat_;
+  bool piece_ = false;
+  float least_ = 0, most_ = 0;
+};
+
+}  // namespace
+
+std::vector<VectorFill> fillsOf(const std::vector<DrawVertex>& triangles) {
+  FillCollector fills;
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
+    if (isDrawable(triangles[i]) && isDrawable(triangles[i + 1]) && isDrawable(triangles[i + 2]))
+      fills.add({triangles[i], triangles[i + 1], triangles[i + 2]});
+  return fills.take();
+}
+
+std::vector<Polyline> outlineOf(const std::vector<Place>& corners) {
+  std::map<std::pair<Corner, Corner>, int> edges;  // how often, against their reverse
+  std::vector<std::pair<Corner, Corner>> order;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Place &p = corners[i + k], &q = corners[i + (k + 1) % 3];
+      const Corner a{p.x, p.y}, b{q.x, q.y};
+      if (const auto reverse = edges.find({b, a}); reverse != edges.end() && reverse->second > 0) {
+        --reverse->second;
+      } else {
+        ++edges[{a, b}];
+        order.emplace_back(a, b);
+      }
+    }
+  std::map<Corner, std::vector<Corner>> next;
+  for (auto edge = order.rbegin(); edge != order.rend(); ++edge)
+    if (int& left = edges[*edge]; left > 0) {
+      --left;
+      next[edge->first].push_back(edge->second);
+    }
+  std::vector<Polyline> outlines;
+  for (const auto& [start, unused] : order) {
+    if (next[start].empty()) continue;
+    Polyline outline;
+    for (Corner at = start; !next[at].empty();) {
+      outline.push_back({at[0], at[1]});
+      const Corner to = next[at].back();
+      next[at].pop_back();
+      at = to;
+    }
+    outlines.push_back(std::move(outline));
+  }
+  return outlines;
+}
+
+bool isDrawable(const DrawVertex& vertex) {
+  return std::isfinite(vertex.x) && std::isfinite(vertex.y);
+}
+
+bool sameColour(const Rgba& a, const Rgba& b) {
+  const auto one = channels(a), other = channels(b);
+  return std::equal(one.begin(), one.end(), other.begin(),
+                    [](float x, float y) { return std::lround(255 * x) == std::lround(255 * y); });
 }
 
 }  // namespace asperity

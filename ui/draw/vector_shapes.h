@@ -1,12 +1,10 @@
-// A layer of a DrawList as a vector format wants it: outlines with one paint each, instead of
-// triangles and segments with a colour at every corner. Shared by SVG and PDF. Private to
-// ui/draw. Pure; any thread. Pixels, y down.
+// What vector files (SVG, PDF) are made of: paths of shapes, gradients and fills.
 #pragma once
 
 #include <vector>
 
-#include "ui/draw/stroke_pattern.h"
 #include "ui/draw/draw_list.h"
+#include "ui/draw/stroke_pattern.h"
 
 namespace asperity {
 
@@ -46,5 +44,11 @@ VectorLayer vectorized(const DrawLayer& layer);
 /// The outline of triangles that are all turned the same way: edges that two of them share are
 /// left out. Winding numbers stay what they were.
 std::vector<Polyline> outlineOf(const std::vector<Place>& corners);
+
+std::vector<VectorFill> fillsOf(const std::vector<DrawVertex>& triangles);
+
+bool isDrawable(const DrawVertex& vertex);  // finite
+/// The same in eight bits a channel.
+bool sameColour(const Rgba& a, const Rgba& b);
 
 }  // namespace asperity

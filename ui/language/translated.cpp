@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
-#include "core/base/printed_number.h"
-#include "core/base/read_number.h"
+#include "core/base/number_text.h"
 #include "ui/language/language.h"
 
 namespace asperity {

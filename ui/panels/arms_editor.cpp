@@ -7,13 +7,11 @@
 #include <array>
 #include <cmath>
 
-#include "core/scene/arms_text.h"
+#include "core/base/number_text.h"
+#include "core/scene/parameter_values.h"
 #include "core/scene/parameters.h"
-#include "core/base/printed_number.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/typed_number.h"
-#include "ui/panels/unit_text.h"
 #include "ui/panels/value_entry.h"
 
 namespace asperity {

@@ -1,7 +1,9 @@
 #include "ui/panels/choice_box.h"
 
+#include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QPalette>
 #include <QWheelEvent>
 #include <algorithm>
 
@@ -42,6 +44,87 @@ void ChoiceBox::paintEvent(QPaintEvent*) {
       QPen(colours.color(QPalette::Text), 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(chevron);
+}
+
+namespace {
+
+constexpr int kLines = 4;
+
+}  // namespace
+
+TextBox::TextBox(QWidget* parent) : QPlainTextEdit(parent) {
+  setTabChangesFocus(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void TextBox::showText(const QString& text) {
+  const bool isTyping = hasFocus() && toPlainText() != accepted_;
+  accepted_ = text;
+  if (!isTyping) replaceText(text);
+}
+
+void TextBox::replaceText(const QString& text) {
+  accepted_ = text;
+  if (toPlainText() != text) setPlainText(text);
+}
+
+QSize TextBox::sizeHint() const {
+  return {120, kLines * fontMetrics().lineSpacing() + 12};
+}
+
+void TextBox::keyPressEvent(QKeyEvent* event) {
+  const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (event->key() == Qt::Key_Escape && toPlainText() != accepted_) return replaceText(accepted_);
+  if (isEnter && event->modifiers().testFlag(Qt::ControlModifier)) return commit();
+  QPlainTextEdit::keyPressEvent(event);
+}
+
+void TextBox::focusOutEvent(QFocusEvent* event) {
+  QPlainTextEdit::focusOutEvent(event);
+  if (event->reason() != Qt::PopupFocusReason) commit();
+}
+
+/// A scene's sentence is one paragraph.
+void TextBox::commit() {
+  const QString text = toPlainText().simplified();
+  if (text == accepted_) return replaceText(text);
+  emit textCommitted(text);
+}
+
+QString panelStyleSheet(const QPalette& palette) {
+  const bool dark = palette.color(QPalette::Window).lightness() < 128;
+  const auto name = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
+  return QStringLiteral(R"(
+    QScrollArea, #parameterRows { background: %1; }
+    QLabel[role="heading"] { font-weight: bold; color: %2; }
+    QLabel[role="unit"] { color: %3; }
+    QLabel[role="error"] { color: %4; }
+    QLabel[role="note"] { color: %7; }
+    QLineEdit { background: %5; color: %2; border: 1px solid %6; border-radius: 5px;
+                padding: 1px 5px; min-height: 19px; }
+    QPlainTextEdit { background: %5; color: %2; border: 1px solid %6; border-radius: 5px;
+                     padding: 0px 1px; }
+    QLineEdit:focus, QPlainTextEdit:focus { border-color: %7; }
+    QLineEdit[refused="true"] { border: 2px solid %4; padding: 0px 4px; }
+    QLineEdit:disabled { background: transparent; color: %3; }
+    QToolButton[role="browse"] { border: 1px solid %6; border-radius: 5px; background: %5;
+                                 color: %2; padding: 1px 7px; min-height: 19px; }
+    QToolButton[role="browse"]:hover, QToolButton[role="browse"]:focus { border-color: %7; }
+    QToolButton[role="browse"]:disabled { background: transparent; color: %3; }
+    QToolButton[role="remove"] { border: 1px solid transparent; border-radius: 5px;
+                                 background: transparent; color: %3; }
+    QToolButton[role="remove"]:hover { color: %4; }
+    QToolButton[role="remove"]:focus { border-color: %7; }
+    QToolButton[role="remove"]:disabled { color: transparent; }
+    QToolButton[role="reset"] { border: none; background: transparent; color: %3; }
+    QToolButton[role="reset"]:hover { color: %7; }
+    QToolButton[role="reset"]:disabled { color: transparent; }
+  )")
+      .arg(name(QPalette::Window), name(QPalette::WindowText), name(QPalette::PlaceholderText),
+           dark ? QStringLiteral("#ff7b72") : QStringLiteral("#c62828"), name(QPalette::Base),
+           name(QPalette::Mid), name(QPalette::Highlight));
 }
 
 }  // namespace asperity

@@ -1,7 +1,11 @@
-// A combo box in the panel's look; the wheel counts only while it has the focus. GUI thread.
+// Boxes of the panels for a choice and for a text, and the style that all controls share.
 #pragma once
 
 #include <QComboBox>
+#include <QPlainTextEdit>
+#include <QString>
+
+class QPalette;
 
 namespace asperity {
 
@@ -14,5 +18,35 @@ class ChoiceBox : public QComboBox {
   void wheelEvent(QWheelEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 };
+
+class TextBox : public QPlainTextEdit {
+  Q_OBJECT
+
+ public:
+  explicit TextBox(QWidget* parent = nullptr);
+
+  /// Shows the accepted text, unless someone is typing another one.
+  void showText(const QString& text);
+
+  /// Shows it whatever stands there.
+  void replaceText(const QString& text);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ signals:
+  void textCommitted(const QString& text);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void commit();
+
+  QString accepted_;
+};
+
+QString panelStyleSheet(const QPalette& palette);
 
 }  // namespace asperity

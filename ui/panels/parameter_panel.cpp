@@ -15,10 +15,9 @@
 #include "core/scene/parameters.h"
 #include "ui/language/translated.h"
 #include "ui/panels/arms_editor.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/panel_style.h"
 #include "ui/panels/parameter_row.h"
-#include "ui/panels/typed_number.h"
 
 namespace asperity {
 

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "core/scene/scene.h"
-#include "ui/panels/left_open.h"
+#include "ui/panels/profile_defaults.h"
 #include "ui/panels/value_entry.h"
 
 class QScrollArea;

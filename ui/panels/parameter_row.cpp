@@ -11,15 +11,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/arms_text.h"
+#include "core/scene/parameter_values.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/arms_editor.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/text_box.h"
-#include "ui/panels/typed_number.h"
-#include "ui/panels/unit_text.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
 
@@ -139,9 +136,9 @@ QString ParameterRow::labelOf(const Parameter& parameter) {
 
 void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool replace) {
   const ParameterValue value = valueOf(parameter_, scene);
-  const std::optional<StandIn> standIn = standInFor(parameter_, scene, known);
-  if (slider_) slider_->showValue(standIn ? standIn->value.value_or(0) : asNumber(value));
-  if (entry_) showEntry(value, standIn, replace);
+  const std::optional<Placeholder> placeholder = placeholderFor(parameter_, scene, known);
+  if (slider_) slider_->showValue(placeholder ? placeholder->value.value_or(0) : asNumber(value));
+  if (entry_) showEntry(value, placeholder, replace);
   if (text_) {
     const QString text = shownText(parameter_, value).number;
     replace ? text_->replaceText(text) : text_->showText(text);
@@ -152,19 +149,19 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
   showReset(value, restingValue(parameter_, scene));
   if (isChosenWhereOpen(parameter_))
     reset_->setToolTip(tr("Back to the default, chosen by the scene"));
-  setEnabled(!(standIn && standIn->isFixed));
+  setEnabled(!(placeholder && placeholder->isFixed));
   setVisible(isApplicable(parameter_, scene));
 }
 
-void ParameterRow::showEntry(const ParameterValue& value, const std::optional<StandIn>& standIn,
-                             bool replace) {
+void ParameterRow::showEntry(const ParameterValue& value,
+                             const std::optional<Placeholder>& placeholder, bool replace) {
   const UnitText shown = shownText(parameter_, value);
-  const QString text = standIn ? QString() : shown.number;
+  const QString text = placeholder ? QString() : shown.number;
   if (browse_)  // in words until there is a name that needs the room
     browse_->setText(text.isEmpty() ? tr("choose file…") : QStringLiteral("…"));
   else
-    entry_->setPlaceholderText(standIn ? standIn->text : QString());
-  const QString unit = standIn ? fromUtf8(parameter_.unit) : shown.unit;
+    entry_->setPlaceholderText(placeholder ? placeholder->text : QString());
+  const QString unit = placeholder ? fromUtf8(parameter_.unit) : shown.unit;
   replace ? entry_->replaceText(text, unit) : entry_->showText(text, unit);
 }
 

@@ -9,7 +9,7 @@
 #include <QWidget>
 
 #include "core/scene/parameters.h"
-#include "ui/panels/left_open.h"
+#include "ui/panels/profile_defaults.h"
 
 class QHBoxLayout;
 class QLabel;
@@ -65,7 +65,8 @@ class ParameterRow : public QWidget {
   void addReset(QHBoxLayout& line);
   void addRemarks(QVBoxLayout& column);
   void setWidths();
-  void showEntry(const ParameterValue& value, const std::optional<StandIn>& standIn, bool replace);
+  void showEntry(const ParameterValue& value, const std::optional<Placeholder>& placeholder,
+                 bool replace);
   void showReset(const ParameterValue& value, const ParameterValue& resting);
   void describe(QWidget& control, const char* kind);
   QString description() const;

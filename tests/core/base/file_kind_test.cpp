@@ -1,4 +1,4 @@
-#include "core/base/file_kind.h"
+#include "core/base/regular_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What is said of a word that is not known.
-#include "core/base/suggestions.h"
+#include "core/base/text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a scene out of another person's picture asks for.
-#include "core/scene/foreign_scene.h"
+#include "core/scene/provenance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/base/range_text.h"
+#include "core/base/number_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/base/printed_number.h"
+#include "core/base/number_text.h"
 #include "tests/ui/chart/sample_sheets.h"
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_picture.h"

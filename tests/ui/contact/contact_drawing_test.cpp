@@ -7,11 +7,11 @@
 #include <memory>
 
 #include "tests/ui/contact/sample_frame.h"
-#include "ui/draw/colours.h"
 #include "ui/contact/contact_picture.h"
-#include "ui/draw/text_painter.h"
-#include "ui/draw/ticks.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/osmesa_context.h"
+#include "ui/draw/theme.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {

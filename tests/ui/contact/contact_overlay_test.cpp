@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "tests/ui/contact/sample_frame.h"
-#include "ui/draw/colours.h"
 #include "ui/contact/contact_forces.h"
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {

@@ -7,7 +7,7 @@
 #include <QtMath>
 #include <vector>
 
-#include "ui/draw/text_painter.h"
+#include "ui/draw/fonts.h"
 
 namespace asperity {
 

@@ -1,4 +1,4 @@
-#include "ui/draw/geometry.h"
+#include "ui/draw/shapes.h"
 
 #include <gtest/gtest.h>
 

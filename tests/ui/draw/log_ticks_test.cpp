@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/printed_number.h"
+#include "core/base/number_text.h"
 
 namespace asperity {
 namespace {

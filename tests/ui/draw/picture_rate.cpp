@@ -13,7 +13,7 @@
 
 #include "core/run/simulation.h"
 #include "ui/contact/contact_picture.h"
-#include "ui/draw/text_painter.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/osmesa_context.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <QGuiApplication>
 #include <memory>
 
-#include "ui/draw/text_painter.h"
+#include "ui/draw/fonts.h"
 
 namespace asperity {
 namespace {

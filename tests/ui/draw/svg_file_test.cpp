@@ -8,11 +8,11 @@
 #include <QXmlStreamReader>
 #include <map>
 
-#include "tests/ui/contact/sample_frame.h"
 #include "tests/ui/chart/sample_sheets.h"
+#include "tests/ui/contact/sample_frame.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_picture.h"
-#include "ui/draw/font_subset.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/shapes.h"
 
 namespace asperity {

@@ -1,10 +1,8 @@
-#include "ui/draw/text_metrics.h"
+#include "ui/draw/fonts.h"
 
 #include <gtest/gtest.h>
 
 #include <QFontMetricsF>
-
-#include "ui/draw/text_painter.h"
 
 namespace asperity {
 namespace {

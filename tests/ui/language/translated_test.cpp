@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/input_error.h"
-#include "core/base/range_text.h"
+#include "core/base/number_text.h"
 #include "ui/language/language.h"
 #include "ui/language/words.h"
 

@@ -13,9 +13,8 @@
 #include "core/scene/parameters.h"
 #include "tests/ui/panels/parameter_panel_fixture.h"
 #include "tests/ui/window/qt_application.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
-#include "ui/panels/text_box.h"
-#include "ui/panels/unit_text.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
 

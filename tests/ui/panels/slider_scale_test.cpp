@@ -1,5 +1,5 @@
 // Values of sliders and texts of numbers.
-#include "ui/panels/slider_scale.h"
+#include "ui/panels/value_slider.h"
 
 #include <gtest/gtest.h>
 

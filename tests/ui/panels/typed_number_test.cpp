@@ -1,5 +1,5 @@
 // What is typed in the entries, and why it is refused.
-#include "ui/panels/typed_number.h"
+#include "ui/panels/number_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ui/panels/unit_text.h"
+#include "ui/panels/number_text.h"
 
 #include <gtest/gtest.h>
 

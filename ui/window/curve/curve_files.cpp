@@ -6,9 +6,9 @@
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/chart/diagram_picture.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/osmesa_context.h"
-#include "ui/draw/picture_origin.h"
-#include "ui/draw/text_painter.h"
+#include "ui/draw/png_file.h"
 #include "ui/language/translated.h"
 #include "ui/window/main/picture_files.h"
 

@@ -9,7 +9,7 @@
 #include "core/base/input_error.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/chart/plot_marks.h"
-#include "ui/draw/text_painter.h"
+#include "ui/draw/fonts.h"
 
 namespace asperity {
 

@@ -5,7 +5,7 @@
 
 #include "core/chart/curve_set.h"
 #include "ui/chart/diagram_colours.h"
-#include "ui/draw/text_painter.h"
+#include "ui/draw/fonts.h"
 
 namespace asperity {
 

@@ -9,7 +9,7 @@
 
 #include "ui/chart/plot_view.h"
 #include "ui/contact/contact_picture.h"
-#include "ui/draw/text_painter.h"
+#include "ui/draw/fonts.h"
 
 namespace asperity {
 

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/assignments.h"
+#include "core/scene/parameter_values.h"
 #include "core/scene/parameters.h"
+#include "ui/contact/contact_overlay.h"
+#include "ui/draw/stroke_pattern.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
-#include "ui/contact/contact_overlay.h"
-#include "ui/draw/stacked.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {

@@ -4,7 +4,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "ui/draw/text_painter.h"
+#include "ui/draw/fonts.h"
 #include "ui/window/main/canvas_backend.h"
 
 namespace asperity {

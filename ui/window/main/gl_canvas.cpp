@@ -9,7 +9,7 @@
 #include <QTimer>
 #include <exception>
 
-#include "ui/draw/text_painter.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/renderer.h"
 #include "ui/window/main/canvas_backend.h"
 

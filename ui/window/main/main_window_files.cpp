@@ -16,7 +16,6 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/scene/foreign_scene.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/translated.h"

@@ -2,13 +2,12 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "ui/language/translated.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/osmesa_context.h"
 #include "ui/draw/pdf_file.h"
-#include "ui/draw/picture_origin.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/svg_file.h"
-#include "ui/draw/text_painter.h"
-#include "ui/draw/osmesa_context.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 

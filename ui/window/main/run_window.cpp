@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/scene/provenance.h"
+#include "ui/draw/fonts.h"
 #include "ui/language/language.h"
-#include "ui/draw/text_painter.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/quit_limit.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/file_name.h"
+#include "core/base/text.h"
 #include "core/scene/parameters.h"
 #include "ui/panels/parameter_row.h"
 

@@ -3,7 +3,7 @@
 #include <exception>
 #include <utility>
 
-#include "ui/draw/text_painter.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/pixel_context.h"
 
 namespace asperity {

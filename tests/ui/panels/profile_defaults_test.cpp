@@ -1,5 +1,5 @@
 // What a scene leaves open, as the panel of parameters shows it.
-#include "ui/panels/left_open.h"
+#include "ui/panels/profile_defaults.h"
 
 #include <gtest/gtest.h>
 

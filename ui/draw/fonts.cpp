@@ -1,7 +1,30 @@
-#include "ui/draw/font_advances.h"
+#include "ui/draw/fonts.h"
 
+#include <hb-subset.h>
+#include <hb.h>
+#include <QColor>
+#include <QFile>
+#include <QFont>
+#include <QFontDatabase>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QString>
+#include <QtMath>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "ui/draw/pixel_context.h"
+
+/// Outside any namespace, as Qt asks: makes the embedded files known where this is a static
+/// library.
+static void initFontResources() {
+  Q_INIT_RESOURCE(fonts);
+}
 
 namespace asperity {
 namespace {
@@ -99,6 +122,190 @@ std::int16_t fontAdvance(std::uint32_t character, bool bold) {
       [](const Special& entry, std::uint32_t wanted) { return entry.character < wanted; });
   if (special == kSpecials.end() || special->character != character) return kUnknown;
   return bold ? special->bold : special->regular;
+}
+
+namespace {
+
+template <auto destroy>
+struct Destroyer {
+  template <typename T>
+  void operator()(T* object) const {
+    destroy(object);
+  }
+};
+using Blob = std::unique_ptr<hb_blob_t, Destroyer<hb_blob_destroy>>;
+using Face = std::unique_ptr<hb_face_t, Destroyer<hb_face_destroy>>;
+using SubsetInput = std::unique_ptr<hb_subset_input_t, Destroyer<hb_subset_input_destroy>>;
+
+Face faceOf(const QByteArray& file) {
+  const Blob blob(hb_blob_create(file.constData(), static_cast<unsigned>(file.size()),
+                                 HB_MEMORY_MODE_READONLY, nullptr, nullptr));
+  return Face(hb_face_create(blob.get(), 0));
+}
+
+}  // namespace
+
+QByteArray fontFile(bool bold) {
+  initFontResources();
+  QFile file(bold ? QStringLiteral(":/asperity/fonts/DejaVuSans-Bold.ttf")
+                  : QStringLiteral(":/asperity/fonts/DejaVuSans.ttf"));
+  if (!file.open(QIODevice::ReadOnly))
+    throw std::runtime_error("The embedded font " + file.fileName().toStdString() +
+                             " cannot be read.");
+  return file.readAll();
+}
+
+std::set<char32_t> charactersIn(const DrawList& list, bool bold) {
+  std::set<char32_t> characters;
+  for (const DrawText& text : list.texts)
+    if (text.bold == bold)
+      for (const char32_t character : QString::fromStdString(text.utf8).toUcs4())
+        characters.insert(character);
+  return characters;
+}
+
+QByteArray fontSubset(bool bold, const std::set<char32_t>& characters) {
+  const QByteArray file = fontFile(bold);
+  const Face whole = faceOf(file);
+  const SubsetInput input(hb_subset_input_create_or_fail());
+  if (!input) throw std::runtime_error("There is no memory to cut the embedded font.");
+  hb_set_t* const wanted = hb_subset_input_unicode_set(input.get());
+  for (const char32_t character : characters) hb_set_add(wanted, character);
+  hb_set_t* const dropped = hb_subset_input_set(input.get(), HB_SUBSET_SETS_DROP_TABLE_TAG);
+  for (const hb_tag_t table : {HB_TAG('G', 'S', 'U', 'B'), HB_TAG('G', 'P', 'O', 'S'),
+                               HB_TAG('G', 'D', 'E', 'F'), HB_TAG('k', 'e', 'r', 'n')})
+    hb_set_add(dropped, table);
+  hb_subset_input_set_flags(input.get(), HB_SUBSET_FLAGS_NO_HINTING);
+  const Face part(hb_subset_or_fail(whole.get(), input.get()));
+  if (!part) throw std::runtime_error("The embedded font cannot be cut to the glyphs in use.");
+  const Blob bytes(hb_face_reference_blob(part.get()));
+  unsigned size = 0;
+  const char* const data = hb_blob_get_data(bytes.get(), &size);
+  return {data, static_cast<qsizetype>(size)};
+}
+
+namespace {
+
+/// The next character; advances `at` past it. Damaged UTF-8 counts one character a byte.
+std::uint32_t nextCharacter(std::string_view utf8, std::size_t& at) {
+  const auto byte = static_cast<unsigned char>(utf8[at++]);
+  const int more = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC0 ? 1 : 0;
+  std::uint32_t character = more == 0 ? byte : byte & (0x3FU >> more);
+  for (int i = 0; i < more && at < utf8.size() && (utf8[at] & 0xC0) == 0x80; ++i)
+    character = (character << 6) | (static_cast<unsigned char>(utf8[at++]) & 0x3FU);
+  return character;
+}
+
+}  // namespace
+
+float textWidth(std::string_view utf8, float size, bool bold) {
+  float units = 0;
+  for (std::size_t at = 0; at < utf8.size();) units += fontAdvance(nextCharacter(utf8, at), bold);
+  return units * size / kAdvancesPerSize;
+}
+
+float fittingSize(const std::string& utf8, float size, float least, bool bold, float width) {
+  while (size - 1 >= least && textWidth(utf8, size, bold) > width) size -= 1;
+  return size;
+}
+
+std::vector<std::string> wrapped(const std::string& utf8, float size, bool bold, float width) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < utf8.size();) {
+    const std::size_t space = utf8.find_first_of(" \n", at);
+    const std::size_t end = std::min(space, utf8.size());
+    const std::string word = utf8.substr(at, end - at);
+    const bool freshLine = lines.empty() || (at > 0 && utf8[at - 1] == '\n');
+    if (freshLine)
+      lines.push_back(word);
+    else if (textWidth(lines.back() + " " + word, size, bold) <= width)
+      lines.back() += " " + word;
+    else
+      lines.push_back(word);
+    at = end + 1;
+  }
+  for (std::string& line : lines) line = elided(line, size, bold, width);
+  return lines;
+}
+
+std::string elided(const std::string& utf8, float size, bool bold, float width) {
+  if (textWidth(utf8, size, bold) <= width) return utf8;
+  const std::string ellipsis = "\u2026";
+  const float room = width - textWidth(ellipsis, size, bold);
+  std::size_t kept = 0;
+  for (std::size_t at = 0; at < utf8.size();) {
+    nextCharacter(utf8, at);
+    if (textWidth(std::string_view(utf8).substr(0, at), size, bold) > room) break;
+    kept = at;
+  }
+  while (kept > 0 && utf8[kept - 1] == ' ') --kept;
+  return kept == 0 ? std::string() : utf8.substr(0, kept) + ellipsis;
+}
+
+namespace {
+
+qreal leftEnd(const DrawText& text, qreal advance) {
+  if (text.anchor == TextAnchor::Centre) return -advance / 2;
+  return text.anchor == TextAnchor::Right ? -advance : 0;
+}
+
+void paintText(QPainter& painter, const DrawText& text) {
+  const QFont font = fontOf(text);
+  const QString words = QString::fromStdString(text.utf8);
+  painter.save();
+  painter.translate(text.x, text.y);
+  if (text.angle != 0) painter.rotate(-qRadiansToDegrees(static_cast<qreal>(text.angle)));
+  painter.setFont(font);
+  painter.setPen(colourOf(text.colour));
+  qreal left = leftEnd(text, QFontMetricsF(font).horizontalAdvance(words));
+  if (text.angle == 0) left = std::round(text.x + left) - text.x;  // whole pixels: sharp stems
+  painter.drawText(QPointF(left, 0), words);
+  painter.restore();
+}
+
+}  // namespace
+
+void loadFonts() {
+  static const bool loaded = [] {
+    for (const bool bold : {false, true})
+      if (QFontDatabase::addApplicationFontFromData(fontFile(bold)) < 0)
+        throw std::runtime_error("The embedded font DejaVu Sans cannot be loaded.");
+    return true;
+  }();
+  static_cast<void>(loaded);
+}
+
+QColor colourOf(const Rgba& c) {
+  return QColor::fromRgbF(c.r, c.g, c.b, c.a);
+}
+
+QFont fontOf(const DrawText& text) {
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPixelSize(std::max(1, qRound(text.size)));
+  font.setBold(text.bold);
+  font.setKerning(false);  // as textWidth() measures
+  font.setHintingPreference(QFont::PreferNoHinting);
+  return font;
+}
+
+void paintTexts(QPainter& painter, const DrawList& list) {
+  painter.save();
+  painter.setRenderHint(QPainter::TextAntialiasing);
+  for (const DrawText& text : list.texts) paintText(painter, text);
+  painter.restore();
+}
+
+QImage renderImage(PixelContext& context, const DrawList& list) {
+  // The image takes the pixels over instead of copying them.
+  auto* pixels = new Pixels(context.draw(list));
+  QImage image(
+      pixels->rgba.data(), pixels->width, pixels->height, qsizetype{4} * pixels->width,
+      QImage::Format_RGBA8888_Premultiplied, [](void* p) { delete static_cast<Pixels*>(p); },
+      pixels);
+  QPainter painter(&image);
+  paintTexts(painter, list);
+  painter.end();
+  return image;
 }
 
 }  // namespace asperity

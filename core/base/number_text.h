@@ -1,11 +1,15 @@
-// Numbers and quantities as they are printed for people, in pictures, in the window and in
-// sentences: one style everywhere. Tables and JSON have machine numbers instead. English (a decimal
-// point); ui/draw/ticks.h has them in the language in use. UTF-8 with a true minus, micro and
-// multiplication sign. Pure; any thread.
+// Numbers as text. Machine numbers (readNumber, plainNumber) stand in files and messages; printed
+// numbers and quantities stand in pictures and in the window: one style everywhere, in English (a
+// decimal point; ui/draw/ticks.h has them in the language in use), UTF-8 with a true minus, micro
+// and multiplication sign. Pure; any thread.
 #pragma once
 
+#include <charconv>
 #include <string>
 #include <string_view>
+#include <system_error>
+
+#include "core/base/message.h"
 
 namespace asperity {
 
@@ -38,5 +42,21 @@ struct UnitPrefix {
 
 /// The prefix that leaves 1 to 999 of a magnitude, from f to P.
 UnitPrefix prefixFor(double magnitude);
+
+/// Reads back to the same number: "0.05", "-10000000", "1e-6"; the exponent without padding.
+std::string plainNumber(double value);
+
+/// The same as a value of a message.
+PrintedNumber plain(double value);
+
+/// "0 to 1", "1e-6 to 1e15 Pa": six digits, which every limit of the table has.
+Message rangeText(double minimum, double maximum, std::string_view unit = {});
+
+/// All of the text as a number that its type can hold; false where there is more or less.
+template <class Number>
+bool readNumber(std::string_view text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
 
 }  // namespace asperity

@@ -22,14 +22,14 @@ struct LineSize {
 };
 
 /// Shown in place of a value of the scene.
-struct StandIn {
+struct Placeholder {
   QString text;                 // in pale letters
   std::optional<double> value;  // where a slider stands
   bool isFixed = false;         // there is nothing to choose
 };
 
-std::optional<StandIn> standInFor(const Parameter& parameter, const Scene& scene,
-                                  const LineSize& known);
+std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scene& scene,
+                                          const LineSize& known);
 
 /// Where the reset button goes: the default, or 0 for what a profile's file says.
 ParameterValue restingValue(const Parameter& parameter, const Scene& scene);

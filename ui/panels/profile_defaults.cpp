@@ -1,4 +1,4 @@
-#include "ui/panels/left_open.h"
+#include "ui/panels/profile_defaults.h"
 
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
@@ -29,14 +29,14 @@ void leaveOpen(const Parameter& parameter, Scene& scene) {
 }
 
 /// The number used for one line and, where that is another, for the curve.
-StandIn chosenOversampling(const Scene& scene) {
+Placeholder chosenOversampling(const Scene& scene) {
   const std::int64_t line = pointsPerElement(scene), curve = pointsPerElementOfCurve(scene);
   return {line == curve ? ParameterPanel::tr("chosen: %1").arg(line)
                         : ParameterPanel::tr("chosen: %1 / %2").arg(line).arg(curve),
           static_cast<double>(line), false};
 }
 
-StandIn fromFile(double known) {
+Placeholder fromFile(double known) {
   if (known > 0) return {shownNumber(roundedToDigits(known, kDigits)), known, false};
   return {ParameterPanel::tr("as in file"), {}, false};
 }
@@ -47,10 +47,10 @@ LineSize& sizeOf(SurfaceKind kind, LineSize& profile, LineSize& others) {
 
 }  // namespace
 
-std::optional<StandIn> standInFor(const Parameter& parameter, const Scene& scene,
-                                  const LineSize& known) {
+std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scene& scene,
+                                          const LineSize& known) {
   if (parameter.key == kRealizations && scene.surface.kind != SurfaceKind::SelfAffine)
-    return StandIn{QStringLiteral("1"), 1, true};
+    return Placeholder{QStringLiteral("1"), 1, true};
   if (!mayBeLeftOpen(parameter, scene)) return {};
   if (isChosenWhereOpen(parameter))
     return scene.accuracy.oversampling == 0 ? std::optional(chosenOversampling(scene))
