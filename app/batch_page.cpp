@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/read_number.h"
+#include "core/base/number_text.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
 #include "core/scene/parameters.h"
 #include "ui/draw/ticks.h"
-#include "ui/draw/xml_text.h"
+#include "ui/draw/svg_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"

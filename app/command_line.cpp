@@ -30,7 +30,7 @@ namespace {
 constexpr const char* kDescription =
     "Asperity shows and computes how a viscoelastic elastomer slides over a randomly rough line.";
 
-constexpr const char* kLastLanguage = "that of the last time, or of the desktop";
+constexpr const char* kLastLanguage = "the one used last, or that of the desktop";
 
 class CommandLine {
  public:
@@ -84,13 +84,16 @@ class CommandLine {
     const std::string word = asksForHelp ? argv[2] : argc > 1 ? argv[1] : "";
     const bool looksLikeVerb = !word.empty() && word.find_first_of("-./") == std::string::npos;
     if (!looksLikeVerb || word == "help" || std::filesystem::exists(word)) return;
-    std::string verbs;
-    for (const CLI::App* verb : app_.get_subcommands({})) {
-      if (verb->get_name() == word) return;
-      verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
-    }
-    throw InputError("", "",
-                     message("{} is neither a verb ({}) nor a scene file", shortened(word), verbs));
+    std::vector<std::string> names;
+    for (const CLI::App* verb : app_.get_subcommands({})) names.push_back(verb->get_name());
+    if (std::ranges::find(names, word) != names.end()) return;
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string_view nearest = nearestOf(word, known);
+    throw InputError(
+        "", "",
+        nearest.empty()
+            ? message("unknown command '{}'; 'asperity --help' lists all", shortened(word))
+            : message("unknown command '{}'; did you mean '{}'?", shortened(word), nearest));
   }
 
   bool timing() const { return std::ranges::any_of(allCommon_, &CommonOptions::timing); }
@@ -99,20 +102,20 @@ class CommandLine {
   void addShared(CLI::App& app, CommonOptions& common, const char* usualLanguage = "en") {
     allCommon_.push_back(&common);
     app.add_option("--set", common.assignments,
-                   "Set a scene key, e.g. --set load.normal_force=0.1; may repeat, the last one of "
-                   "a key counts")
+                   "Set a scene key, e.g. --set load.normal_force=0.1; may be repeated, the last "
+                   "value of a key counts")
         ->type_name("KEY=VALUE")
         ->take_all()
         ->allow_extra_args(false);
-    limitWhole(app.add_option("--threads", common.threads, "Threads to use; 0: all of the machine"),
+    limitWhole(app.add_option("--threads", common.threads, "Number of threads; 0: as many as the machine has"),
                0, 1024);
     if (&app != &app_) {  // the window says nothing
-      app.add_flag("--quiet", common.quiet, "No progress and no summary");
-      app.add_flag("--json", common.json, "Machine-readable answer on standard output");
+      app.add_flag("--quiet", common.quiet, "Show neither progress nor summary");
+      app.add_flag("--json", common.json, "Write the answer as JSON to standard output");
     }
-    app.add_flag("--timing", common.timing, "Run time on standard error");
+    app.add_flag("--timing", common.timing, "Write the run time to standard error");
     app.add_option("--language", common.language,
-                   fmt::format("Of pictures and of what a person reads, one of {}; else {}",
+                   fmt::format("Language of pictures and messages: {} (default: {})",
                                languageCodes(), usualLanguage));
   }
 
@@ -129,7 +132,7 @@ class CommandLine {
   }
 
   void addCheck() {
-    addVerb("check", "Read and validate a scene, and say what it is", check_,
+    addVerb("check", "Read a scene, check it, and print what it describes", check_,
             [this] { return runCheck(check_); });
   }
   void addCurve() {
@@ -138,7 +141,7 @@ class CommandLine {
     addOutputs(
         verb, curve_.outputs,
         "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
-        "or .pdf; may repeat; none: CSV on stdout");
+        "or .pdf; may be repeated (default: CSV to standard output)");
     addPictureOptions(*verb, curve_.picture, "1200x800", "print");
     addCurveOptions(*verb, curve_.curves);
   }
@@ -148,15 +151,15 @@ class CommandLine {
     addOutputs(
         verb, motion_.outputs,
         "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
-        "or .pdf; may repeat; none: CSV on stdout");
+        "or .pdf; may be repeated (default: CSV to standard output)");
     limitWhole(verb->add_option("--every", motion_.every,
-                                "Each so many time steps are a row, and the last one; pictures "
-                                "take all of them")
+                                "Write one row for this number of time steps, and the last step; "
+                                "pictures show all steps")
                    ->capture_default_str(),
                1, 1000000000);
     limitWhole(verb->add_option("--lines", motion_.lines,
-                                "Random lines, told apart by the column realization; pictures "
-                                "show their mean")
+                                "Number of random lines; the column realization numbers them, and "
+                                "pictures show their mean")
                    ->capture_default_str(),
                1, 1000000);
     addPictureOptions(*verb, motion_.picture, "1200x1000", "print");
@@ -173,32 +176,32 @@ class CommandLine {
                      "contact, curve, both, or transient: the contact above strips over time")
         ->capture_default_str();
     verb->add_option("--overlay", render_.overlay,
-                     "What colours the contact: none, pressure, relaxation (time since contact) or "
-                     "power (dissipated); else pressure");
+                     "Colour the contact by none, pressure, relaxation (time since contact) or "
+                     "power (dissipated) (default: pressure)");
     addViewOptions(*verb, render_.view);
     addCurveOptions(*verb, render_.curves);
     TimeChoice& time = render_.time;
     limitWhole(
-        verb->add_option("--frames", time.frames, "Frames; else 60 a period, or 60 for a motion"),
+        verb->add_option("--frames", time.frames, "Number of frames (default: 60 per period, or 60 for a motion)"),
         1, 1000000);
-    limit(verb->add_option("--fps", time.framesPerSecond, "Frames per second of film; else 25"),
+    limit(verb->add_option("--fps", time.framesPerSecond, "Frames per second of film (default: 25)"),
           0.001, 1000);
-    limit(verb->add_option("--duration", time.duration, "Seconds of film, instead of --frames"),
+    limit(verb->add_option("--duration", time.duration, "Length of the film in seconds, instead of --frames"),
           0.001, 1e6, "s");
-    limit(verb->add_option("--cycles", time.cycles, "Periods of the line that pass; else 1"), 1e-6,
+    limit(verb->add_option("--cycles", time.cycles, "Number of periods of the line that pass (default: 1)"), 1e-6,
           1e6);
     limit(
-        verb->add_option("--slow-motion", time.slowMotion, "Seconds of film to a simulated second"),
+        verb->add_option("--slow-motion", time.slowMotion, "Seconds of film per simulated second"),
         1e-12, 1e15);
     limit(verb->add_option("--at", time.at,
-                           "One picture of the moment after this time of sliding; else the start "
-                           "of steady sliding and the end of a motion"),
+                           "One picture, after this time of sliding (default: the start of steady "
+                           "sliding, the end of a motion)"),
           0, 1e12, "s");
     limit(verb->add_option("--slid", time.slid,
-                           "One picture of steady sliding after this way, instead of --at"),
+                           "One picture of steady sliding, after this sliding distance, instead of --at"),
           0, 1e12, "m");
     verb->add_flag("--resume", render_.resume,
-                   "Keep the frames that an interrupted run left, and make the rest");
+                   "Keep the frames of an interrupted run and make the missing ones");
   }
   void addSurface() {
     CLI::App* verb = addVerb("surface", "The rigid line, its spectrum and its statistics",
@@ -210,7 +213,7 @@ class CommandLine {
   }
   void addFigure() {
     CLI::App* verb = app_.add_subcommand(
-        "figure", "The figures of Li et al. (2013): data, picture, and the paper's claims checked");
+        "figure", "The figures of Li et al. (2013): data, pictures, and a check of the paper's claims");
     std::string words;
     for (const FigureEntry& entry : figureEntries())
       words += fmt::format("  {:8} {}\n", entry.word, entry.headline);
@@ -220,7 +223,7 @@ class CommandLine {
     verb->add_option("-o,--output", figure_.output, "Folder for CSV, PNG, SVG and claims.json")
         ->required();
     limitWhole(
-        verb->add_option("--realizations", figure_.realizations, "Random lines to average over")
+        verb->add_option("--realizations", figure_.realizations, "Number of random lines to average over")
             ->capture_default_str(),
         1, 1000000);
     addShared(*verb, figure_.common);
@@ -228,7 +231,7 @@ class CommandLine {
     verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
   }
   void addOpen() {
-    CLI::App* verb = app_.add_subcommand("open", "The window, with the scene that made a file");
+    CLI::App* verb = app_.add_subcommand("open", "Open the window with the scene that made a file");
     verb->add_option("FILE", open_.common.scene,
                      "PNG, SVG, PDF, film, CSV or JSON that Asperity wrote; a scene may be dropped "
                      "on the window in the same way")
@@ -239,7 +242,7 @@ class CommandLine {
   }
   void addBatch() {
     CLI::App* verb = app_.add_subcommand(
-        "batch", "Many scenes and sweeps of their keys: pictures, data and a page of them");
+        "batch", "Run many scenes and sweeps of their keys: pictures, data and one page that shows all");
     verb->add_option("FILE", batch_.common.scene, "The batch (JSON), see below")->required();
     verb->add_option("-o,--output", batch_.output, "Folder for all files")->required();
     addPictureOptions(*verb, batch_.picture, "the batch's", "light");
@@ -254,9 +257,9 @@ class CommandLine {
     verb->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")->required();
   }
   void addExplain() {
-    CLI::App* verb = addVerb("explain", "The plan: what runs, what does not and why, what it costs",
+    CLI::App* verb = addVerb("explain", "The plan: what runs, what does not run and why, and the expected cost",
                              explain_.common, [this] { return runExplain(explain_); });
-    verb->add_flag("--analyze", explain_.analyze, "Run it, too, and add what it did cost");
+    verb->add_flag("--analyze", explain_.analyze, "Run it as well and add the measured cost");
   }
   void addColumns() {
     CLI::App* verb =

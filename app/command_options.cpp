@@ -80,12 +80,12 @@ InputError unexpected(const CLI::App& app) {
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string_view nearest = nearestOf(word, known);
     return {"", shortened(word.substr(0, word.find('='))),
-            nearest.empty() ? message("is no option of '{}'; '{} --help' names all", call, call)
-                            : message("is no option of '{}'; the nearest is {}", call, nearest)};
+            nearest.empty() ? message("unknown option of '{}'; '{} --help' lists all", call, call)
+                            : message("unknown option of '{}'; did you mean {}?", call, nearest)};
   }
   return {"", "",
-          fmt::format("{} is a word too many for '{}'",
-                      words.empty() ? std::string("this") : shortened(words.front()), call)};
+          words.empty() ? message("unexpected argument for '{}'", call)
+                        : message("unexpected argument '{}' for '{}'", shortened(words.front()), call)};
 }
 
 /// "--size: At Most 1 required but received 2" and its like.

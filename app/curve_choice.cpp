@@ -17,7 +17,7 @@
 #include "core/base/text.h"
 #include "core/chart/curve_words.h"
 #include "core/scene/effects.h"
-#include "core/scene/parameter_values.h"
+#include "core/scene/arms_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/words.h"
@@ -139,21 +139,21 @@ void CurveChoice::addTo(nlohmann::ordered_json& picture) const {
 
 void addCurveOptions(CLI::App& verb, CurveChoice& choice) {
   verb.add_option(kCompare, choice.compare,
-                  "Also computed in this way on the same lines; the difference stands below the "
-                  "curve and in tables: nodal, linear or cubic, points per element, lines")
+                  "Compute the curve in a second way on the same lines and show the difference below "
+                  "it and in tables: nodal, linear or cubic, points per element, lines")
       ->type_name("SCHEME[:OVERSAMPLING[:LINES]]");
   verb.add_option(
           kWith, choice.with,
-          "Another curve beside, of the scene with these keys set, a ; in a value as \\;; may "
-          "repeat")
+          "Add the curve of the scene with these keys set; write a ; inside a value as \\;; may be "
+          "repeated")
       ->type_name("KEY=VALUE[;KEY=VALUE...]")
       ->take_all()
       ->allow_extra_args(false);
-  verb.add_option(kAxes, choice.axes, "physical, or dimensionless: Eq. (13), and mu over the slope")
+  verb.add_option(kAxes, choice.axes, "physical, or dimensionless: Eq. (13), and mu over the rms slope")
       ->capture_default_str();
-  verb.add_option(kXRange, choice.xRange, "Of the axis along, in its unit; else as needed")
+  verb.add_option(kXRange, choice.xRange, "Limits of the x-axis, in its unit (default: automatic)")
       ->type_name("FROM:TO");
-  verb.add_option(kYRange, choice.yRange, "Of the axis of friction; else as needed")
+  verb.add_option(kYRange, choice.yRange, "Limits of the friction axis (default: automatic)")
       ->type_name("FROM:TO");
 }
 

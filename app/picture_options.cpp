@@ -97,14 +97,14 @@ void checkUseful(const PictureChoice& choice, const std::vector<std::string>& fi
 void addPictureOptions(CLI::App& verb, PictureChoice& choice, const std::string& defaultSize,
                        const std::string& defaultTheme) {
   verb.add_option("--size", choice.size,
-                  "Width and height in pixels; else " + defaultSize + " times the scale")
+                  "Width and height in pixels (default: " + defaultSize + " times the scale)")
       ->type_name("WxH");
   verb.add_option("--scale", choice.scale,
-                  "Density: 2 doubles texts and line widths; or 300dpi; else 1, which is 96dpi");
-  verb.add_option("--theme", choice.theme, "light, dark or print; else " + defaultTheme);
+                  "Density: 2 doubles texts and line widths; or 300dpi (default: 1, which is 96dpi)");
+  verb.add_option("--theme", choice.theme, "light, dark or print (default: " + defaultTheme + ")");
   verb.add_flag("--transparent", choice.transparent, "No background");
   verb.add_option("--backend", choice.backend,
-                  "What draws: osmesa, egl, or auto: the first that is there; else auto");
+                  "OpenGL library: osmesa, egl, or auto, the first that is available (default: auto)");
 }
 
 PictureStyle styleOf(const PictureChoice& choice, const PictureDefaults& defaults) {
@@ -196,22 +196,21 @@ void ViewChoice::addTo(nlohmann::ordered_json& picture) const {
 }
 
 void addViewOptions(CLI::App& verb, ViewChoice& choice) {
-  verb.add_option(kAlong, choice.along, "Part of the line that is shown, in m; else one period")
+  verb.add_option(kAlong, choice.along, "Part of the line to show, in m (default: one period)")
       ->type_name("FROM:TO");
   verb.add_option(kHeights, choice.heights,
-                  "Heights that are shown, in m above the undeformed surface; else "
-                  "all that occur")
+                  "Heights to show, in m above the undeformed surface (default: all that occur)")
       ->type_name("FROM:TO");
   limit(
       verb.add_option(kExaggeration, choice.exaggeration,
-                      "Heights are drawn so many times as large as lengths, instead of --heights"),
+                      "Draw heights this many times as large as lengths, instead of --heights"),
       1e-6, 1e12);
   limit(verb.add_option(kColours, choice.coloursTo,
-                        "Value at the bright end of the colours, in N/m, s or W/m; else as needed"),
+                        "Value at the bright end of the colours, in N/m, s or W/m (default: automatic)"),
         1e-300, 1e300);
-  limit(verb.add_option(kProbe, choice.probe, "Crosshair with its readings at this position"),
+  limit(verb.add_option(kProbe, choice.probe, "Show a crosshair with readings at this position"),
         -kFarthest, kFarthest, "m");
-  limit(verb.add_option(kMagnify, choice.magnified, "Magnified inset of what is at this position"),
+  limit(verb.add_option(kMagnify, choice.magnified, "Show a magnified inset of this position"),
         -kFarthest, kFarthest, "m");
 }
 

@@ -919,8 +919,8 @@
         <translation>Elemente</translation>
     </message>
     <message>
-        <source>fastest</source>
-        <translation>schnellste</translation>
+        <source>highest velocity</source>
+        <translation>größte Geschwindigkeit</translation>
     </message>
     <message>
         <source>force</source>
@@ -1015,8 +1015,8 @@
         <translation>Relaxationszeit</translation>
     </message>
     <message>
-        <source>rest modulus</source>
-        <translation>Ruhemodul</translation>
+        <source>equilibrium modulus</source>
+        <translation>Gleichgewichtsmodul</translation>
     </message>
     <message>
         <source>reversal</source>
@@ -1033,10 +1033,6 @@
     <message>
         <source>roll-off</source>
         <translation>Roll-off</translation>
-    </message>
-    <message>
-        <source>rough summits</source>
-        <translation>raue Gipfel</translation>
     </message>
     <message>
         <source>scheme</source>
@@ -1071,8 +1067,8 @@
         <translation>Steigung</translation>
     </message>
     <message>
-        <source>slowest</source>
-        <translation>langsamste</translation>
+        <source>lowest velocity</source>
+        <translation>kleinste Geschwindigkeit</translation>
     </message>
     <message>
         <source>standard-solid</source>

@@ -79,7 +79,7 @@ TEST_F(CommandLineTest, BadUsageIsExitTwo) {
   expectRefused("render s.json -o a.png --frames 0", 2, "--frames");
   expectRefused("render s.json -o a.png --frames 3", 2, "frames need a folder or a film");
   expectRefused("nowhere.json", 2, "cannot be opened");
-  expectRefused("chekc s.json", 2, "chekc is neither a verb (check, ");
+  expectRefused("chekc s.json", 2, "unknown command 'chekc'; did you mean 'check'?");
   expectRefused("render s.json -o new/folder --fps nan", 2, "--fps");
   expectRefused("render s.json -o f --fps 0", 2, "--fps: 0 is outside 0.001 to 1000");
   expectRefused("render s.json -o f --slow-motion 1e16", 2, "1e16 is outside 1e-12 to 1e15");

@@ -46,8 +46,8 @@ TEST_F(UsageTest, EveryVerbRefusesWhatItCannotTake) {
     expectRefused(verb + " --language ''", 2, "--language: is empty");
     expectRefused(verb + " --language fr", 2, "--language: fr is not one of en, de");
     expectRefused(verb + " --json=no", 2, "--json: takes no value");
-    expectRefused(verb + " --timng", 2, "--timng: is no option of 'asperity ");
-    expectRefused(verb + " --timng", 2, "the nearest is --timing");
+    expectRefused(verb + " --timng", 2, "--timng: unknown option of 'asperity ");
+    expectRefused(verb + " --timng", 2, "did you mean --timing?");
   }
 }
 
@@ -59,11 +59,11 @@ TEST_F(UsageTest, WordsBeforeAVerbAreNotPassedOver) {
 }
 
 TEST_F(UsageTest, AWordTooManyOrNoneIsTold) {
-  expectRefused("check s.json step.json", 2, "step.json is a word too many for 'asperity check'");
-  expectRefused("curve s.json -o a.csv b.csv", 2, "b.csv is a word too many");
+  expectRefused("check s.json step.json", 2, "unexpected argument 'step.json' for 'asperity check'");
+  expectRefused("curve s.json -o a.csv b.csv", 2, "unexpected argument 'b.csv'");
   expectRefused("check ''", 2, "SCENE: is empty");
   expectRefused("figure -o out", 2, "NAME is required");
-  expectRefused("--json s.json", 2, "--json: is no option of 'asperity'");
+  expectRefused("--json s.json", 2, "--json: unknown option of 'asperity'");
 }
 
 TEST_F(UsageTest, AssignmentsAreSaidOfTheirOption) {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <ostream>
 
-#include "core/scene/parameter_values.h"
+#include "core/scene/arms_text.h"
 #include "core/scene/scene_file.h"
 
 namespace asperity {

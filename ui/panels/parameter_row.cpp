@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/parameter_values.h"
+#include "core/scene/arms_text.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/arms_editor.h"

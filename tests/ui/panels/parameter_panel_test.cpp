@@ -172,7 +172,7 @@ TEST_F(ParameterPanelTest, NamesAndSymbolsAreAsPeopleWriteThem) {
     return QString();
   };
   EXPECT_EQ(label("elastomer.equilibrium_modulus"),
-            QStringLiteral("rest modulus&nbsp; <i>G</i><sub>∞</sub>"));
+            QStringLiteral("equilibrium modulus&nbsp; <i>G</i><sub>∞</sub>"));
   EXPECT_EQ(label("elastomer.shift.c1"), "shift&nbsp; <i>C</i><sub>1</sub>");
   auto* rheology = control<QComboBox>("choice:elastomer.rheology");
   EXPECT_EQ(rheology->itemText(rheology->findData("kelvin")), "Kelvin");
