@@ -17,7 +17,7 @@
 #include "core/base/text.h"
 #include "core/chart/curve_words.h"
 #include "core/scene/effects.h"
-#include "core/scene/arms_text.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/words.h"

@@ -12,15 +12,6 @@
 
 namespace asperity {
 
-/// Of the program itself first. Pictures come in RGBA by its standard input. extension: ".gif".
-/// metadata: the file of filmMetadata, or empty.
-std::vector<std::string> ffmpegArguments(const std::string& extension, const FilmOptions& options,
-                                         const std::string& output, const std::string& metadata);
-
-/// Title and metadata of a film as a file that ffmpeg reads: an argument has a length that it may
-/// not exceed. Empty where the format takes none from ffmpeg, or there is nothing to say.
-std::string filmMetadata(const std::string& extension, const FilmOptions& options);
-
 struct FilmOptions {
   int width = 0, height = 0;  // pixels of every picture
   double framesPerSecond = 25;
@@ -29,6 +20,15 @@ struct FilmOptions {
   std::string title;     // empty: none
   std::string metadata;  // one line of ASCII without markup; empty: none
 };
+
+/// Of the program itself first. Pictures come in RGBA by its standard input. extension: ".gif".
+/// metadata: the file of filmMetadata, or empty.
+std::vector<std::string> ffmpegArguments(const std::string& extension, const FilmOptions& options,
+                                         const std::string& output, const std::string& metadata);
+
+/// Title and metadata of a film as a file that ffmpeg reads: an argument has a length that it may
+/// not exceed. Empty where the format takes none from ffmpeg, or there is nothing to say.
+std::string filmMetadata(const std::string& extension, const FilmOptions& options);
 
 /// Whether the extension is one of .mp4, .webm, .gif, .webp.
 bool isFilm(const std::string& extension);

@@ -45,7 +45,7 @@ std::string fraction(float value) {
   return {buffer.data(), end.ptr};
 }
 
-std::string colourOf(const Rgba& c) {
+std::string hexColour(const Rgba& c) {
   std::string text = "#";
   for (const float channel : {c.r, c.g, c.b}) {
     const auto byte =
@@ -57,7 +57,7 @@ std::string colourOf(const Rgba& c) {
 
 /// ` fill="#102030" fill-opacity="0.5"`.
 std::string paintOf(const std::string& what, const std::string& opacity, const Rgba& c) {
-  std::string text = " " + what + "=\"" + colourOf(c) + "\"";
+  std::string text = " " + what + "=\"" + hexColour(c) + "\"";
   if (c.a < 1) text += " " + opacity + "=\"" + fraction(c.a) + "\"";
   return text;
 }

@@ -1,5 +1,5 @@
 // What has to be set over one scene to make another: every pair of shipped scenes, there and back.
-#include "core/scene/arms_text.h"
+#include "core/scene/scene_file.h"
 
 #include <gtest/gtest.h>
 

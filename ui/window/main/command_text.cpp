@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/arms_text.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/parameters.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/draw/stroke_pattern.h"
