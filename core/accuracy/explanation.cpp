@@ -9,7 +9,7 @@
 
 #include "core/accuracy/target_curve.h"
 #include "core/chart/few_summits.h"
-#include "core/friction/line_plan.h"
+#include "core/friction/ensemble.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/accuracy/levels.h"
-#include "core/friction/curve_averages.h"
+#include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
 #include "core/surface/line_source.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/contact/steady_sliding.h"
-#include "core/friction/curve_averages.h"
+#include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
 #include "core/material/element_law.h"
 #include "core/scene/plan.h"

@@ -9,8 +9,8 @@
 #include "core/accuracy/target_curve.h"
 #include "core/base/processor_time.h"
 #include "core/contact/steady_solver.h"
+#include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/running_mean.h"
 #include "core/friction/study.h"
 #include "core/surface/line_source.h"
 

@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/contact/arms/arm_sliding.h"
+#include "core/contact/arms/arm_balance.h"
 #include "core/contact/arms/retardation.h"
 #include "core/contact/steady_sliding.h"
 #include "core/material/element_law.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/friction/curve_features.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/fit.h"
 
 namespace asperity {
 namespace {

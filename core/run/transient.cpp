@@ -5,8 +5,7 @@
 
 #include <stdexcept>
 
-#include "core/contact/balance_error.h"
-#include "core/contact/interface.h"
+#include "core/contact/steady_sliding.h"
 #include "core/run/contact_age.h"
 #include "core/scene/effects.h"
 #include "core/scene/plan.h"

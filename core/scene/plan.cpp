@@ -4,8 +4,8 @@
 
 #include <atomic>
 
+#include "core/material/element_law.h"
 #include "core/scene/effects.h"
-#include "core/material/temperature_shift.h"
 
 namespace asperity {
 namespace {

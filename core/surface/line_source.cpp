@@ -6,14 +6,12 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/base/range_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
-#include "core/base/range_text.h"
-#include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
-#include "core/surface/shapes.h"
+#include "core/surface/random_phases.h"
 #include "core/surface/spectrum.h"
-#include "core/surface/summit_correlation.h"
 
 namespace asperity {
 namespace {

@@ -14,13 +14,6 @@
 
 namespace asperity {
 
-/// The same for every realization, because amplitudes are not random; with summit correlation the
-/// slope varies by some per cent, and this is that of realization 0: Line::rmsSlope has its own.
-struct LineStatistics {
-  double rmsHeight = 0;  // m
-  double rmsSlope = 0;
-};
-
 /// Whether a line's slopes are wanted; without, slopeAfter is empty.
 enum class Slopes { Wanted, NotWanted };
 

@@ -9,6 +9,8 @@
 
 namespace asperity {
 
+class FourierTransform;
+
 /// Band-limited line z(x) = 2 Re sum_{k>=1} c_k exp(i q_k x), q_k = 2 pi k / length; its mean is 0.
 struct FourierLine {
   double length = 0;                               // m
@@ -25,5 +27,15 @@ std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, dou
 
 double rmsHeightOf(const FourierLine& line);  // m
 double rmsSlopeOf(const FourierLine& line);
+
+/// A line whose short waves are stronger on the summits, or in the valleys, of its long ones, as of
+/// worn or of filled surfaces. Same rms height; a line of random phases has no such correlation.
+/// Not a model of any one process: it shows what a spectrum alone does not say. z = z_long +
+/// z_short sqrt(1 + kappa m), m = -z_long / rms(z_long), |kappa m| kept below 1; long and short
+/// part at the geometric mean of the lowest and the highest wave number; then cut to the modes of
+/// `line` and scaled to its rms height. kappa > 0: rougher on the summits, which are the low places
+/// and touch first. `fine` evaluates it at several nodes per shortest wave.
+FourierLine withSummitCorrelation(const FourierLine& line, double kappa,
+                                  const FourierTransform& fine);
 
 }  // namespace asperity

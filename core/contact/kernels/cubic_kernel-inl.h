@@ -1,10 +1,11 @@
-// The body of lane_stream.h, compiled once per instruction set.
+// The body of runCubicPasses in kernels.h, compiled once per instruction set: which segment each
+// lane looks into next. What happens inside the segments is in segment_step-inl.h.
 
-#if defined(ASPERITY_LANE_STREAM_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef ASPERITY_LANE_STREAM_INL
-#undef ASPERITY_LANE_STREAM_INL
+#if defined(ASPERITY_CUBIC_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASPERITY_CUBIC_KERNEL_INL
+#undef ASPERITY_CUBIC_KERNEL_INL
 #else
-#define ASPERITY_LANE_STREAM_INL
+#define ASPERITY_CUBIC_KERNEL_INL
 #endif
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/contact/kernels/cubic_kernel.h"
 #include "core/contact/kernels/segment_step-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,24 +28,30 @@ class CubicKernel {
       : line_(line), queue_(queue), last_(line.segments() - 1), levels_(line.blocks.size()) {}
 
   void run() {
-    constexpr int kStepsBetweenLooks = 256;
+    constexpr int kStepsBetweenQuestions = 256;
+    // All lanes are idle, with harmless numbers.
     for (std::size_t lane = kLanes; lane-- > 0;) {
-      begin(lane, 0, last_);  // harmless numbers for lanes without work
+      begin(lane, 0, last_);
       lanes_.busy[lane] = 0;
       idle_[idleCount_++] = lane;
     }
+    // The first pass of every stream.
     for (std::size_t stream = 0; stream < kLanes; ++stream) {
       PassRequest task;
       if (queue_.begin(stream, task)) setPass(stream, task);
     }
     fillLanes();
-    for (int look = kStepsBetweenLooks; idleCount_ < kLanes; --look) {
-      if (look == 0) {
+    int untilQuestion = kStepsBetweenQuestions;
+    for (; idleCount_ < kLanes; --untilQuestion) {
+      // Now and then asks whether to stop.
+      if (untilQuestion == 0) {
         if (queue_.isStopped()) return;
-        look = kStepsBetweenLooks;
+        untilQuestion = kStepsBetweenQuestions;
       }
+      // Every lane takes the next piece of its segment.
       SegmentStep(lanes_).run();
-      // Those in contact first, then those that are free, as the machine expects more of the same.
+      // Lanes that have finished their segments go on: those in contact first, then those that are
+      // free, as the machine expects more of the same.
       const unsigned pressed = lanes_.finished & lanes_.pressed, free = lanes_.finished & ~pressed;
       for (unsigned left = pressed; left != 0; left &= left - 1) goOn<true>(lowestBit(left));
       for (unsigned left = free; left != 0; left &= left - 1) goOn<false>(lowestBit(left));
@@ -74,9 +80,11 @@ class CubicKernel {
 
   void setPass(std::size_t stream, const PassRequest& task) {
     Pass& pass = passes_[stream];
-    if (pass.inverse == 0 || pass.task.memory != task.memory) setMemory(pass, task.memory);
+    if (pass.inverse == 0 || pass.task.relaxationLength != task.relaxationLength)
+      setRelaxation(pass, task.relaxationLength);
     pass.task = task;
     pass.sums = {};
+    pass.sums.work = kNotGathered;
     pass.parts = pass.running = pass.nextCut = pass.from = 0;
   }
 
@@ -97,6 +105,8 @@ class CubicKernel {
     const std::size_t lane = idle_[--idleCount_], from = pass.from;
     std::size_t last = last_;
     pass.from = kNone;
+    // The part ends before the next cut at which contact is certain, if the pass may be cut
+    // further.
     const std::size_t wanted = static_cast<std::size_t>(pass.task.parts), cuts = line_.cuts.size();
     ++pass.parts;
     ++pass.running;
@@ -112,9 +122,9 @@ class CubicKernel {
     begin(lane, from, last);
   }
 
-  void setMemory(Pass& pass, double memory) {
-    // Without memory the free surface comes back at once.
-    pass.inverse = memory > 0 ? std::min(1 / memory, 1e300) : 1e300;
+  void setRelaxation(Pass& pass, double relaxationLength) {
+    // Without relaxation the free surface comes back at once.
+    pass.inverse = relaxationLength > 0 ? std::min(1 / relaxationLength, 1e300) : 1e300;
     double one = -std::expm1(-line_.spacing * pass.inverse);
     for (std::size_t level = 0; level < levels_; ++level) {
       double* lost = pass.lost[level];
@@ -124,13 +134,13 @@ class CubicKernel {
     }
   }
 
-  /// Whether contact is certain at the cut: w e^(s/c) rises over the segment before it, what lies
+  /// Whether contact is certain at the cut: w e^(s/c) grows over the segment before it, what lies
   /// further back within `clear` is not as deep, and anything from beyond has relaxed below it.
   bool touchesAt(const PreparedProfile::Cut& cut, const PassRequest& task) const {
     const SegmentBounds before = line_.blocks[0][cut.segment - 2];
-    const double rise = line_.rise[cut.segment], w = task.depth - rise;
-    return task.depth - before.highest - task.memory * before.steepest > 0 && w > 0 &&
-           cut.clear >= task.memory * std::log1p(rise / w);
+    const double height = line_.heightAboveMinimum[cut.segment], w = task.depth - height;
+    return task.depth - before.highest - task.relaxationLength * before.steepest > 0 && w > 0 &&
+           cut.clear >= task.relaxationLength * std::log1p(height / w);
   }
 
   void begin(std::size_t lane, std::size_t from, std::size_t last) {
@@ -140,9 +150,9 @@ class CubicKernel {
     place.last = last;
     place.segmentsInspected = 0;
     lanes_.depth[lane] = pass.task.depth;
-    lanes_.memory[lane] = pass.task.memory;
+    lanes_.relaxationLength[lane] = pass.task.relaxationLength;
     lanes_.inverse[lane] = pass.inverse;
-    lanes_.arcRise[lane] = lanes_.arcPosition[lane] = lanes_.surface[lane] = 0;
+    lanes_.arcHeight[lane] = lanes_.arcPosition[lane] = lanes_.surface[lane] = 0;
     lanes_.sumDepth[lane] = lanes_.freeStiffness[lane] = lanes_.freeLoss[lane] = 0;
     lanes_.contactLength[lane] = lanes_.slopeSquared[lane] = lanes_.sumPressure[lane] = 0;
     lanes_.busy[lane] = lanes_.touching[lane] = lanes_.limit[lane] = 1;
@@ -154,7 +164,7 @@ class CubicKernel {
     return static_cast<std::size_t>(std::countr_zero(bits));
   }
 
-  /// The lane has finished its segment.
+  /// The lane has finished its segment: takes what follows by whole blocks, then the next segment.
   template <bool kPressed>
   HWY_INLINE void goOn(std::size_t lane) {
     Place& place = places_[lane];
@@ -178,7 +188,7 @@ class CubicKernel {
     sums.contactLength += length;
     sums.stiffness += length + lanes_.freeStiffness[lane];
     sums.slopeSquared += slopes;
-    sums.dissipation += pass.task.memory * slopes + lanes_.freeLoss[lane];
+    sums.dissipation += pass.task.relaxationLength * slopes + lanes_.freeLoss[lane];
     sums.pressure += lanes_.sumPressure[lane];
     sums.segmentsInspected += place.segmentsInspected;
     lanes_.busy[lane] = 0;
@@ -242,31 +252,32 @@ class CubicKernel {
   }
 
   HWY_INLINE void skipPressed(std::size_t lane, Place& place) {
-    const double depth = lanes_.depth[lane], memory = lanes_.memory[lane];
+    const double depth = lanes_.depth[lane], c = lanes_.relaxationLength[lane];
     const std::size_t from = place.segment;
-    const One wideDepth = One::all(depth), wideMemory = One::all(memory);
-    double rises = 0, slopes = 0;
+    const One wideDepth = One::all(depth), wideLength = One::all(c);
+    double heights = 0, slopes = 0;
     const auto isPressed = [&](std::size_t level, std::size_t block) {
       const double* highest = line_.blocks[level].highest.data() + block;
       const double* steepest = line_.blocks[level].steepest.data() + block;
       return firstOther([&](std::size_t k) {
         const One least = wideDepth - One::load(highest + k);
-        return negMulAdd(wideMemory, One::load(steepest + k), least) > One::all(0);
+        return negMulAdd(wideLength, One::load(steepest + k), least) > One::all(0);
       });
     };
     const auto take = [&](std::size_t level, std::size_t block, std::size_t count) {
-      rises += sumOfFirst(count, line_.blocks[level].riseIntegral.data() + block);
+      heights += sumOfFirst(count, line_.blocks[level].heightIntegral.data() + block);
       slopes += sumOfFirst(count, line_.blocks[level].slopeSquared.data() + block);
     };
     const std::size_t to = skip(from, place.last, isPressed, take);
     if (to == from) return;
     place.segment = to;
     const double length = line_.spacing * static_cast<double>(to - from);
-    const double depths = depth * length - rises;
+    const double depths = depth * length - heights;
     lanes_.sumDepth[lane] += depths;
     lanes_.contactLength[lane] += length;
     lanes_.slopeSquared[lane] += slopes;
-    lanes_.sumPressure[lane] += depths - memory * (line_.rise[to] - line_.rise[from]);
+    lanes_.sumPressure[lane] +=
+        depths - c * (line_.heightAboveMinimum[to] - line_.heightAboveMinimum[from]);
   }
 
   static HWY_INLINE double sumOfFirst(std::size_t count, const double* values) {
@@ -285,8 +296,8 @@ class CubicKernel {
     const bool isBack = line_.isMeasuredBack(i);
     const std::size_t first = isBack ? i + 1 : i, second = isBack ? i : i + 1;
     const double length = line_.segmentLength(i);
-    lanes_.height0[lane] = line_.rise[first];
-    lanes_.height1[lane] = line_.rise[second];
+    lanes_.height0[lane] = line_.heightAboveMinimum[first];
+    lanes_.height1[lane] = line_.heightAboveMinimum[second];
     lanes_.start[lane] = line_.position(first);
     lanes_.along[lane] = isBack ? -length : length;
     lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];

@@ -15,14 +15,14 @@
 namespace asperity {
 namespace {
 
-double bytesOf(const Line& line, const PreparedProfile& travel) {
+double bytesOf(const Line& line, const PreparedProfile& profile) {
   double numbers = 0;
-  for (const auto* values : {&line.height, &line.slopeAfter, &line.slopeBefore, &travel.rise,
-                             &travel.slopeIn, &travel.slopeOut})
+  for (const auto* values : {&line.height, &line.slopeAfter, &line.slopeBefore,
+                             &profile.heightAboveMinimum, &profile.slopeIn, &profile.slopeOut})
     numbers += static_cast<double>(values->size());
-  for (const BlockLevel& level : travel.blocks)
-    for (const auto* values :
-         {&level.lowest, &level.highest, &level.steepest, &level.riseIntegral, &level.slopeSquared})
+  for (const BlockLevel& level : profile.blocks)
+    for (const auto* values : {&level.lowest, &level.highest, &level.steepest,
+                               &level.heightIntegral, &level.slopeSquared})
       numbers += static_cast<double>(values->size());
   return numbers * sizeof(double);
 }

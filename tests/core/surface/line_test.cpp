@@ -1,4 +1,4 @@
-#include "core/surface/shapes.h"
+#include "core/surface/line.h"
 
 #include <gtest/gtest.h>
 

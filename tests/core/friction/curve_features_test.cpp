@@ -1,5 +1,5 @@
 // Least squares: exact lines, and uncertainties that mean what they say.
-#include "core/friction/fit.h"
+#include "core/friction/curve_features.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A balance that is not met, in words.
-#include "core/contact/balance_error.h"
+#include "core/contact/steady_sliding.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ TEST(UnmetBalance, SaysWhereAndByHowMuch) {
   EXPECT_NO_THROW(requireBalance(result, 0.5));
   result.status = SteadyStatus::NotBalanced;
   result.residual = 0.03;
-  EXPECT_STREQ(unmetBalance(result, 0.5).what(),
+  EXPECT_STREQ(balanceError(result, 0.5).what(),
                "the force balance is not met at velocity 0.5 m/s: relative residual 0.03");
   try {
     requireBalance(result, 0.5, " on realization 3");
@@ -34,7 +34,7 @@ TEST(UnmetBalance, TellsWhenDigitsRanOut) {
   SteadyResult result;
   result.status = SteadyStatus::NotBalanced;
   result.residual = 0;
-  EXPECT_STREQ(unmetBalance(result, 2).what(),
+  EXPECT_STREQ(balanceError(result, 2).what(),
                "contact is too short, or moduli are too far apart, for the digits that numbers "
                "have, at velocity 2 m/s");
 }
@@ -45,12 +45,12 @@ TEST(UnmetBalance, AResidualBeyondOnePartInTenBillionIsUnmet) {
   result.forceFromDepth = result.forceFromPressure = 1;
   for (const double residual : {0.0, 1e-13, 9e-11}) {
     result.residual = residual;
-    EXPECT_EQ(statusOf(result), SteadyStatus::Balanced) << residual;
+    EXPECT_EQ(balanceStatus(result), SteadyStatus::Balanced) << residual;
     EXPECT_TRUE((Balance{1, 1, residual}.isMet())) << residual;
   }
   for (const double residual : {1.1e-10, 1e-9, 1e-3, 1.0, 1e300}) {
     result.residual = residual;
-    EXPECT_EQ(statusOf(result), SteadyStatus::NotBalanced) << residual;
+    EXPECT_EQ(balanceStatus(result), SteadyStatus::NotBalanced) << residual;
     EXPECT_FALSE((Balance{1, 1, residual}.isMet())) << residual;
   }
 }
@@ -61,22 +61,24 @@ TEST(UnmetBalance, ForcesThatDisagreeAreUnmet) {
   result.forceFromDepth = 2;
   for (const double apart : {0.0, 0.9e-4, -0.9e-4}) {
     result.forceFromPressure = 2 * (1 + apart);
-    EXPECT_EQ(statusOf(result), SteadyStatus::Balanced) << apart;
+    EXPECT_EQ(balanceStatus(result), SteadyStatus::Balanced) << apart;
   }
   for (const double apart : {1.1e-4, -1.1e-4, 0.5, -2.0}) {
     result.forceFromPressure = 2 * (1 + apart);
-    EXPECT_EQ(statusOf(result), SteadyStatus::NotBalanced) << apart;
+    EXPECT_EQ(balanceStatus(result), SteadyStatus::NotBalanced) << apart;
   }
 }
 
 TEST(UnmetBalance, TheElementsOneByOneHaveTheSameLimit) {
   const PreparedProfile line = prepareProfile(roughLine(200), Scheme::Nodal);
   NodalBalance nodal;
-  nodal.state = nodalStateAt(line, 1e-6, kTau);
+  nodal.sums = nodalPass(line, 1e-6, kTau).sums;
   nodal.balance = {1e-6, 3, 1.1e-10};
-  EXPECT_EQ(resultOfNodal(line, {kModulus, kTau, 1}, nodal).status, SteadyStatus::NotBalanced);
+  EXPECT_EQ(steadyResult(line, SlidingConditions{kModulus, kTau, 1}, nodal).status,
+            SteadyStatus::NotBalanced);
   nodal.balance.residual = 9e-11;
-  EXPECT_EQ(resultOfNodal(line, {kModulus, kTau, 1}, nodal).status, SteadyStatus::Balanced);
+  EXPECT_EQ(steadyResult(line, SlidingConditions{kModulus, kTau, 1}, nodal).status,
+            SteadyStatus::Balanced);
 }
 
 /// Down to loads for which numbers have too few digits: the plain path and the lanes of a sweep say

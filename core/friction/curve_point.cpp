@@ -1,9 +1,11 @@
-#include "core/friction/curve_averages.h"
+#include "core/friction/curve_point.h"
 
 #include <cmath>
 
+#include "core/contact/steady_sliding.h"
 #include "core/friction/law.h"
 #include "core/scene/plan.h"
+#include "core/surface/line_source.h"
 
 namespace asperity {
 
@@ -59,7 +61,7 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   if (accuracy.scheme != Scheme::Nodal || accuracy.targetRelativeError > 0)
     point.marginalShare = kNotApplicable;
   if (!(line_.rmsHeight > 0)) return;
-  const SlidingConditions conditions = conditionsOf(scene_, point.velocity);
+  const SlidingConditions conditions = slidingConditions(scene_, point.velocity);
   const double force =
       scene_.load.kind == LoadKind::Force ? scene_.load.normalForce : averages.normalForce.mean();
   const double slope = slopesDiffer_ ? averages.rmsSlope.mean() : line_.rmsSlope;

@@ -1,16 +1,14 @@
-#include "core/surface/phase_factors.h"
+#include "core/surface/random_phases.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numbers>
 
-#include "core/surface/random_phase.h"
-
 // As for the contact kernels: one lane, AVX2, AVX-512.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/surface/phase_factors.cpp"
+#define HWY_TARGET_INCLUDE "core/surface/random_phases.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // After it, as Highway wants.
@@ -72,7 +70,7 @@ struct Counter {
   }
 };
 
-/// The angle of two words, as in random_phase.h.
+/// The angle of two words, as in randomPhases.
 HWY_INLINE auto angle(Words upper, Words lower) {
   const hn::ScalableTag<double> d;
   const Words bits = hn::Or(hn::ShiftLeft<32>(upper), hn::And(lower, hn::Set(kWords, 0xFFFFFFFFU)));
