@@ -294,14 +294,14 @@ class Comparison {
                   std::max<std::int64_t>(16, kMostNodes * 4 / source.elements())});
     std::vector<double> mu;
     Line line;
-    PreparedProfile travel;
+    PreparedProfile profile;
     std::vector<SteadyResult> row(1);
     RunningMean all;
     for (std::int64_t r = 0; r < count; ++r) {
       if (options_.stop.stop_requested()) throw StudyStopped{};
       source.makeInto(line, r);
-      prepareProfileInto(travel, line, scene.accuracy.scheme);
-      sliding.sweep(travel, scene.load, velocity, row);
+      prepareProfileInto(profile, line, scene.accuracy.scheme);
+      sliding.sweep(profile, scene.load, velocity, row);
       mu.push_back(row[0].mu);
       all.add(row[0].mu);
     }

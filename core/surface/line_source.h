@@ -9,8 +9,8 @@
 #include <stop_token>
 
 #include "core/scene/scene.h"
-#include "core/surface/fourier.h"
 #include "core/surface/line.h"
+#include "core/surface/spectrum.h"
 
 namespace asperity {
 

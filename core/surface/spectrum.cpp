@@ -1,13 +1,63 @@
 #include "core/surface/spectrum.h"
 
+#include <fftw3.h>
+
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
-
-#include "core/surface/fourier.h"
 
 namespace asperity {
 namespace {
+
+std::mutex& plannerLock() {
+  static std::mutex lock;
+  return lock;
+}
+
+/// Aligned as FFTW likes it, so that every call takes the same code path. Grows and is kept.
+template <class Value>
+class Buffer {
+ public:
+  Buffer() = default;
+  ~Buffer() { fftw_free(values); }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+
+  Value* values = nullptr;
+
+  void reserve(std::size_t count) {
+    if (count <= size_) return;
+    fftw_free(values);
+    size_ = 0;
+    values = static_cast<Value*>(fftw_malloc(sizeof(Value) * count));
+    if (!values) throw std::bad_alloc();
+    size_ = count;
+  }
+
+ private:
+  std::size_t size_ = 0;
+};
+
+using Complex = std::complex<double>;
+
+/// Each thread's own, so that many lines of one ensemble share them: fresh pages cost more than a
+/// transform.
+struct Buffers {
+  Buffer<Complex> modes;
+  Buffer<double> values;
+};
+
+Buffers& buffersFor(std::size_t nodes) {
+  thread_local Buffers buffers;
+  buffers.modes.reserve(nodes / 2 + 1);
+  buffers.values.reserve(nodes);
+  return buffers;
+}
+
+fftw_complex* raw(Complex* values) {
+  return reinterpret_cast<fftw_complex*>(values);
+}
 
 constexpr double kLargest = 0.99;  // of |kappa m|
 
@@ -51,6 +101,78 @@ double rmsSlopeOf(const FourierLine& line) {
     sum += std::norm(line.coefficients[j]) * mode * mode;
   }
   return 2 * std::numbers::pi / line.length * std::sqrt(2 * sum);
+}
+
+struct FourierTransform::Plans {
+  explicit Plans(std::size_t count) : nodes(count) {
+    const Buffers& buffers = buffersFor(count);
+    Complex* modes = buffers.modes.values;
+    double* values = buffers.values.values;
+    const std::lock_guard lock(plannerLock());
+    const int size = static_cast<int>(count);
+    toNodes = fftw_plan_dft_c2r_1d(size, raw(modes), values, FFTW_ESTIMATE);
+    toModes = fftw_plan_dft_r2c_1d(size, values, raw(modes), FFTW_ESTIMATE);
+  }
+  ~Plans() {
+    const std::lock_guard lock(plannerLock());
+    fftw_destroy_plan(toNodes);
+    fftw_destroy_plan(toModes);
+  }
+  Plans(const Plans&) = delete;
+  Plans& operator=(const Plans&) = delete;
+
+  std::size_t nodes;
+  fftw_plan toNodes, toModes;
+};
+
+FourierTransform::FourierTransform(std::size_t nodes) : plans_(std::make_unique<Plans>(nodes)) {}
+FourierTransform::~FourierTransform() = default;
+FourierTransform::FourierTransform(FourierTransform&&) noexcept = default;
+
+std::size_t FourierTransform::nodes() const {
+  return plans_->nodes;
+}
+
+bool FourierTransform::evaluate(const FourierLine& line, std::vector<double>& height,
+                                const std::stop_token& stop) const {
+  return transform(
+      line, height, [](std::size_t) { return 1.0; }, stop);
+}
+
+bool FourierTransform::evaluateSlope(const FourierLine& line, std::vector<double>& slope,
+                                     const std::stop_token& stop) const {
+  const double lowest = 2 * std::numbers::pi / line.length;
+  return transform(
+      line, slope, [lowest](std::size_t k) { return Complex(0, lowest * static_cast<double>(k)); },
+      stop);
+}
+
+template <class Factor>
+bool FourierTransform::transform(const FourierLine& line, std::vector<double>& target,
+                                 const Factor& factor, const std::stop_token& stop) const {
+  const std::size_t count = plans_->nodes, filled = line.coefficients.size();
+  const Buffers& buffers = buffersFor(count);
+  Complex* modes = buffers.modes.values;
+  modes[0] = 0;
+  for (std::size_t k = 1; k <= filled; ++k) modes[k] = line.coefficients[k - 1] * factor(k);
+  std::fill(modes + filled + 1, modes + count / 2 + 1, Complex(0));
+  if (stop.stop_requested()) return false;
+  fftw_execute_dft_c2r(plans_->toNodes, raw(modes), buffers.values.values);
+  if (stop.stop_requested()) return false;
+  target.assign(buffers.values.values, buffers.values.values + count);
+  return true;
+}
+
+FourierLine FourierTransform::analyse(std::span<const double> height, double length) const {
+  const std::size_t count = plans_->nodes;
+  const Buffers& buffers = buffersFor(count);
+  const Complex* modes = buffers.modes.values;
+  std::copy_n(height.begin(), count, buffers.values.values);
+  fftw_execute_dft_r2c(plans_->toModes, buffers.values.values, raw(buffers.modes.values));
+  FourierLine line{length, {}};
+  for (std::size_t k = 1; k <= modesOf(count); ++k)
+    line.coefficients.push_back(modes[k] / static_cast<double>(count));
+  return line;
 }
 
 FourierLine withSummitCorrelation(const FourierLine& line, double kappa,

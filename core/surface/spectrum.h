@@ -1,15 +1,17 @@
-// Spectra of self-affine lines. Pure functions.
+// Lines as sums of Fourier modes: spectra of self-affine lines, and the transforms to nodes and
+// back. Pure functions but for the transforms.
 // Convention: C(q) is the two-sided one-dimensional power spectral density with
 // h^2 = 2 integral C dq and grad^2 = 2 integral C q^2 dq (Li et al. 2013).
 #pragma once
 
 #include <complex>
 #include <cstddef>
+#include <memory>
+#include <span>
+#include <stop_token>
 #include <vector>
 
 namespace asperity {
-
-class FourierTransform;
 
 /// Band-limited line z(x) = 2 Re sum_{k>=1} c_k exp(i q_k x), q_k = 2 pi k / length; its mean is 0.
 struct FourierLine {
@@ -27,6 +29,39 @@ std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, dou
 
 double rmsHeightOf(const FourierLine& line);  // m
 double rmsSlopeOf(const FourierLine& line);
+
+/// Sums of Fourier modes at equally spaced nodes and back, by FFTW with estimated plans, so that
+/// the same input gives the same bits in every run. Threading: may be used by several threads at
+/// once; making one is serialised inside (FFTW's planner is not reentrant).
+class FourierTransform {
+ public:
+  explicit FourierTransform(std::size_t nodes);
+  ~FourierTransform();
+  FourierTransform(FourierTransform&&) noexcept;
+
+  std::size_t nodes() const;
+
+  /// Height (m) of the line at x_i = i length / nodes. Modes above the nodes' Nyquist limit must be
+  /// absent. Returns false where `stop` was requested, which is looked at before and after the
+  /// transform itself; heights are then missing.
+  bool evaluate(const FourierLine& line, std::vector<double>& height,
+                const std::stop_token& stop = {}) const;
+
+  /// Its slope there, from the spectrum; likewise.
+  bool evaluateSlope(const FourierLine& line, std::vector<double>& slope,
+                     const std::stop_token& stop = {}) const;
+
+  /// The band-limited line through the nodes: mean removed, Nyquist mode dropped.
+  FourierLine analyse(std::span<const double> height, double length) const;
+
+ private:
+  template <class Factor>
+  bool transform(const FourierLine& line, std::vector<double>& target, const Factor& factor,
+                 const std::stop_token& stop) const;
+
+  struct Plans;
+  std::unique_ptr<Plans> plans_;
+};
 
 /// A line whose short waves are stronger on the summits, or in the valleys, of its long ones, as of
 /// worn or of filled surfaces. Same rms height; a line of random phases has no such correlation.

@@ -471,8 +471,8 @@
         <translation>Mittelung</translation>
     </message>
     <message>
-        <source>closure of the period</source>
-        <translation>Schließen der Periode</translation>
+        <source>periodicity</source>
+        <translation>Periodizität</translation>
     </message>
     <message>
         <source>force balance</source>
@@ -631,7 +631,7 @@
         <translation>das Fenster lässt die Linie vorbeiziehen</translation>
     </message>
     <message>
-        <source>there is no steady state to close</source>
+        <source>there is no steady state</source>
         <translation>es gibt keinen stationären Zustand zu schließen</translation>
     </message>
     <message>

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/surface/fourier.h"
 #include "core/surface/line.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"

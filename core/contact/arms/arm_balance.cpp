@@ -327,7 +327,7 @@ ArmState slideWithArms(const PreparedProfile& line, const ElementLaw& law,
                        const ArmState* guess) {
   const FlushDenormals flush;
   countStage(Stage::Arms);
-  countStage(Stage::Closure);
+  countStage(Stage::Periodicity);
   ArmState state;
   state.balance =
       Continuation(line, law, modes, load).solve(velocity, guess ? &guess->balance : nullptr);

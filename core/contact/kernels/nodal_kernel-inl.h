@@ -32,8 +32,8 @@ class NodalKernel {
 
  public:
   /// depth, relaxationLength: one for each lane (m).
-  NodalKernel(const PreparedProfile& line, const double* depth, const double* relaxationLength,
-              NodeShape* shape = nullptr)
+  HWY_INLINE NodalKernel(const PreparedProfile& line, const double* depth,
+                         const double* relaxationLength, NodeShape* shape = nullptr)
       : line_(line),
         shape_(shape),
         depth_(hn::LoadU(d_, depth)),

@@ -155,8 +155,8 @@ class SegmentStep {
     const WideMask free = busy_ & !touching_;
     exits_ = touching_ & !upTo_;
     const WideMask bumps = free & upFrom_ & !upTo_, rises = free & upTo_;
-    // Where p vanishes, that the line reaches the free surface has been found already. Where
-    // nothing is remembered it is back there to rounding, so only further inside one can tell.
+    // Where p vanishes, that the line reaches the free surface has been found already. Without
+    // relaxation it is back there to rounding, so only further inside one can tell.
     const WideMask reached =
         rises & isSet(lanes_.isPressedAtLimit) & (to_ == Wide::load(lanes_.limit));
     enters_ = WideMask::none();
