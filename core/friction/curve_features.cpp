@@ -56,7 +56,7 @@ LineFit fitPower(std::span<const double> x, std::span<const double> y) {
   return fitLine(logX, logY);
 }
 
-CurveMaximum maximumOf(std::span<const double> velocities, std::span<const double> values) {
+CurveMaximum curveMaximum(std::span<const double> velocities, std::span<const double> values) {
   const std::size_t top = highest(values);
   if (top == 0 || top + 1 == values.size()) return {velocities[top], values[top]};
   const double bend = values[top - 1] - 2 * values[top] + values[top + 1];
@@ -69,7 +69,7 @@ CurveMaximum maximumOf(std::span<const double> velocities, std::span<const doubl
 RegionBorders regionBorders(std::span<const double> velocities, std::span<const double> values,
                             const BorderRule& rule) {
   const double perVelocity = values[0] / velocities[0];
-  const double reached = rule.ofMaximum * maximumOf(velocities, values).value;
+  const double reached = rule.ofMaximum * curveMaximum(velocities, values).value;
   const auto overLine = [&](std::size_t i) { return values[i] / (perVelocity * velocities[i]); };
   const auto value = [&](std::size_t i) { return values[i]; };
   return {crossing(velocities, 0, rule.ofLine, overLine), crossing(velocities, 0, reached, value),

@@ -43,7 +43,7 @@ struct CurveMaximum {
 };
 
 /// From the parabola in ln v through the highest value and its neighbours.
-CurveMaximum maximumOf(std::span<const double> velocities, std::span<const double> values);
+CurveMaximum curveMaximum(std::span<const double> velocities, std::span<const double> values);
 
 /// velocities ascending and evenly spaced in their logarithm, values > 0. Region I is that of the
 /// lowest velocity.

@@ -38,7 +38,7 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
     transform_.emplace(nodes_);
   if (isRandom()) {
     const FourierLine modes = spectrum(0);
-    statistics_ = {rmsHeightOf(modes), rmsSlopeOf(modes)};
+    statistics_ = {rmsHeight(modes), rmsSlope(modes)};
   } else {
     if (transform_)
       setFromSpectrum(profile_, Slopes::Wanted, only_, {});
@@ -79,7 +79,7 @@ void LineSource::readProfileOf(const Scene& scene) {
                                  plainNumber(length_), allowedText(row)));
   if (elements_ == 0) elements_ = static_cast<std::int64_t>(profile.height.size());
   profile_ = FourierTransform(profile.height.size()).analyse(profile.height, length_);
-  const std::size_t most = modesOf(static_cast<std::size_t>(elements_));
+  const std::size_t most = modeCount(static_cast<std::size_t>(elements_));
   if (profile_.coefficients.size() > most) profile_.coefficients.resize(most);
 }
 
@@ -125,8 +125,8 @@ bool LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& 
     return false;
   // Amplitudes are not random, but where waves are multiplied.
   const bool isKnown = isRandom() && !summits_ && statistics_.rmsHeight > 0;
-  line.rmsHeight = isKnown ? statistics_.rmsHeight : rmsHeightOf(modes);
-  line.rmsSlope = isKnown ? statistics_.rmsSlope : rmsSlopeOf(modes);
+  line.rmsHeight = isKnown ? statistics_.rmsHeight : rmsHeight(modes);
+  line.rmsSlope = isKnown ? statistics_.rmsSlope : rmsSlope(modes);
   return true;
 }
 

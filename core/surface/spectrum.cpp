@@ -70,13 +70,13 @@ FourierLine partOf(const FourierLine& line, std::size_t first, std::size_t end) 
 
 }  // namespace
 
-std::size_t modesOf(std::size_t elements) {
+std::size_t modeCount(std::size_t elements) {
   return (elements - 1) / 2;
 }
 
 std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, double rmsHeight,
                                          double rollOff) {
-  std::vector<double> amplitudes(modesOf(elements));
+  std::vector<double> amplitudes(modeCount(elements));
   double sum = 0;
   for (std::size_t j = amplitudes.size(); j-- > 0;) {  // small terms first
     const double density = std::pow(std::max(static_cast<double>(j + 1), rollOff), -2 * hurst - 1);
@@ -88,13 +88,13 @@ std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, dou
   return amplitudes;
 }
 
-double rmsHeightOf(const FourierLine& line) {
+double rmsHeight(const FourierLine& line) {
   double sum = 0;
   for (std::size_t j = line.coefficients.size(); j-- > 0;) sum += std::norm(line.coefficients[j]);
   return std::sqrt(2 * sum);
 }
 
-double rmsSlopeOf(const FourierLine& line) {
+double rmsSlope(const FourierLine& line) {
   double sum = 0;
   for (std::size_t j = line.coefficients.size(); j-- > 0;) {
     const double mode = static_cast<double>(j + 1);
@@ -170,7 +170,7 @@ FourierLine FourierTransform::analyse(std::span<const double> height, double len
   std::copy_n(height.begin(), count, buffers.values.values);
   fftw_execute_dft_r2c(plans_->toModes, buffers.values.values, raw(buffers.modes.values));
   FourierLine line{length, {}};
-  for (std::size_t k = 1; k <= modesOf(count); ++k)
+  for (std::size_t k = 1; k <= modeCount(count); ++k)
     line.coefficients.push_back(modes[k] / static_cast<double>(count));
   return line;
 }
@@ -180,7 +180,7 @@ FourierLine withSummitCorrelation(const FourierLine& line, double kappa,
   const std::size_t modes = line.coefficients.size();
   const auto split = static_cast<std::size_t>(std::sqrt(static_cast<double>(modes)));
   const FourierLine longWaves = partOf(line, 1, split + 1);
-  const double height = rmsHeightOf(line), longHeight = rmsHeightOf(longWaves);
+  const double height = rmsHeight(line), longHeight = rmsHeight(longWaves);
   if (!(longHeight > 0) || modes < 2) return line;
   std::vector<double> far, near;
   fine.evaluate(longWaves, far);
@@ -190,7 +190,7 @@ FourierLine withSummitCorrelation(const FourierLine& line, double kappa,
         near[i] * std::sqrt(1 + std::clamp(-kappa * far[i] / longHeight, -kLargest, kLargest));
   FourierLine whole = fine.analyse(far, line.length);
   whole.coefficients.resize(modes);
-  const double factor = height / rmsHeightOf(whole);
+  const double factor = height / rmsHeight(whole);
   for (std::complex<double>& coefficient : whole.coefficients) coefficient *= factor;
   return whole;
 }

@@ -20,15 +20,15 @@ struct FourierLine {
 };
 
 /// Modes that N elements carry: 1 to below N/2, the Nyquist mode dropped.
-std::size_t modesOf(std::size_t elements);
+std::size_t modeCount(std::size_t elements);
 
-/// Amplitudes a_k (m) of z = sum a_k cos(q_k x + phase_k), k = 1 ... modesOf(elements), with
+/// Amplitudes a_k (m) of z = sum a_k cos(q_k x + phase_k), k = 1 ... modeCount(elements), with
 /// C(q) ~ q^(-2H-1), constant below mode number `rollOff`, and sum a_k^2 / 2 = rmsHeight^2 exactly.
 std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, double rmsHeight,
                                          double rollOff = 0);
 
-double rmsHeightOf(const FourierLine& line);  // m
-double rmsSlopeOf(const FourierLine& line);
+double rmsHeight(const FourierLine& line);  // m
+double rmsSlope(const FourierLine& line);
 
 /// Sums of Fourier modes at equally spaced nodes and back, by FFTW with estimated plans, so that
 /// the same input gives the same bits in every run. Threading: may be used by several threads at

@@ -49,8 +49,8 @@ Line smooth(const std::vector<double>& heights) {
   line.spacing = kLength / static_cast<double>(heights.size());
   transform.evaluate(modes, line.height);
   transform.evaluateSlope(modes, line.slopeAfter);
-  line.rmsHeight = rmsHeightOf(modes);
-  line.rmsSlope = rmsSlopeOf(modes);
+  line.rmsHeight = rmsHeight(modes);
+  line.rmsSlope = rmsSlope(modes);
   return line;
 }
 

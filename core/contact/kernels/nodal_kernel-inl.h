@@ -35,6 +35,7 @@ class NodalKernel {
   HWY_INLINE NodalKernel(const PreparedProfile& line, const double* depth,
                          const double* relaxationLength, NodeShape* shape = nullptr)
       : line_(line),
+        count_(line.segments()),
         shape_(shape),
         depth_(hn::LoadU(d_, depth)),
         relaxationLength_(hn::LoadU(d_, relaxationLength)) {
@@ -47,10 +48,9 @@ class NodalKernel {
   }
 
   HWY_INLINE void run(NodalState* states) {
-    const std::size_t count = line_.segments();
     node(0);
     int level = 0;
-    for (std::size_t i = 1; i < count;) level = advance(i, level);
+    for (std::size_t i = 1; i < count_;) level = advance(i, level);
     // The lowest node of the next period takes over.
     closeArcs(hn::Eq(depth_, depth_), depth_);
     store(states);
@@ -72,19 +72,17 @@ class NodalKernel {
   /// Takes the largest whole block at i above which every lane stays free, or node i.
   HWY_INLINE int advance(std::size_t& i, int level) {
     const int top = static_cast<int>(line_.blocks.size()) - 1;
-    while (level >= 1) {
+    for (; level >= 1; --level) {
       const std::size_t from = i - 1, size = std::size_t{1} << (2 * level);
-      const std::size_t block = from >> (2 * level);
-      const auto& blocks = line_.blocks[static_cast<std::size_t>(level)];
-      if ((from & (size - 1)) == 0 && block < blocks.size()) {
-        const V far = after(surface_, lost_[level]);
-        if (hn::AllTrue(d_, hn::Gt(set(blocks.lowest[block]), far))) {
-          skip(far, level);
-          i += size;
-          return level < top ? level + 1 : level;
-        }
+      if ((from & (size - 1)) != 0 || i + size > count_) continue;
+      const V far = after(surface_, lost_[level]);
+      const double lowest =
+          line_.blocks[static_cast<std::size_t>(level)].lowest[from >> (2 * level)];
+      if (hn::AllTrue(d_, hn::Gt(set(lowest), far))) {
+        skip(far, level);
+        i += size;
+        return level < top ? level + 1 : level;
       }
-      --level;
     }
     node(i);
     ++i;
@@ -127,8 +125,8 @@ class NodalKernel {
     const V deep = hn::Sub(depth_, height);
     const V pressure = hn::NegMulAdd(relaxationLength_, slope, deep);
     const M loaded = hn::And(touching, hn::Gt(pressure, zero()));
-    pressure_ = hn::Add(pressure_, hn::IfThenElse(loaded, pressure, zero()));
-    loaded_ = hn::Add(loaded_, hn::IfThenElse(loaded, set(1), zero()));
+    pressure_ = hn::Add(pressure_, hn::IfThenElseZero(loaded, pressure));
+    loaded_ = hn::Add(loaded_, hn::IfThenElseZero(loaded, set(1)));
     const V here = hn::IfThenElse(touching, height, surface_);
     if (kEverything) {
       record(here, hn::IfThenElseZero(loaded, pressure));
@@ -180,16 +178,14 @@ class NodalKernel {
   /// Hands over one quantity of every lane.
   template <class Member>
   HWY_INLINE void give(V value, NodalState* states, const Member& member) const {
-    HWY_ALIGN double lanes[hn::MaxLanes(d_)];
-    hn::Store(value, d_, lanes);
-    for (std::size_t lane = 0; lane < hn::Lanes(d_); ++lane) member(states[lane]) = lanes[lane];
+    for (std::size_t lane = 0; lane < hn::Lanes(d_); ++lane)
+      member(states[lane]) = hn::ExtractLane(value, lane);
   }
 
+  /// depth and the lengths in contact are left to finish() in nodal_kernel.cpp.
   HWY_INLINE void store(NodalState* states) const {
-    const V dx = set(line_.spacing), loadedLength = hn::Mul(loaded_, dx);
-    give(depth_, states, [](NodalState& s) -> double& { return s.depth; });
+    const V dx = set(line_.spacing);
     give(loaded_, states, [](NodalState& s) -> double& { return s.loaded; });
-    give(loadedLength, states, [](NodalState& s) -> double& { return s.sums.stiffness; });
     give(hn::Mul(pressure_, dx), states, [](NodalState& s) -> double& { return s.sums.pressure; });
     if (!kEverything) return;
     const V loss = hn::MulAdd(hn::Mul(relaxationLength_, slopeSquared_), dx, freeLoss_);
@@ -197,12 +193,12 @@ class NodalKernel {
     give(hn::Mul(depthSum_, dx), states, [](NodalState& s) -> double& { return s.sums.depth; });
     give(hn::Mul(work_, dx), states, [](NodalState& s) -> double& { return s.sums.work; });
     give(loss, states, [](NodalState& s) -> double& { return s.sums.dissipation; });
-    give(loadedLength, states, [](NodalState& s) -> double& { return s.sums.contactLength; });
     give(hn::Mul(slopeSquared_, dx), states,
          [](NodalState& s) -> double& { return s.sums.slopeSquared; });
   }
 
   const PreparedProfile& line_;
+  std::size_t count_;  // of nodes
   NodeShape* shape_;
   V depth_, relaxationLength_;
   V lost_[kMostLevels];       // part of a depth, over a block of each level
