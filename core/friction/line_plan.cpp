@@ -8,12 +8,11 @@
 #include "core/contact/steady_solver.h"
 #include "core/friction/ensemble.h"
 #include "core/surface/line_source.h"
-#include "core/surface/profile_file.h"
 
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kLongLine = std::int64_t{1} << 17;  // points
+constexpr std::int64_t kLongLine = std::int64_t{1} << 15;  // points
 
 /// Velocities at which the purpose asks for steady sliding.
 std::vector<double> velocitiesOf(const Scene& scene, Purpose purpose) {
@@ -31,10 +30,8 @@ std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose) {
   const std::int64_t points =
       purpose == Purpose::Curve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
   // What a long line would say costs as much as to slide it.
-  const std::int64_t elements = scene.surface.elements > 0
-                                    ? scene.surface.elements
-                                    : expectedRows(scene.folder / scene.surface.file);
-  if (elements * points > kLongLine) return stages;
+  const LineExtent extent = lineExtent(scene);
+  if (std::max(extent.rows, extent.elements * points) > kLongLine) return stages;
   const PreparedProfile line =
       prepareProfile(LineSource(scene, points).make(0), scene.accuracy.scheme);
   const double depth =
