@@ -73,6 +73,8 @@ class LevelSampler {
   bool sample(const Stratum& stratum, const States& states, std::int64_t lines);
 
   const SamplingCost& cost() const { return cost_; }
+  /// Processor time to read, transform and hold what the lines are made of.
+  double secondsOfSources() const { return secondsOfSources_; }
   std::int64_t lines() const;  // of all strata
 
  private:
@@ -85,6 +87,7 @@ class LevelSampler {
   std::vector<std::unique_ptr<LineSource>> sources_;  // of each level allowed, made when needed
   std::array<std::int64_t, 4 * kMostLevels> done_{};  // lines of each stratum
   SamplingCost cost_;
+  double secondsOfSources_ = 0;
 };
 
 }  // namespace asperity

@@ -202,9 +202,9 @@ Prediction predictTarget(const Scene& scene, int threads, const std::stop_token&
       static_cast<double>(scene.sweep.points) / static_cast<double>(sample.scene.sweep.points);
   Prediction prediction;
   prediction.threads = threads;
-  prediction.seconds =
-      longer * (reading + more * (plan.secondsOfPilot + plan.operations * plan.secondsOfOperation /
-                                                            static_cast<double>(threads)));
+  const double sliding = plan.secondsOfPilot - plan.secondsOfSources +
+                         plan.operations * plan.secondsOfOperation / static_cast<double>(threads);
+  prediction.seconds = longer * (reading + plan.secondsOfSources + more * sliding);
   prediction.lines = plan.mostLines;
   prediction.simulations = plan.simulations * more;
   prediction.pilotLines = isAveraged ? kPilotLines : 1;

@@ -50,12 +50,13 @@ class Targeting {
 
   TargetPlan plan() {
     TargetPlan plan;
-    const double start = threadSeconds();
+    const double start = threadSeconds() - sampler_.secondsOfSources();
     const bool isWhole = isFrictionless_ ? runFrictionless()
                          : isRandom_     ? runPilot() && planAll()
                                          : runSingle();
     if (!isWhole) throw StudyStopped{};
     plan.secondsOfPilot = threadSeconds() - start;
+    plan.secondsOfSources = sampler_.secondsOfSources();
     plan.secondsOfOperation = plan.secondsOfPilot / std::max(1.0, sampler_.cost().operations);
     plan.largestResidual = sampler_.cost().largestResidual;
     double standard = 0, resolution = 0;

@@ -43,6 +43,7 @@ TargetCurve targetCurve(const Scene& scene, const CurveOptions& options = {});
 struct TargetPlan {
   double operations = 0;          // nodes passed over after the pilot
   double secondsOfPilot = 0;      // processor time
+  double secondsOfSources = 0;    // of it, that any number of velocities needs once
   double secondsOfOperation = 0;  // measured in the pilot; for people only
   double mostLines = 0;           // at the velocity that needs most
   double simulations = 0;

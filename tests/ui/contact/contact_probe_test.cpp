@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/run/simulation.h"
 #include "tests/ui/contact/sample_frame.h"
 #include "tests/ui/contact/tidy_texts.h"
 #include "ui/contact/contact_insets.h"
@@ -72,6 +73,91 @@ TEST(Probe, SaysItInEngineeringUnits) {
   EXPECT_EQ(all,
             "position x = 1.000 mm; rigid line z = \u22121.00 \u00B5m; elastomer u = \u22121.00 "
             "\u00B5m; pressure p = 12.0 N/m; slope z\u2032 = \u22120.00150; ");
+}
+
+Scene movingScene(SlidingKind kind) {
+  Scene scene;
+  scene.surface.elements = 300;
+  scene.accuracy.oversampling = 4;
+  scene.load.normalForce = 0.2;
+  scene.sliding = {kind, 0.05, 0.2};
+  scene.sliding.duration = 0.05;
+  scene.sliding.amplitude = 0.05;
+  return scene;
+}
+
+/// p = 4 (G |u| - eta du/dt) at every point of every frame, with what the crosshair says.
+void expectTheLaw(const Frame& frame) {
+  const double g = frame.scene->elastomer.shearModulus;
+  const double eta = g * frame.scene->elastomer.relaxationTime;
+  const double largest = std::ranges::max(frame.pressure);
+  for (std::size_t i = 0; i < frame.pressure.size(); ++i) {
+    const auto reading = probeReading(frame, static_cast<double>(i) * frame.spacing);
+    ASSERT_TRUE(reading->surfaceRate);
+    EXPECT_NEAR(reading->pressure, 4 * (-g * reading->surface - eta * *reading->surfaceRate),
+                1e-12 * largest);
+  }
+}
+
+/// Relative difference (root mean square) between the rates said and those by which the elastomer
+/// moves until the next frame.
+double rateError(const Frame& now, const Frame& next) {
+  double difference = 0, all = 0;
+  for (std::size_t i = 0; i < now.pressure.size(); ++i) {
+    const double x = static_cast<double>(i) * now.spacing;
+    const bool isHeld = now.pressure[i] > 0 && next.pressure[i] > 0;
+    const bool isFree = now.pressure[i] == 0 && next.pressure[i] == 0;
+    if (!isHeld && !isFree) continue;  // the rate jumps where an element is met
+    const double moved = (next.surfaceHeight[i] - now.surfaceHeight[i]) / (next.time - now.time);
+    const double mean =
+        0.5 * (*probeReading(now, x)->surfaceRate + *probeReading(next, x)->surfaceRate);
+    difference += std::pow(mean - moved, 2);
+    all += moved * moved;
+  }
+  return std::sqrt(difference / all);
+}
+
+TEST(Probe, PressureInAMotionIsThatOfTheDepthAndTheRateShown) {
+  for (const SlidingKind kind : {SlidingKind::Step, SlidingKind::Start, SlidingKind::Oscillation}) {
+    Simulation simulation(std::make_shared<const Scene>(movingScene(kind)), 1);
+    for (int i = 0; i < 30; ++i) {
+      simulation.advance(0.02, 1.0 / 60);
+      expectTheLaw(simulation.frame());
+    }
+    const Frame now = simulation.frame();
+    simulation.advance(1e-3, 1.0 / 60);
+    EXPECT_LT(rateError(now, simulation.frame()), 0.25);
+  }
+}
+
+TEST(Probe, PressureOfASettlingPictureIsThatOfTheDepthAndTheRateShown) {
+  Scene scene = movingScene(SlidingKind::Steady);
+  Simulation simulation(std::make_shared<const Scene>(scene), 1);
+  EXPECT_FALSE(probeReading(simulation.frame(), 0)->surfaceRate);  // it is v z'
+  scene.load.normalForce = 2;
+  simulation.update(std::make_shared<const Scene>(scene), 2);
+  int settling = 0;
+  for (int i = 0; i < 5; ++i) {
+    simulation.advance(1e-4, 1.0 / 60);
+    const Frame frame = simulation.frame();
+    if (!frame.isSettling) break;
+    ++settling;
+    expectTheLaw(frame);
+  }
+  EXPECT_GT(settling, 0);
+}
+
+TEST(Probe, RateIsSaidWhereTheLawHasOne) {
+  Scene scene = movingScene(SlidingKind::Step);
+  Simulation simulation(std::make_shared<const Scene>(scene), 1);
+  const auto lines = probeLines(*probeReading(simulation.frame(), 0));
+  EXPECT_TRUE(
+      std::ranges::any_of(lines, [](const ProbeLine& line) { return line.label == "rate du/dt"; }));
+  scene.elastomer.rheology = Rheology::Prony;
+  scene.elastomer.equilibriumModulus = 1e7;
+  scene.elastomer.arms = {{1e7, 1e-3}};
+  simulation = Simulation(std::make_shared<const Scene>(scene), 2);
+  EXPECT_FALSE(probeReading(simulation.frame(), 0)->surfaceRate);
 }
 
 struct Size {
