@@ -226,6 +226,50 @@ TEST(Probe, ReadoutNeverCoversThePoint) {
   EXPECT_GT(shown, 200);
 }
 
+/// The readout's box: the last layer's triangles, or no width where there is none.
+Box readoutBox(const DrawList& list) {
+  const DrawLayer& layer = list.layers.back();
+  if (!layer.lines.empty() || layer.triangles.size() != 12) return {};
+  float left = 1e9F, right = 0, top = 1e9F, bottom = 0;
+  for (const DrawVertex& v : layer.triangles) {
+    left = std::min(left, v.x);
+    right = std::max(right, v.x);
+    top = std::min(top, v.y);
+    bottom = std::max(bottom, v.y);
+  }
+  return {left, top, right - left, bottom - top};
+}
+
+/// Pictures as journals print them, 86 mm at 300 dots to an inch: low in units of their texts.
+TEST(Probe, ReadoutStaysInThePlotAndOffTheMagnifier) {
+  SampleOptions sample;
+  sample.points = 400;
+  Frame frame = *sampleFrame(sample);
+  frame.sinceContact.assign(400, 1.234e-3);
+  frame.power.assign(400, 0.123);
+  int shown = 0;
+  for (const Size& size : {Size{1016, 760, 3.125F},
+                           {1016, 500, 3.125F},
+                           {508, 380, 1.5F},
+                           {480, 300, 1},
+                           {640, 360, 1}})
+    for (int i = 0; i <= 40; ++i) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      options.probe = i / 40.0 * frame.length;
+      options.magnifier = Magnifier{*options.probe - 0.02 * frame.length, 8};
+      const Box box = readoutBox(composeContact(frame, options));
+      if (!(box.width > 0)) continue;
+      ++shown;
+      const Clip plot = contactPlotArea(frame, options);
+      EXPECT_GE(box.y, plot.y) << size.width << " " << i;
+      EXPECT_LE(box.bottom(), plot.y + plot.height) << size.width << " " << i;
+    }
+  EXPECT_GT(shown, 100);
+}
+
 /// The plate under the scale's bars is the second but last rectangle of the top layer's triangles.
 TEST(Magnifier, ItsScaleHidesNoContact) {
   int shown = 0;
