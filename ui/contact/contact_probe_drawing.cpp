@@ -83,8 +83,17 @@ std::optional<Box> placeOf(const Readout& readout, const Surroundings& around,
   return std::nullopt;
 }
 
-/// The readout with as many of its lines as there is a free place for, in the order of importance,
-/// three at least; over an inset only where there is no such place.
+/// From the last one on; of the first four the rigid line's height, which is that of the elastomer
+/// in contact.
+void leaveOneOut(std::vector<ProbeLine>& lines) {
+  if (lines.size() == 4)
+    lines.erase(lines.begin() + 1);
+  else
+    lines.pop_back();
+}
+
+/// The readout with as many of its lines as there is a free place for, three at least; over an
+/// inset only where there is no such place.
 std::optional<std::pair<Readout, Box>> fittingReadout(const ProbeReading& reading,
                                                       Surroundings around,
                                                       const ContactLayout& layout) {
@@ -93,7 +102,7 @@ std::optional<std::pair<Readout, Box>> fittingReadout(const ProbeReading& readin
   for (const Box& taken : {around.taken, Box{}}) {
     around.taken = taken;
     std::vector<ProbeLine> lines = all.lines;
-    for (; lines.size() >= kFewestLines; lines.pop_back()) {
+    for (; lines.size() >= kFewestLines; leaveOneOut(lines)) {
       const Readout readout = readoutOf(lines, layout.sizes);
       if (const auto place = placeOf(readout, around, layout)) return {{readout, *place}};
     }
