@@ -144,7 +144,7 @@ class Entry {
     sweeps_ = sweepsOf(json_);
     for (const Sweep& sweep : sweeps_)
       if (json_.contains("set") && json_["set"].contains(sweep.key))
-        refuse("sweep." + sweep.key, "stands in set and in sweep; one of them is enough");
+        refuse(sweep.key, "stands in set and in sweep; one of them is enough");
     std::size_t count = 1;
     for (const Sweep& sweep : sweeps_) {
       count *= sweep.values.size();
