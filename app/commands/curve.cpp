@@ -112,7 +112,7 @@ std::string commentOf(const CurveSet& set, const CurveChoice& choice) {
 int runCurve(const CurveCommand& command) {
   const Scene scene = sceneOf(command.common);
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
-  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
+  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);

@@ -40,12 +40,6 @@ Json budgetJson(const ErrorBudget& error) {
           {"model_difference", numberOrNull(error.modelDifference)}};
 }
 
-/// Of a line that is as rough as the scene says, or as its file is.
-double rmsHeightOf(const Scene& scene) {
-  return scene.surface.kind == SurfaceKind::Profile ? LineSource(scene, 1).statistics().rmsHeight
-                                                    : scene.surface.rmsHeight;
-}
-
 }  // namespace
 
 Explanation explain(const Scene& scene, int threads) {
@@ -53,7 +47,7 @@ Explanation explain(const Scene& scene, int threads) {
   Explanation explanation{scene, isSteady ? "curve" : "render",
                           planOnLine(scene, isSteady ? Purpose::Curve : Purpose::Picture)};
   if (!isSteady) return explanation;
-  explanation.fewSummitsVelocity = fewSummitsVelocity(scene, rmsHeightOf(scene));
+  explanation.fewSummitsVelocity = fewSummitsVelocity(scene, lineExtent(scene).rmsHeight);
   explanation.predicted = predictCurve(scene, threads);
   return explanation;
 }

@@ -2347,6 +2347,10 @@
         <translation>Steigung z′</translation>
     </message>
     <message>
+        <source>rate du/dt</source>
+        <translation>Rate du/dt</translation>
+    </message>
+    <message>
         <source>free for</source>
         <translation>frei seit</translation>
     </message>
