@@ -15,7 +15,7 @@
 #include "app/picture_composer.h"
 #include "app/progress_bar.h"
 #include "app/sequence_files.h"
-#include "core/accuracy/target_curve.h"
+#include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/scene/effects.h"
@@ -188,23 +188,13 @@ class Rendering {
       throw InputError("", "--layout", "curve does not move; --layout both shows the contact too");
   }
 
-  /// Of steady sliding, whatever the motion.
+  /// The curves are those of steady sliding, whatever motion the scene has.
   void computeCurves() {
     Scene steady = scene_;
     steady.sliding.kind = SlidingKind::Steady;
-    std::vector<CurvePoint> own;
-    {
-      ProgressBar bar(Words::tr("realizations"), command_.common.quiet);
-      CurveOptions options;
-      options.threads = command_.common.threads;
-      options.progress = [&bar](const CurveProgress& progress) {
-        bar.show(progress.realizationsDone, progress.realizationsTotal);
-      };
-      const Curve curve = curveOf(steady, options);
-      requireTarget(curve);
-      own = curve.points;
-    }
-    curves_ = curvesOf(command_.curves, steady, std::move(own), command_.common);
+    Curve curve = computeCurve(steady, command_.common);
+    requireTarget(curve);
+    curves_ = curvesOf(command_.curves, steady, std::move(curve.points), command_.common);
   }
 
   /// Of the whole run: scene, verb, version, seed and how it is shown.
