@@ -13,7 +13,7 @@
 
 #include "tests/ui/window/fresh_paints.h"
 #include "ui/panels/value_slider.h"
-#include "ui/window/main/contact_canvas.h"
+#include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/main_window.h"
 
 namespace asperity::bench {
@@ -93,7 +93,7 @@ class Window {
     Scene scene;
     scene.accuracy.scheme = scheme;
     scene.accuracy.oversampling = oversampling;
-    window_.showScene(scene);
+    window_.document().open(scene);
     waitUntilDone();
   }
 

@@ -68,6 +68,9 @@ class Session : public QObject {
   /// Changes what the diagram shows beside the present curve: pins, axes, a difference.
   void editCurve(const std::function<void(FrictionPlot&)>& edit);
 
+  /// Says anew what the diagram's marker says, in another language.
+  void markAgain();
+
   /// The newest state of a curve of the present scene; null before the first and once it is stale.
   const CurveUpdate* curve() const { return curve_ && !friction_.isStale() ? &*curve_ : nullptr; }
 

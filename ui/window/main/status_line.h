@@ -3,21 +3,36 @@
 // the button that stops it. They come from the frame shown. GUI thread.
 #pragma once
 
+#include <QLabel>
 #include <QWidget>
 
 #include "core/run/frame.h"
 
 class QHBoxLayout;
-class QLabel;
 class QProgressBar;
 class QTimer;
 class QToolButton;
 
 namespace asperity {
 
-class ElidedLabel;
-
+class ContactCanvas;
+class Session;
 struct CurveReading;
+
+/// A line of text that is shortened where it has no room, and then whole in its tooltip.
+class ElidedLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  explicit ElidedLabel(QWidget* parent = nullptr);
+
+  /// What is to be seen of the text.
+  QString shownText() const;
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+};
 
 /// What is under way.
 struct Work {
@@ -32,6 +47,9 @@ class StatusLine : public QWidget {
 
  public:
   explicit StatusLine(QWidget* parent = nullptr);
+
+  /// From now on asks these now and then what is computed and drawn.
+  void follow(const Session& session, const ContactCanvas& canvas);
 
   void showFrame(const Frame& frame, const CurveReading& reading);
   void showWork(const Work& work);
@@ -48,18 +66,19 @@ class StatusLine : public QWidget {
   void backWanted();  // from waiting
 
  protected:
+  void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QLabel* addFact(QHBoxLayout& line, const char* name, const QString& tip);
-  static QString velocityTip();
+  static QLabel* addFact(QHBoxLayout& line, const char* name);
+  void showTips();
   void showVelocity(const Frame& frame);
   void addWork(QHBoxLayout& line);
   void pressed();
   void fallSilent();
   void fitFacts();
 
-  Work::State state_ = Work::State::Idle;
+  Work work_;
   ElidedLabel* said_;
   QTimer* silence_;
   QLabel* regime_;
