@@ -15,6 +15,7 @@
 #include "ui/panels/value_slider.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/main_window.h"
+#include "ui/window/main/scene_document.h"
 
 namespace asperity::bench {
 namespace {

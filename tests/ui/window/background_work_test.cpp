@@ -18,9 +18,7 @@ namespace {
 
 constexpr int kPatience = 20000;  // ms, far more than anything here takes
 
-using Run = BackgroundWork::Run;
-
-void waitForStop(const Run& run) {
+void waitForStop(const BackgroundWork::Run& run) {
   while (!run.stop().stop_requested()) std::this_thread::yield();
 }
 
@@ -29,7 +27,9 @@ TEST(BackgroundWork, TheResultArrivesOnTheThreadThatAsked) {
   std::thread::id worker;
   std::string result;
   work.request(
-      [](const Run&) { return std::pair(std::this_thread::get_id(), std::string("done")); },
+      [](const BackgroundWork::Run&) {
+        return std::pair(std::this_thread::get_id(), std::string("done"));
+      },
       [&](const std::pair<std::thread::id, std::string>& made) {
         EXPECT_EQ(QThread::currentThread(), qApp->thread());
         worker = made.first;
@@ -44,7 +44,7 @@ TEST(BackgroundWork, TheNewestWinsAndTheRunningIsAskedToStop) {
   std::vector<int> done, taken;
   BackgroundWork work;
   work.request(
-      [&](const Run& run) {
+      [&](const BackgroundWork::Run& run) {
         begun.set_value();
         waitForStop(run);
         done.push_back(1);
@@ -54,7 +54,7 @@ TEST(BackgroundWork, TheNewestWinsAndTheRunningIsAskedToStop) {
   begun.get_future().wait();
   for (const int number : {2, 3})
     work.request(
-        [&done, number](const Run&) {
+        [&done, number](const BackgroundWork::Run&) {
           done.push_back(number);
           return number;
         },
@@ -70,7 +70,7 @@ TEST(BackgroundWork, PicturesThatAreOvertakenAreFinishedAndShown) {
   std::vector<int> taken;
   BackgroundWork work(Overtaking::SkipsTheWaiting);
   work.request(
-      [&](const Run& run) {
+      [&](const BackgroundWork::Run& run) {
         begun.set_value();
         go.get_future().wait();
         EXPECT_FALSE(run.stop().stop_requested());
@@ -79,7 +79,8 @@ TEST(BackgroundWork, PicturesThatAreOvertakenAreFinishedAndShown) {
       [&](int number) { taken.push_back(number); });
   begun.get_future().wait();
   for (const int number : {2, 3})
-    work.request([number](const Run&) { return number; }, [&](int made) { taken.push_back(made); });
+    work.request([number](const BackgroundWork::Run&) { return number; },
+                 [&](int made) { taken.push_back(made); });
   go.set_value();
   ASSERT_TRUE(QTest::qWaitFor([&] { return taken.size() == 2; }, kPatience));
   EXPECT_EQ(taken, (std::vector{1, 3}));
@@ -90,7 +91,7 @@ TEST(BackgroundWork, EveryFileIsWrittenEvenAtTheEnd) {
   {
     BackgroundWork work(Overtaking::WaitsForItsTurn);
     for (const int number : {1, 2, 3})
-      work.request([&done, number](const Run&) { done.push_back(number); }, [] {});
+      work.request([&done, number](const BackgroundWork::Run&) { done.push_back(number); }, [] {});
   }
   EXPECT_EQ(done, (std::vector{1, 2, 3}));
 }
@@ -100,7 +101,7 @@ TEST(BackgroundWork, WhatWasCancelledTellsNothingAndTheNextGoesOn) {
   int told = 0, taken = 0;
   BackgroundWork work;
   work.request(
-      [&](const Run& run) {
+      [&](const BackgroundWork::Run& run) {
         run.tell([&] { ++told; });
         begun.set_value();
         waitForStop(run);
@@ -109,7 +110,7 @@ TEST(BackgroundWork, WhatWasCancelledTellsNothingAndTheNextGoesOn) {
       [&] { ++told; }, [&](const QString&) { ++told; });
   begun.get_future().wait();
   work.cancel();
-  work.request([](const Run&) {}, [&] { ++taken; });
+  work.request([](const BackgroundWork::Run&) {}, [&] { ++taken; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return taken == 1; }, kPatience));
   EXPECT_EQ(told, 0);
 }
@@ -119,7 +120,7 @@ TEST(BackgroundWork, ItTellsHowFarItIs) {
   bool isDone = false;
   BackgroundWork work;
   work.request(
-      [&](const Run& run) {
+      [&](const BackgroundWork::Run& run) {
         for (const int part : {1, 2, 3}) run.tell([&parts, part] { parts.push_back(part); });
       },
       [&] { isDone = true; });
@@ -131,12 +132,13 @@ TEST(BackgroundWork, AFailureIsOneSentenceAndTheThreadGoesOn) {
   QString reason;
   int taken = 0;
   BackgroundWork work;
-  work.request([](const Run&) -> int { throw std::runtime_error("the disk is full"); },
-               [&](int) { ++taken; }, [&](const QString& why) { reason = why; });
+  work.request(
+      [](const BackgroundWork::Run&) -> int { throw std::runtime_error("the disk is full"); },
+      [&](int) { ++taken; }, [&](const QString& why) { reason = why; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return !reason.isEmpty(); }, kPatience));
   EXPECT_EQ(reason, "the disk is full");
   EXPECT_EQ(taken, 0);
-  work.request([](const Run&) { return 5; }, [&](int number) { taken = number; });
+  work.request([](const BackgroundWork::Run&) { return 5; }, [&](int number) { taken = number; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return taken == 5; }, kPatience));
 }
 
@@ -144,9 +146,9 @@ TEST(BackgroundWork, WorkThatWasStoppedIsNoFailure) {
   int told = 0;
   bool isDone = false;
   BackgroundWork work(Overtaking::WaitsForItsTurn);
-  work.request([](const Run&) { throw StudyStopped{}; }, [&] { ++told; },
+  work.request([](const BackgroundWork::Run&) { throw StudyStopped{}; }, [&] { ++told; },
                [&](const QString&) { ++told; });
-  work.request([](const Run&) {}, [&] { isDone = true; });
+  work.request([](const BackgroundWork::Run&) {}, [&] { isDone = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return isDone; }, kPatience));
   EXPECT_EQ(told, 0);
 }
@@ -158,7 +160,7 @@ TEST(BackgroundWork, TheEndAsksTheRunningToStopAndNothingArrivesAfterIt) {
   {
     BackgroundWork work;
     work.request(
-        [&](const Run& run) {
+        [&](const BackgroundWork::Run& run) {
           begun.set_value();
           waitForStop(run);
           wasStopped = true;

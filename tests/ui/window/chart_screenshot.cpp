@@ -16,10 +16,13 @@
 
 #include "ui/chart/plot_view.h"
 #include "ui/window/curve/curve_commands.h"
+#include "ui/window/main/appearance.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/run_window.h"
+#include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/session.h"
+#include "ui/window/main/window_layout.h"
 
 namespace {
 

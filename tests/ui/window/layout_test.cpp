@@ -212,25 +212,25 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   auto first = next();
   first->findChild<QDockWidget*>("parameterDock")->hide();
   first->findChild<QAction*>("tab:planList")->setChecked(false);
-  first->setColours(Colours::Dark);
+  first->appearance().setColours(Colours::Dark);
   const QRect place(QGuiApplication::screens().back()->geometry().topLeft() + QPoint(100, 100),
                     QSize(1100, 700));
   first->setGeometry(place);
-  first->setPresenting(true);  // is not kept
+  first->arrangement().setPresenting(true);  // is not kept
   ASSERT_TRUE(first->close());
   first.reset();
 
   auto second = next();
   EXPECT_FALSE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
   EXPECT_FALSE(second->findChild<QAction*>("tab:planList")->isChecked());
-  EXPECT_EQ(second->colours(), Colours::Dark);
-  EXPECT_TRUE(second->isDark());
+  EXPECT_EQ(second->appearance().colours(), Colours::Dark);
+  EXPECT_TRUE(second->appearance().isDark());
   EXPECT_FALSE(second->isFullScreen());
   EXPECT_TRUE(second->menuBar()->isVisible());
   EXPECT_EQ(second->geometry(), place);
-  second->restoreDefaultLayout();
+  second->arrangement().restoreDefault();
   EXPECT_TRUE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
-  second->setColours(Colours::Light);
+  second->appearance().setColours(Colours::Light);
 }
 
 /// The window with what a window manager draws around it.
@@ -267,14 +267,14 @@ TEST_F(LayoutTest, AWindowOfALargerScreenFitsASmallerOne) {
     QSettings().clear();
     {
       MainWindow first(smallScene());
-      first.rememberLayout();
+      first.arrangement().remember();
       first.setGeometry(9000, 2000, 2500, 1400);  // of a screen that is away then
       first.show();
       if (maximized) first.showMaximized();
       ASSERT_TRUE(first.close());
     }
     MainWindow second(smallScene());
-    second.rememberLayout();
+    second.arrangement().remember();
     second.setWindowState(Qt::WindowNoState);
     const QScreen* there = QGuiApplication::screenAt(second.geometry().center());
     ASSERT_TRUE(there);

@@ -54,7 +54,7 @@ struct RenderCommandOptions {
 /// "asperity render figure_1.json --set load.normal_force=0.1 -o picture.png ...". A scene that
 /// came from nowhere is said as a shipped one with all that differs.
 QString renderCommand(const SceneOrigin& origin, const Scene& scene,
-                      const RenderCommandOptions& wish);
+                      const RenderCommandOptions& options);
 
 /// "asperity curve ... -o curve.csv", with what is compared beside the scene's own curve.
 QString curveCommand(const SceneOrigin& origin, const Scene& scene,

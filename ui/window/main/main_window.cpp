@@ -1,5 +1,6 @@
 #include "ui/window/main/main_window.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QCloseEvent>
 #include <QDialog>
@@ -46,6 +47,23 @@ namespace {
 constexpr int kPollInterval = 16;  // ms, 60 times a second
 constexpr int kUnseenPoll = 250;   // ms, where nobody sees what comes
 
+/// Qt's own buttons of a dock, which its title covers, keep the words that they were made with.
+void sayAgain(const QDockWidget& dock) {
+  static constexpr struct {
+    const char *object, *name, *description;
+  } kButtons[] = {{"qt_dockwidget_floatbutton", "Float", "Undocks and re-attaches the dock widget"},
+                  {"qt_dockwidget_closebutton", "Close", "Closes the dock widget"}};
+  const auto text = [](const char* english) {
+    return QCoreApplication::translate("QDockWidget", english);
+  };
+  for (const auto& [object, name, description] : kButtons)
+    if (auto* button = dock.findChild<QAbstractButton*>(QLatin1String(object))) {
+      button->setAccessibleName(text(name));
+      button->setAccessibleDescription(text(description));
+      if (!button->toolTip().isEmpty()) button->setToolTip(text(name));
+    }
+}
+
 /// A dock's title in the window's own look.
 QWidget* dockTitle(QDockWidget& dock) {
   auto* title = new QWidget;
@@ -64,6 +82,7 @@ QWidget* dockTitle(QDockWidget& dock) {
     dock.setWindowTitle(MainWindow::tr("Parameters"));
     label->setText(dock.windowTitle());
     close->setAccessibleName(MainWindow::tr("close"));
+    sayAgain(dock);
   });
   return title;
 }
@@ -229,8 +248,9 @@ void MainWindow::connectScene() {
   connect(tour_, &Tour::stepShown, description_, &QWidget::hide);
   keepTranslated(*this, [this] {
     showTitle();
-    if (!description_->isHidden())
-      description_->showMessage(sceneText(document_->scene().description));
+    const bool isDescribed = !description_->isHidden();
+    description_->showMessage(sceneText(document_->scene().description));
+    description_->setVisible(isDescribed);
     if (session_->frame()) showFrame();
   });
 }

@@ -1,13 +1,11 @@
 // The main window: contact view above, friction diagram below it, parameters at the right, bars for
 // commands and facts; or the page of the paper's figures in the place of the views. It makes the
-// parts and connects them; each part has a header of its own, listed here in the order in which a
-// scene travels. The document says what the scene is, the session runs it in the background, and
-// everything shown about a state comes from the session's frame. GUI thread. Failure: complaints
-// appear in a bar over the views and the window goes on.
+// parts, each of which has a header of its own, and connects them: the document holds the scene,
+// the session runs it, and everything shown about a state comes from the session's frame. GUI
+// thread. Failure: complaints appear in a bar over the views and the window goes on.
 #pragma once
 
 #include <QMainWindow>
-#include <QString>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -80,8 +78,7 @@ class MainWindow : public QMainWindow {
   void connectFrames();
   void connectCurve();
 
-  // In main_window_menus.cpp.
-  void buildMenus();
+  void buildMenus();  // this and the next six are in main_window_menus.cpp
   QMenu* addMenu(QString (*title)());
   void fillScenes(QMenu& menu);
   void fillLanguages(QMenu& menu);

@@ -188,6 +188,7 @@ void StatusLine::changeEvent(QEvent* event) {
   if (event->type() != QEvent::LanguageChange) return;
   showTips();
   showWork(work_);
+  if (!rate_->text().isEmpty()) showDrawing(framesPerSecond_, backend_->text());
 }
 
 void StatusLine::follow(const Session& session, const ContactCanvas& canvas) {
@@ -320,6 +321,7 @@ void StatusLine::fallSilent() {
 }
 
 void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {
+  framesPerSecond_ = framesPerSecond;
   rate_->setText(tr("%1 frames/s").arg(framesPerSecond));
   backend_->setText(backend);
   fitFacts();

@@ -79,6 +79,7 @@ class StatusLine : public QWidget {
   void fitFacts();
 
   Work work_;
+  int framesPerSecond_ = 0;
   ElidedLabel* said_;
   QTimer* silence_;
   QLabel* regime_;
