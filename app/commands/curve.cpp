@@ -76,7 +76,7 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
   return text;
 }
 
-/// With more than the scene's own curve one table of all of them.
+/// Returns one table of all curves where there are more than the scene's own.
 std::string tableOf(const CurveSet& set, const CurveChoice& choice) {
   return choice.hasMore() ? curveSetCsv(set) : curveCsv(set.present.points);
 }

@@ -44,8 +44,8 @@ QLabel* addLine(QVBoxLayout& column, const char* name) {
   return label;
 }
 
-/// Beside the picture: as wide as its texts need, in the large font of a presentation too. What
-/// does not fit the height is reached by a scroll bar.
+/// The controls beside the picture: as wide as their texts need, also in the large font of a
+/// presentation. A scroll bar reaches what does not fit the height.
 class ControlColumn : public QScrollArea {
  public:
   explicit ControlColumn(QWidget* content) {

@@ -45,16 +45,16 @@ class AccuracyPanel : public QWidget {
   explicit AccuracyPanel(QWidget* parent = nullptr);
 
   void showScene(const Scene& scene);
-  /// Of the finished curve of the scene shown; errors are relative, root mean square. interval:
-  /// half of it, said where there is no standard error, as of a single line to a target.
+  /// Shows time and error of the finished curve of this scene; errors are relative, root mean
+  /// square. interval: half of it, said where there is no standard error, as of a single line to a
+  /// target.
   void showMeasured(double seconds, double standardError, double interval = kNotApplicable);
   void setTheme(const Theme& theme);
 
-  /// With what the curve is to be compared; none: with nothing.
+  /// The setting that the curve is to be compared with; none: no comparison.
   std::optional<CurveSetting> comparison() const;
 
-  /// What was measured, where it is shown; and such a result of before, if it is of the scene
-  /// shown.
+  /// The result that is shown, if there is one; and shows such a result if it is of this scene.
   std::optional<ComparedMethods> comparedMethods() const;
   void showComparedMethods(const ComparedMethods& compared);
 
@@ -79,7 +79,7 @@ class AccuracyPanel : public QWidget {
   void showInvitation();
   void endComparison();
 
-  /// Of a finished curve, for another language.
+  /// Time and error of a finished curve, to be said again in another language.
   struct Measured {
     double seconds, standardError, interval;
   };

@@ -56,7 +56,7 @@ void PlanList::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) fitColumns();
 }
 
-/// Names and answers are whole; reasons take the rest.
+/// Names and answers are shown whole; the reasons take the rest of the width.
 void PlanList::fitColumns() {
   resizeColumnToContents(0);
   resizeColumnToContents(1);

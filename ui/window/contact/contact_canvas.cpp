@@ -80,7 +80,7 @@ void ContactCanvas::setVeil(const QString& reason) {
   veil_->setVisible(!reason.isEmpty());
 }
 
-/// As the background, and half of the picture shines through.
+/// Gives the veil the colour of the background, so that half of the picture shines through.
 void ContactCanvas::paintVeil() {
   QColor background = colourOf(theme_.background);
   background.setAlphaF(0.7F);
@@ -153,7 +153,7 @@ void ContactCanvas::refresh() {
   if (backend_ && viewer_.frame()) backend_->show(request());
 }
 
-/// What is on the screen: the backend fills this widget.
+/// Returns a request for the picture on the screen; the backend fills this widget.
 PictureRequest ContactCanvas::request() const {
   PictureRequest request;
   request.frame = viewer_.frame();
@@ -182,7 +182,7 @@ std::optional<ViewPlace> ContactCanvas::placeAt(const QPointF& position) const {
                    (plot.bottom() - position.y()) / plot.height()};
 }
 
-/// Where keys zoom: at the crosshair's element and the elastomer's surface there, else the middle.
+/// Returns where keys zoom: at the crosshair's element and the surface there, else in the middle.
 ViewPlace ContactCanvas::focusPlace() const {
   const auto reading = viewer_.reading();
   if (!reading) return {};
@@ -192,7 +192,7 @@ ViewPlace ContactCanvas::focusPlace() const {
   return {std::clamp(along, 0.0, 1.0), std::clamp(up, 0.0, 1.0)};
 }
 
-/// After whatever has changed the view.
+/// Has to be called after every change of the view.
 void ContactCanvas::changed() {
   if (const FrameFields fields = viewer_.fields(); fields != wanted_) {
     wanted_ = fields;
@@ -242,7 +242,7 @@ void ContactCanvas::showCrosshair(const QPointF& position) {
   changed();
 }
 
-/// What is read is spoken, too: the picture itself is no text.
+/// The reading is spoken, too, because the picture itself is no text.
 void ContactCanvas::movePointer(int elements) {
   viewer_.movePointer(elements);
   QStringList words;
@@ -320,7 +320,7 @@ void ContactCanvas::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-/// The sentence on the reading there.
+/// Returns the sentence on the reading at this place; empty where there is none.
 QString ContactCanvas::tipAt(const QPointF& position) const {
   if (!viewer_.frame()) return {};
   const PictureRequest shown = request();

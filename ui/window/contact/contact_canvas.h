@@ -62,7 +62,7 @@ class ContactCanvas : public QWidget {
   void magnify(bool magnifies);
   void setOverlay(ContactOverlay overlay);
 
-  /// What frames have to hold for what is shown.
+  /// The fields that frames have to hold for what is shown.
   FrameFields fields() const { return viewer_.fields(); }
 
   /// The plot in the widget's pixels; empty before the first frame.

@@ -88,7 +88,7 @@ void addZoom(ContactCanvas& canvas, QMenu& menu) {
       [&canvas](bool) { canvas.fitHeights(); });
 }
 
-/// What can be switched on and off; the check marks follow the canvas.
+/// Adds the commands that switch something on and off; their check marks follow the canvas.
 void addSwitches(ContactCanvas& canvas, QMenu& menu) {
   QAction* follow =
       add(canvas, menu,

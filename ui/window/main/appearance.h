@@ -32,11 +32,11 @@ class Appearance : public QObject {
   /// A submenu: same as system, light, dark.
   void addMenu(QMenu& menu);
 
-  /// As the system has them, or always light or dark.
+  /// Chooses the colours of the system, or always light or dark ones.
   void setColours(Colours colours);
   Colours colours() const { return colours_; }
 
-  /// Also paints anew what was painted with another font.
+  /// Sets palette and style sheet anew, also where only the font has changed.
   void setDark(bool dark);
   bool isDark() const { return isDark_; }
   const Theme& theme() const;
@@ -63,7 +63,7 @@ PlotColours plotColoursOf(const Theme& theme);
 /// the back of a room, they keep their share of a large one.
 double presentedScale(const QSizeF& screen);
 
-/// For the main window: bars, docks, menus, splitter, message bar.
+/// Returns the style sheet of the main window: bars, docks, menus, splitter, message bar.
 QString windowStyleSheet(const Theme& theme);
 
 }  // namespace asperity

@@ -62,7 +62,7 @@ void Commands::setColour(const QColor& colour) {
   for (const auto& [name, entry] : entries_) paint(entry);
 }
 
-/// In menu, button and tooltip, there with the key.
+/// Sets the text of menu, button and tooltip; the tooltip also names the key.
 void Commands::showText(const Entry& entry) const {
   QAction& action = *entry.action;
   const QString text = entry.command.text();

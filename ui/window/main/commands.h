@@ -19,7 +19,7 @@ class QMainWindow;
 
 namespace asperity {
 
-/// Drawn in a colour, at any density. None: a command without an icon.
+/// The icons of commands. None: a command without an icon.
 enum class Symbol {
   Play,
   Pause,
@@ -35,6 +35,7 @@ enum class Symbol {
   None
 };
 
+/// Draws the icon in a colour, for screens of any density.
 QIcon symbolIcon(Symbol symbol, const QColor& colour);
 
 struct Command {
@@ -77,10 +78,10 @@ class Commands : public QObject {
   QColor colour_;
 };
 
-/// On buttons without dots, and with air between icon and text.
+/// Returns a text for a button: without dots, and with air between icon and text.
 QString buttonText(QString text);
 
-/// Rich text is broken into lines where plain text is not.
+/// Returns a tooltip as rich text, which Qt breaks into lines as it does not break plain text.
 QString wrappedTip(const QString& text);
 
 }  // namespace asperity

@@ -31,8 +31,7 @@ namespace {
 
 const QString kRecentFiles = QStringLiteral("recentFiles");
 
-/// The scene as it has to be written into `folder`: a profile is named relative to its scene's
-/// file.
+/// Returns the scene as it has to be written into `folder`: with its profile named relative to it.
 Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
   const std::filesystem::path profile = scene.surface.file;
   if (profile.empty() || profile.is_absolute()) return scene;
@@ -49,7 +48,7 @@ Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
 DocumentCommands::DocumentCommands(SceneDocument& document, const ParameterPanel& panel,
                                    MessageBar& messages, QWidget& window)
     : QObject(&window), document_(document), panel_(panel), messages_(messages), window_(window) {
-  // What is still being read was asked for before.
+  // A file that is still being read was asked for before this document.
   connect(&document_, &SceneDocument::opening, this, [this] { reading_.cancel(); });
 }
 
@@ -90,7 +89,7 @@ void DocumentCommands::addTo(Commands& commands) {
       {"revert", [] { return tr("Back to the scene as opened"); }, [this] { document_.revert(); }});
   commands.add({"resetAll", [] { return tr("All parameters to their defaults"); },
                 [this] { document_.resetAll(); }});
-  // What the next step is called does not belong to the meaning of its key.
+  // The sheet of shortcuts says what a key means at any time, without the name of the next step.
   keepTranslated(*this, [&commands] {
     commands.get("undo")->setProperty("shortText", tr("Undo"));
     commands.get("redo")->setProperty("shortText", tr("Redo"));
@@ -137,7 +136,7 @@ void DocumentCommands::openDropped(const QString& file) {
 void DocumentCommands::showFound(const QString& file, const FoundScene& found) {
   const bool isShown = mayShow(file, found);
   if (isShown) {
-    // What was opened from a picture is not saved over it.
+    // A scene that was opened from a picture must not be saved over the picture.
     document_.open({{}, found.isCarried ? QString() : file, found.scene});
     addRecentFile(file);
     fillRecent();
@@ -145,7 +144,8 @@ void DocumentCommands::showFound(const QString& file, const FoundScene& found) {
   emit sceneRead(file, isShown);
 }
 
-/// Asks where a scene that another person may have put into a file wants more than to be shown.
+/// Asks a question where a scene that another person may have put into a file wants more than to be
+/// shown.
 bool DocumentCommands::mayShow(const QString& file, const FoundScene& found) {
   const SceneDemands demands = found.isCarried ? demandsOf(found.scene) : SceneDemands{};
   if (!demands.any()) return true;
@@ -247,7 +247,7 @@ void DocumentCommands::addRecentMenu(QMenu& menu) {
   });
 }
 
-/// Two files of one name are told apart by the tooltips.
+/// Files of the same name differ in their tooltips.
 void DocumentCommands::fillRecent() {
   recent_->clear();
   const QStringList files = recentFiles();

@@ -41,7 +41,7 @@ namespace asperity {
 
 namespace {
 
-/// A profile is found wherever the command is given.
+/// Returns the scene with an absolute path to its profile, which is found from any folder.
 Scene withAbsoluteProfile(Scene scene) {
   if (scene.surface.kind == SurfaceKind::Profile)
     scene.surface.file =
@@ -54,7 +54,7 @@ std::vector<std::string> assignmentsOver(const SceneOrigin& origin, const Scene&
   return assignmentsFrom(origin.scene, sameFolder ? scene : withAbsoluteProfile(scene));
 }
 
-/// Of the shipped scenes the one that needs the fewest words.
+/// Returns the shipped scene from which the fewest assignments lead to this one.
 SceneOrigin nearestShipped(const Scene& scene) {
   SceneOrigin nearest;
   std::optional<std::size_t> fewest;
@@ -83,7 +83,7 @@ QString range(double from, double to) {
 
 constexpr double kUnseen = 1e-5;  // of a view's width, less than a pixel
 
-/// With the digits that are seen where the view is so wide.
+/// Rounds a position (m) to the digits that can be seen where the view is so wide (m).
 double seen(double position, double width) {
   const double grid = std::pow(10, std::floor(std::log10(kUnseen * width)));
   const double rounded = std::round(position / grid) * grid;
@@ -92,15 +92,15 @@ double seen(double position, double width) {
   return roundedToDigits(rounded, static_cast<int>(std::clamp(digits, 1.0, 17.0)));
 }
 
-/// Where the crosshair stands: at an element, which is told from its neighbours in any view.
+/// Rounds the place of the crosshair to its element, with digits that tell it from its neighbours.
 double probed(double position, const Frame& frame, double width) {
   if (!(frame.spacing > 0)) return seen(position, width);
   const double element = std::round(position / frame.spacing) * frame.spacing;
   return seen(element, std::min(width, 0.1 * frame.spacing / kUnseen));
 }
 
-/// Where somebody looks. Heights and the end of the colours are always said: fitted ones would be
-/// those of the first moment.
+/// Returns the options of the view. Heights and the end of the colours are always among them,
+/// because fitted ones would be those of the first moment.
 QStringList viewWords(const RenderCommandOptions& options) {
   const Frame& frame = *options.frame;
   const ContactPictureOptions& picture = options.options;
@@ -119,8 +119,8 @@ QStringList viewWords(const RenderCommandOptions& options) {
   return words;
 }
 
-/// With as few digits as tell it from the next step: a call takes whole steps that do not go beyond
-/// its moment.
+/// Returns the time of the frame (s) with as few digits as tell it from the next step: a call takes
+/// whole steps that do not go beyond its moment.
 double moment(const Frame& frame) {
   constexpr int kAll = 17;
   for (int digits = 1; digits < kAll; ++digits) {
@@ -134,7 +134,7 @@ double moment(const Frame& frame) {
   return frame.time;
 }
 
-/// The moment: of a motion its time, which says all; of steady sliding how far the line has come.
+/// Returns the option of the moment: the time of a motion, or how far the line has slid steadily.
 QStringList momentWords(const RenderCommandOptions& options) {
   const Frame& frame = *options.frame;
   if (frame.transient) return {"--at", numberText(moment(frame))};
@@ -162,7 +162,7 @@ QString pinnedText(Scene pinned, const Scene& scene) {
   return QString::fromStdString(joinedAssignments(assignmentsFrom(scene, pinned)));
 }
 
-/// The curves that are compared, and the axes.
+/// Returns the options of the curves that are compared, and of the axes.
 QStringList curveWords(const CurveCommandOptions& options, const Scene& scene) {
   QStringList words;
   if (options.compared) words += {"--compare", settingText(*options.compared)};
@@ -179,8 +179,8 @@ QStringList curveWords(const CurveCommandOptions& options, const Scene& scene) {
   return words;
 }
 
-/// The contact as high as in the window; with a comparison, for which the window makes it low, as
-/// high as all that is seen.
+/// Returns a height (pixels) at which the contact is as high as in the window; with a comparison,
+/// for which the window makes the contact low, the picture is as high as all that is seen.
 int pictureHeight(const RenderCommandOptions& options) {
   const int contact = options.size.height();
   if (options.layout == "contact") return contact;
@@ -269,7 +269,7 @@ void Exports::addTo(Commands& commands) {
   connect(&parts_.figures, &FigurePages::figureShown, this, show);
 }
 
-/// They are of what is in sight: the contact, or the figure that is shown instead.
+/// The commands are about what is in sight: the contact, or the figure that is shown instead.
 void Exports::showCommands(Commands& commands) const {
   const bool figures = parts_.figures.isShowingFigures();
   for (QAction* action : commands.get({"copyPicture", "savePicture"}))
@@ -339,7 +339,7 @@ CurveCommandOptions Exports::shownCurves() const {
   return {curves_->shown(), parts_.tabs.accuracy().comparison()};
 }
 
-/// The contact with what is in front under it.
+/// Returns the call that draws the contact and, below it, the tab that is in front.
 QString Exports::pictureCommand() const {
   const ContactCanvas& canvas = parts_.canvas;
   const Scene& scene = parts_.document.scene();

@@ -31,13 +31,13 @@ class Session;
 class StatusLine;
 struct ContactShot;
 
-/// The curves in the diagram beside the scene's own.
+/// The options that make the curves in the diagram beside the scene's own.
 struct CurveCommandOptions {
   std::optional<CurveSet> shown{};  // with axes and pinned ones; nothing before the first curve
   std::optional<CurveSetting> compared{};
 };
 
-/// What the picture is like, in the words of `asperity render`.
+/// The options of `asperity render` that make the picture as it is shown.
 struct RenderCommandOptions {
   QString layout = QStringLiteral("contact");
   QSize size;        // of the contact, device pixels

@@ -238,7 +238,7 @@ void MainWindow::connectScene() {
           [this](const Scene& scene, SceneChange change) {
             const bool isOpened = change == SceneChange::Opened;
             if (isOpened) described_.reset();
-            // What was typed in the panel stays where the scene comes from there.
+            // A scene that comes from the panel must not replace what is being typed there.
             if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
             session_->setScene(scene, isOpened ? Session::Begin::Opened : Session::Begin::GoesOn);
             showScene(scene);
@@ -337,12 +337,13 @@ void MainWindow::followSight() {
   session_->setSeen(sight_->isSeen() && !figures_->isShowingFigures());
 }
 
-/// What the contact shows and what the statistics count, and no more.
+/// Asks for the fields that the contact shows and the statistics count, and no more.
 void MainWindow::wantFields() {
   session_->wantFields(canvas_->fields() | tabs_->fields());
 }
 
-/// Of the period, so that a step by hand can be seen: a part of what is in view.
+/// Returns the part of the period by which a step by hand moves the line: a small part of the view,
+/// so that the step can be seen.
 double MainWindow::partPerStep() const {
   constexpr double kOfView = 1.0 / 200;
   const Frame* frame = canvas_->frame();
@@ -374,7 +375,7 @@ void MainWindow::connectCurve() {
 
 // ---- Language, files that are dropped, the end
 
-/// At once: Qt posts the event to every window, which hands it to its parts.
+/// Qt posts the event to every window, which hands it to its parts; this sends it at once.
 void MainWindow::setLanguage(std::string_view code) {
   const std::string_view known = languageFor(code);
   if (known.empty() || known == presentLanguage()) return;

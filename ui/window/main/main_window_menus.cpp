@@ -28,7 +28,7 @@ namespace asperity {
 
 namespace {
 
-/// Their keys are the window's, too: they go on where the menu bar is hidden.
+/// Adds the actions to the window, so that their keys work where the menu bar is hidden.
 void adoptActions(QWidget& window, const QMenu& menu) {
   for (QAction* action : menu.actions()) {
     if (action->menu())
@@ -94,7 +94,7 @@ QMenu* MainWindow::addMenu(QString (*title)()) {
   return menu;
 }
 
-/// A submenu for each chapter; what has none stands in the menu itself.
+/// Adds a submenu for each chapter; scenes without a chapter stand in the menu itself.
 void MainWindow::fillScenes(QMenu& menu) {
   std::string chapter;
   QMenu* part = &menu;
@@ -118,7 +118,7 @@ void MainWindow::fillScenes(QMenu& menu) {
   }
 }
 
-/// All languages and the desktop's; what is chosen is remembered.
+/// Adds a submenu of all languages and the desktop's; the choice is remembered.
 void MainWindow::fillLanguages(QMenu& menu) {
   QMenu* names = menu.addMenu(QString());
   auto* group = new QActionGroup(names);
@@ -173,7 +173,7 @@ void MainWindow::buildToolBar(QMenu& scenesMenu) {
     if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action)))
       button->setToolButtonStyle(Qt::ToolButtonIconOnly);
 
-  // What has no room is behind this button. Its own arrow is black and lost in the style sheet.
+  // This button opens the commands that have no room. Its own arrow is black, also on a dark bar.
   auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
   if (more) {
     more->setToolButtonStyle(Qt::ToolButtonTextOnly);

@@ -228,7 +228,7 @@ qsizetype columnsWithin(qsizetype most, const QList<ShortcutGroup>& groups,
 
 }  // namespace
 
-/// In columns, the longest of which is as short as can be.
+/// Distributes the groups over columns so that the longest column is as short as possible.
 ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDialog(parent) {
   setObjectName("shortcutSheet");
   setWindowTitle(tr("Keyboard shortcuts"));
@@ -257,13 +257,13 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
 }
 
 QSize ShortcutSheet::neededSize() const {
-  // Of all: a group lays itself out before the sheet knows of it.
+  // All widgets get their requests, because a group lays itself out before the sheet knows of it.
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   return content_->minimumSizeHint().expandedTo(content_->sizeHint()) + QSize(kAround, kAround);
 }
 
-/// As large as needed, once fonts and style are those of the screen; in smaller letters where the
-/// window has no room for it.
+/// Makes the sheet as large as needed, once fonts and style are those of the screen, and its
+/// letters smaller where the window has no room for it.
 void ShortcutSheet::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   const QSize most = parentWidget() ? parentWidget()->size() : neededSize();

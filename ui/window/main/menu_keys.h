@@ -21,7 +21,7 @@ namespace asperity {
 /// that can be; marks that were there go, "&&" stays.
 QStringList withMnemonics(const QStringList& texts);
 
-/// From now on, for what is visible whenever the menu opens.
+/// Gives the visible entries their letters whenever the menu opens from now on.
 void keepMnemonics(QMenu& menu);
 
 struct ShortcutGroup {
@@ -36,7 +36,7 @@ struct ShortcutGroup {
 /// Groups without a key are left out.
 QList<ShortcutGroup> shortcutGroups(const QMainWindow& window);
 
-/// What contact_canvas.h and plot_view.h say of themselves.
+/// The gestures that contact_canvas.h and plot_view.h describe.
 QList<ShortcutGroup> gestureGroups();
 
 class ShortcutSheet : public QDialog {

@@ -35,7 +35,8 @@ class MessageBar : public QFrame {
   /// Whatever was said is of a scene that is left.
   void forget();
 
-  /// With a button that takes up the offer. Both texts are asked for again in another language.
+  /// Shows an offer and a button that takes it up. Both texts are asked for again in another
+  /// language.
   using Text = std::function<QString()>;
   void showOffer(Text text, Text button);
   QString text() const;

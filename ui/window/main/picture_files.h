@@ -29,7 +29,7 @@ struct ContactShot {
   ContactPictureOptions options;
 };
 
-/// What a picture's file says of itself.
+/// The metadata of a picture's file.
 struct PictureLabel {
   std::string title;   // of the document; empty: none
   std::string origin;  // one line of provenance, so that the file opens as its scene
@@ -42,7 +42,7 @@ std::shared_ptr<const Frame> stillOf(const Frame& frame);
 
 QImage imageOf(const ContactShot& shot);
 
-/// As PNG, SVG or PDF, by the extension; InputError for any other. As writeFileAtomically.
+/// Write PNG, SVG or PDF, by the extension; InputError for any other, and as writeFileAtomically.
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
                   const PictureLabel& label);
 void writeContact(const std::filesystem::path& file, const ContactShot& shot);

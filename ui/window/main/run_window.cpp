@@ -35,7 +35,7 @@ namespace {
 
 const QString kLanguage = QStringLiteral("language");
 
-/// With what comes before and after it less than half a second.
+/// Together with what comes before and after it, this is less than half a second.
 constexpr std::chrono::milliseconds kQuitTime{400};
 
 Scene firstScene() {
@@ -154,7 +154,7 @@ StartTimes::StartTimes(MainWindow& window) : QObject(&window) {
   });
 }
 
-/// What is painted at the first exposure is on the screen when the event has been handled.
+/// The first picture is on the screen once the event that paints it has been handled.
 bool StartTimes::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Paint) {
     watched->removeEventFilter(this);

@@ -52,7 +52,7 @@ int runUntilClosed(QApplication& application, std::unique_ptr<MainWindow> window
 /// mostly does within milliseconds; a transform of millions of points, or a disk that does not
 /// answer, cannot be asked. Files are safe from a sudden end: each is whole or not there.
 ///
-/// From its making on the process has this long to end or to destroy the limit; otherwise it ends
+/// Once the limit is made, the process has this long to end or to destroy it; otherwise it ends
 /// with this status, whatever runs. Threading: made and destroyed on one thread.
 class QuitLimit {
  public:

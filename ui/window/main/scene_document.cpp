@@ -68,7 +68,7 @@ class GestureCounter : public QObject {
   bool isTurning_ = false;  // the wheel
 };
 
-/// From one scene to the next.
+/// A step of the history, from one scene to the next.
 class SceneStep : public QUndoCommand {
  public:
   SceneStep(SceneDocument& document, Scene after, std::uint64_t gesture, const char* what)
@@ -147,7 +147,7 @@ void SceneDocument::revert() {
   edit(origin_.scene, QT_TR_NOOP("Back to the scene as opened"));
 }
 
-/// In the language in use.
+/// Names all steps anew in the language in use.
 void SceneDocument::nameSteps() {
   for (int i = 0; i < history_.count(); ++i)
     static_cast<SceneStep*>(const_cast<QUndoCommand*>(history_.command(i)))->takeName();

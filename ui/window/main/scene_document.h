@@ -74,7 +74,7 @@ class SceneDocument : public QObject {
   /// came from, or by its title.
   QString proposedFile() const;
 
-  /// By value: a slider moved and moved back leaves the scene unchanged.
+  /// Compares values: a slider that is moved and moved back leaves the scene unchanged.
   bool isChanged() const { return !(scene_ == origin_.scene); }
 
   QUndoStack& history() { return history_; }
@@ -82,7 +82,7 @@ class SceneDocument : public QObject {
  signals:
   /// Another document takes the place of this one; sceneChanged() follows.
   void opening();
-  /// By whatever way: a control, undo, a file.
+  /// The scene is another one, whatever changed it: a control, undo, a file.
   void sceneChanged(const asperity::Scene& scene, asperity::SceneChange change);
   /// Origin or history are others than before, or have other names.
   void historyChanged();
@@ -102,7 +102,7 @@ class SceneDocument : public QObject {
 /// Keys of the parameters in which the scenes differ, in the table's order.
 std::vector<std::string_view> differingKeys(const Scene& a, const Scene& b);
 
-/// What a step between two scenes is called: "Normal force", "3 parameters".
+/// Returns the name of a step between two scenes: "Normal force", "3 parameters".
 QString stepName(const Scene& before, const Scene& after);
 
 }  // namespace asperity

@@ -26,7 +26,7 @@ namespace {
 constexpr int kMotionTab = 1;
 constexpr int kOnePlot = 170, kTwoPlots = 300;  // least heights, pixels
 
-/// Of the points that have such a value; NaN where none has.
+/// Returns the root mean square over the points that have such a value; NaN where none has.
 double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(const CurvePoint&)) {
   double squares = 0;
   int count = 0;
@@ -182,7 +182,7 @@ void SceneTabs::beginCurve() {
   curveTime_.start();
 }
 
-/// Once, when the present scene's curve is complete.
+/// Shows time and error once, when the present scene's curve is complete.
 void SceneTabs::showMeasuredCurve() {
   const CurveUpdate* curve = session_.curve();
   if (!curveTime_.isValid() || !curve || !curve->isComplete) return;

@@ -52,7 +52,7 @@ class SceneTabs : public QTabWidget {
   /// The curve is timed from now on: it is averaged anew.
   void beginCurve();
 
-  /// What frames have to hold for the tab in front.
+  /// The fields that frames have to hold for the tab in front.
   FrameFields fields() const;
   /// Whether the motion in time is in front.
   bool isShowingMotion() const;

@@ -35,7 +35,7 @@ double orMissing(double value) {
   return std::isfinite(value) ? value : kNotApplicable;
 }
 
-/// Of a motion: of the moment.
+/// Returns the friction of the steady state, or of a motion at this moment.
 double presentFriction(const Frame& frame) {
   return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
 }
@@ -182,7 +182,7 @@ void StatusLine::showTips() {
   backend_->setToolTip(tr("What draws the contact"));
 }
 
-/// What frames say comes with the next frame.
+/// The facts of the frame come with the next frame, which the main window shows again.
 void StatusLine::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() != QEvent::LanguageChange) return;
@@ -265,8 +265,9 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   fitFacts();
 }
 
-/// Whole or not at all: where the window is narrow, what matters least is left out. What is hidden
-/// comes back only with some air, so that it does not come and go with the digits of the rest.
+/// Shows each fact whole or not at all: where the window is narrow, the least important ones are
+/// left out. A hidden fact comes back only with some air, so that it does not come and go with the
+/// digits of the others.
 void StatusLine::fitFacts() {
   constexpr int kAir = 40;  // pixels
   const QMargins around = layout()->contentsMargins();
@@ -293,7 +294,8 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
   fitFacts();
 }
 
-/// With the reason beside it where none can be said and nothing else needs the room.
+/// Shows the dimensionless velocity, with the reason beside it where there is none and nothing else
+/// needs the room.
 void StatusLine::showVelocity(const Frame& frame) {
   constexpr int kLeastLeft = 4, kAir = 16;  // pixels; apart, so that it does not come and go
   const QString plain = tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame)));

@@ -26,7 +26,7 @@ class ElidedLabel : public QLabel {
  public:
   explicit ElidedLabel(QWidget* parent = nullptr);
 
-  /// What is to be seen of the text.
+  /// The text as it is shown, perhaps shortened.
   QString shownText() const;
 
  protected:
@@ -34,7 +34,7 @@ class ElidedLabel : public QLabel {
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// What is under way.
+/// The work on the curve or on the line that is under way.
 struct Work {
   enum class State { Idle, Running, Stopped, Waiting };  // Waiting: for the scene's first frame
   State state = State::Idle;
@@ -48,13 +48,13 @@ class StatusLine : public QWidget {
  public:
   explicit StatusLine(QWidget* parent = nullptr);
 
-  /// From now on asks these now and then what is computed and drawn.
+  /// Asks session and canvas several times a second what is computed and drawn.
   void follow(const Session& session, const ContactCanvas& canvas);
 
   void showFrame(const Frame& frame, const CurveReading& reading);
   void showWork(const Work& work);
 
-  /// For a few seconds, in the room between the facts and in that of those at the right.
+  /// Shows a text for a few seconds, between the facts and in the place of those at the right.
   void say(const QString& text);
 
   void showDrawing(int framesPerSecond, const QString& backend);

@@ -199,7 +199,7 @@ void Tour::start() {
   show(0);
 }
 
-/// What was tried in a step is play: the next one comes without a question.
+/// Changes that were tried in a step are play: the next step comes without a question.
 void Tour::show(int step) {
   if (!isRunning_ || step < 0 || step >= stepCount()) return;
   const QString name = QString::fromLatin1(tourSteps()[static_cast<std::size_t>(step)].scene);

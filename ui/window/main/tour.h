@@ -31,14 +31,14 @@ std::span<const TourStep> tourSteps();
 /// One of a step's texts in the language of the window.
 QString tourText(const char* text);
 
-/// Where one is, what is to be seen, what to try, and the way on.
+/// Says where one is, what is to be seen and what to try, and has the buttons to go on.
 class TourBar : public QFrame {
   Q_OBJECT
 
  public:
   explicit TourBar(QWidget* parent = nullptr);
 
-  /// From 0.
+  /// Counts from 0.
   void showStep(int step);
   int step() const { return step_; }
 

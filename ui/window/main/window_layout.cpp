@@ -26,8 +26,8 @@ namespace {
 
 constexpr int kLayoutVersion = 1;  // of docks and tool bars
 
-/// What a window manager draws around a window at most, usually: it tells only when the window is
-/// shown.
+/// The frame that a window manager usually draws around a window at most; it tells the true one
+/// only when the window is shown.
 constexpr QMargins kFrame{8, 40, 8, 8};
 
 const QList<int>& defaultSplit() {
@@ -162,8 +162,8 @@ void WindowLayout::endPresentation() {
   window.restoreState(before.docks, kLayoutVersion);
   for (const auto& [splitter, sizes] : before.splits)
     if (splitter) splitter->restoreState(sizes);
-  // Again, when the layouts have seen that the letters are small: until then what they need at
-  // least squeezes the dock.
+  // The dock gets its size again when the layouts have seen that the letters are small: until then
+  // their minimum sizes squeeze it.
   QTimer::singleShot(0, this, [this, size = before.dock] {
     if (isPresenting()) return;
     parts_.window.resizeDocks({&parts_.dock}, {size.width()}, Qt::Horizontal);
@@ -197,7 +197,7 @@ void WindowLayout::remember() {
   showScreenMode();
 }
 
-/// As it is without the figures and without an audience.
+/// Saves the layout as it is without the figures and without a presentation.
 void WindowLayout::save() {
   if (!remembers_) return;
   const std::optional<Presentation> before = presentation_;
@@ -212,7 +212,7 @@ void WindowLayout::save() {
   settings.setValue("colours", static_cast<int>(parts_.appearance.colours()));
 }
 
-/// With its frame.
+/// The frame of the window counts, too.
 void WindowLayout::fitToScreen() {
   QMainWindow& window = parts_.window;
   const Qt::WindowStates state = window.windowState();

@@ -56,7 +56,7 @@ class WindowLayout : public QObject {
   /// Leaves them behind, where the layout is remembered; the window closes.
   void save();
 
-  /// What is now is what restoreDefault() goes back to.
+  /// Makes the present layout the one that restoreDefault() goes back to.
   void keepAsDefault();
   void restoreDefault();
 
@@ -64,7 +64,8 @@ class WindowLayout : public QObject {
   /// Call before it is shown.
   void fitToScreen();
 
-  /// For an audience: the whole screen, large texts, contact and curve alone; Escape leaves.
+  /// Shows contact and curve alone on the whole screen, with large texts, for an audience; Escape
+  /// leaves.
   void setPresenting(bool presenting);
   bool isPresenting() const { return presentation_.has_value(); }
 
@@ -80,7 +81,7 @@ class WindowLayout : public QObject {
   bool remembers_ = false;
   QByteArray default_;
   bool hadDock_ = true, hadStatus_ = true;  // before the figures were opened
-  /// What comes back when the presentation ends.
+  /// The state to which the end of the presentation goes back.
   struct Presentation {
     QFont font;
     QByteArray geometry, docks;

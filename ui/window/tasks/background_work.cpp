@@ -71,7 +71,7 @@ void BackgroundWork::carryOut(const Request& request, const std::stop_token& sto
   }
 }
 
-/// What is posted to a QObject is dropped when that object is destroyed.
+/// Posts the call to the owner; Qt drops posted calls when their object is destroyed.
 void BackgroundWork::Run::tell(std::function<void()> tell) const {
   QMetaObject::invokeMethod(
       &owner_,
