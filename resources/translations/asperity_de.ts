@@ -423,7 +423,7 @@
         <translation>Kein Ziel</translation>
     </message>
     <message>
-        <source>Scheme, oversampling and realizations as the parameters say</source>
+        <source>Scheme, oversampling and realizations as set in the parameters</source>
         <translation>Verfahren, Überabtastung und Realisierungen nach den Parametern</translation>
     </message>
     <message>
@@ -443,7 +443,7 @@
         <translation>Ziel: %1 von μ bei jeder Geschwindigkeit</translation>
     </message>
     <message>
-        <source>no target: as scheme and realizations say</source>
+        <source>no target: scheme and realizations as set</source>
         <translation>kein Ziel: nach Verfahren und Realisierungen</translation>
     </message>
     <message>
@@ -580,7 +580,7 @@
         <translation>Unentschieden: höchstens zwei Standardfehler neben dieser Grenze oder ohne Standardfehler.</translation>
     </message>
     <message>
-        <source>what the paper says of this figure, and whether it holds</source>
+        <source>what the paper says about this figure, and whether it holds</source>
         <translation>was die Arbeit zu dieser Abbildung sagt und ob es gilt</translation>
     </message>
     <message>
@@ -1176,7 +1176,7 @@
         <translation>&amp;Berechnen</translation>
     </message>
     <message>
-        <source>This figure, from lines made anew (Enter in the list)</source>
+        <source>Computes this figure from new lines (Enter in the list)</source>
         <translation>Diese Abbildung aus neu erzeugten Linien (Eingabetaste in der Liste)</translation>
     </message>
     <message>
@@ -1184,7 +1184,7 @@
         <translation>Abb&amp;rechen</translation>
     </message>
     <message>
-        <source>Ends what is computed and what waits</source>
+        <source>Stops this computation and all that wait</source>
         <translation>Beendet die laufende und alle wartenden Berechnungen</translation>
     </message>
     <message>
@@ -1303,8 +1303,8 @@
         <translation>%1[*] – Asperity</translation>
     </message>
     <message>
-        <source>This is the scene before; the changed one is being computed</source>
-        <translation>Dies ist die Szene davor; die geänderte wird noch berechnet</translation>
+        <source>This is the previous scene; the changed one is being computed</source>
+        <translation>Dies ist die vorige Szene; die geänderte wird noch berechnet</translation>
     </message>
     <message>
         <source>The curve&apos;s picture is on the clipboard</source>
@@ -1864,11 +1864,11 @@
         <translation>Gl. (14) der Arbeit: Normalkraft / (Schubmodul × RMS-Höhe × Länge)</translation>
     </message>
     <message>
-        <source>The picture is on its way from the scene before to the steady state, which these numbers and the chart are of. R shows that at once.</source>
+        <source>The picture is moving from the previous scene to the steady state that these numbers and the chart describe. R shows that state at once.</source>
         <translation>Das Bild ist auf dem Weg von der Szene davor in den stationären Zustand, zu dem diese Zahlen und das Diagramm gehören. R zeigt ihn sofort.</translation>
     </message>
     <message>
-        <source>Lines at one velocity each, computed in a second for the curve</source>
+        <source>Lines computed per second for the curve, each at one velocity</source>
         <translation>Linien bei je einer Geschwindigkeit, die in einer Sekunde für die Kurve berechnet werden</translation>
     </message>
     <message>
@@ -1888,7 +1888,7 @@
         <translation>Fortschritt der Kurve</translation>
     </message>
     <message>
-        <source>Making the line… Back to the scene before</source>
+        <source>Making the line… Back to the previous scene</source>
         <translation>Die Linie entsteht… Zurück zur vorigen Szene</translation>
     </message>
     <message>
@@ -2076,7 +2076,7 @@
         <translation>Vergrößern</translation>
     </message>
     <message>
-        <source>At the crosshair, or in the middle; also the wheel</source>
+        <source>At the crosshair or in the middle; also with the wheel</source>
         <translation>Am Fadenkreuz oder in der Mitte; auch mit dem Mausrad</translation>
     </message>
     <message>
@@ -2084,7 +2084,7 @@
         <translation>Verkleinern</translation>
     </message>
     <message>
-        <source>Also the wheel</source>
+        <source>Also with the wheel</source>
         <translation>Auch mit dem Mausrad</translation>
     </message>
     <message>
@@ -2100,7 +2100,7 @@
         <translation>Stärker überhöhen</translation>
     </message>
     <message>
-        <source>Also Ctrl and the wheel</source>
+        <source>Also with Ctrl and the wheel</source>
         <translation>Auch mit Strg und Mausrad</translation>
     </message>
     <message>
@@ -2128,8 +2128,8 @@
         <translation>Lupe</translation>
     </message>
     <message>
-        <source>Enlarges the asperity at the crosshair, or the one pressed most</source>
-        <translation>Vergrößert die Rauheitsspitze am Fadenkreuz oder die am stärksten gedrückte</translation>
+        <source>Enlarges the asperity at the crosshair, or the one under the highest pressure</source>
+        <translation>Vergrößert die Rauheitsspitze am Fadenkreuz oder die unter dem höchsten Druck</translation>
     </message>
     <message>
         <source>Contact pressure</source>
@@ -2144,7 +2144,7 @@
         <translation>Zeit seit dem Kontakt</translation>
     </message>
     <message>
-        <source>How long the free surface has had to come back</source>
+        <source>How long the free surface has had to recover</source>
         <translation>Wie lange die freie Oberfläche zur Rückkehr hatte</translation>
     </message>
     <message>
@@ -2152,7 +2152,7 @@
         <translation>Dissipierte Leistung</translation>
     </message>
     <message>
-        <source>Where friction turns into heat: in contact and where the surface comes back</source>
+        <source>Where friction turns into heat: in contact and where the surface recovers</source>
         <translation>Wo Reibung zu Wärme wird: im Kontakt und wo die Oberfläche zurückkehrt</translation>
     </message>
     <message>
@@ -2168,8 +2168,8 @@
         <translation>Nächste Färbung</translation>
     </message>
     <message>
-        <source>Goes through what colours can show</source>
-        <translation>Geht durch, was Farben zeigen können</translation>
+        <source>Switches to the next colouring</source>
+        <translation>Wechselt zur nächsten Färbung</translation>
     </message>
 </context>
 <context>

@@ -56,7 +56,7 @@ class Walk {
   }
   void present(bool on) {
     const QSize size = window_.size();
-    window_.arrangement().setPresenting(on);
+    window_.windowLayout().setPresenting(on);
     window_.resize(size);
   }
   void tab(int index) { window_.findChild<QTabWidget*>("tabs")->setCurrentIndex(index); }

@@ -65,7 +65,7 @@ TEST_P(EachLanguage, NothingOfTheAccuracyPanelIsCutOffInAPresentation) {
   WindowIn window(GetParam());
   ASSERT_TRUE(window.waitForCurve());
   window->findChild<QAction*>("go:accuracyPanel")->trigger();
-  window->arrangement().setPresenting(true);
+  window->windowLayout().setPresenting(true);
   window->resize(1280, 720);
   auto& panel = *window->findChild<AccuracyPanel*>("accuracyPanel");
   ASSERT_TRUE(QTest::qWaitFor(
@@ -84,7 +84,7 @@ TEST_P(EachLanguage, NothingOfTheFiguresPageIsCutOff) {
 TEST_P(EachLanguage, NothingIsCutOffInAPresentation) {
   WindowIn window(GetParam());
   ASSERT_TRUE(window.waitForCurve());
-  window->arrangement().setPresenting(true);
+  window->windowLayout().setPresenting(true);
   window->showNormal();  // the screen here may be smaller
   window->resize(1280, 720);
   auto& dock = *window->findChild<QDockWidget*>("parameterDock");

@@ -110,7 +110,7 @@ TEST_F(LayoutTest, ThePlanIsWholeInAPresentation) {
   action("go:planList").trigger();
   auto& plan = control<QTreeWidget>("planList");
   for (const bool presenting : {true, false}) {
-    window_.arrangement().setPresenting(presenting);
+    window_.windowLayout().setPresenting(presenting);
     QCoreApplication::processEvents();
     const QFontMetrics metrics(plan.font());
     for (int row = 0; row < plan.topLevelItemCount(); ++row)
@@ -125,7 +125,7 @@ TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   const double before = QApplication::font().pointSizeF();
   QTest::keyClick(&window_, Qt::Key_F5);
-  EXPECT_TRUE(window_.arrangement().isPresenting());
+  EXPECT_TRUE(window_.windowLayout().isPresenting());
   EXPECT_TRUE(window_.isFullScreen());
   EXPECT_NEAR(QApplication::font().pointSizeF(), presentedScale(window_.screen()->size()) * before,
               0.01);
@@ -137,7 +137,7 @@ TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
   QTest::keyClick(&window_, Qt::Key_F9);  // keys go on without a menu
   EXPECT_TRUE(dock().isVisible());
   QTest::keyClick(&window_, Qt::Key_Escape);
-  EXPECT_FALSE(window_.arrangement().isPresenting());
+  EXPECT_FALSE(window_.windowLayout().isPresenting());
   EXPECT_FALSE(window_.isFullScreen());
   EXPECT_EQ(QApplication::font().pointSizeF(), before);
   EXPECT_TRUE(window_.menuBar()->isVisible());
@@ -146,8 +146,8 @@ TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
 
 TEST_F(LayoutTest, WhatEndsAPresentationIsAsItWasBefore) {
   dock().hide();
-  window_.arrangement().setPresenting(true);
-  window_.arrangement().setPresenting(false);
+  window_.windowLayout().setPresenting(true);
+  window_.windowLayout().setPresenting(false);
   EXPECT_FALSE(dock().isVisible());
 }
 
@@ -195,17 +195,17 @@ TEST_F(LayoutTest, EscapeClosesTheFiguresAndThenEndsThePresentation) {
   ASSERT_TRUE(window_.figures().gallery().isVisible());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
   EXPECT_FALSE(window_.figures().gallery().isVisible());
-  EXPECT_TRUE(window_.arrangement().isPresenting());
+  EXPECT_TRUE(window_.windowLayout().isPresenting());
   for (const QWidget* hidden : std::initializer_list<QWidget*>{&dock(), window_.statusBar()})
     EXPECT_FALSE(hidden->isVisible());
   QTest::keyClick(&window_, Qt::Key_Escape);
-  EXPECT_FALSE(window_.arrangement().isPresenting());
+  EXPECT_FALSE(window_.windowLayout().isPresenting());
 }
 
 TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   const auto next = [] {
     auto window = std::make_unique<MainWindow>(smallScene());
-    window->arrangement().remember();
+    window->windowLayout().remember();
     window->show();
     return window;
   };
@@ -216,7 +216,7 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   const QRect place(QGuiApplication::screens().back()->geometry().topLeft() + QPoint(100, 100),
                     QSize(1100, 700));
   first->setGeometry(place);
-  first->arrangement().setPresenting(true);  // is not kept
+  first->windowLayout().setPresenting(true);  // is not kept
   ASSERT_TRUE(first->close());
   first.reset();
 
@@ -228,7 +228,7 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   EXPECT_FALSE(second->isFullScreen());
   EXPECT_TRUE(second->menuBar()->isVisible());
   EXPECT_EQ(second->geometry(), place);
-  second->arrangement().restoreDefault();
+  second->windowLayout().restoreDefault();
   EXPECT_TRUE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
   second->appearance().setColours(Colours::Light);
 }
@@ -248,7 +248,7 @@ TEST_F(LayoutTest, TheFirstWindowFitsItsScreen) {
     QSettings().clear();
     MainWindow window(smallScene());
     window.setScreen(screen);
-    window.arrangement().remember();
+    window.windowLayout().remember();
     const QSize room = screen->availableGeometry().size();
     EXPECT_LE(window.width(), room.width() - 8);
     EXPECT_LE(window.height(), room.height() - 34);
@@ -267,14 +267,14 @@ TEST_F(LayoutTest, AWindowOfALargerScreenFitsASmallerOne) {
     QSettings().clear();
     {
       MainWindow first(smallScene());
-      first.arrangement().remember();
+      first.windowLayout().remember();
       first.setGeometry(9000, 2000, 2500, 1400);  // of a screen that is away then
       first.show();
       if (maximized) first.showMaximized();
       ASSERT_TRUE(first.close());
     }
     MainWindow second(smallScene());
-    second.arrangement().remember();
+    second.windowLayout().remember();
     second.setWindowState(Qt::WindowNoState);
     const QScreen* there = QGuiApplication::screenAt(second.geometry().center());
     ASSERT_TRUE(there);
@@ -285,7 +285,7 @@ TEST_F(LayoutTest, AWindowOfALargerScreenFitsASmallerOne) {
     QRect much(0, 0, 2700, 1600);
     much.moveCenter(screen->geometry().center());
     window.setGeometry(much);
-    window.arrangement().fitToScreen();
+    window.windowLayout().fitToScreen();
     expectOnScreen(window, *screen);
   }
 }

@@ -153,7 +153,7 @@ void AccuracyPanel::showTexts() {
   for (QWidget* widget : {static_cast<QWidget*>(slider_), scrolled_})
     widget->setAccessibleName(tr("accuracy from quick to exact"));
   free_->setText(tr("No target"));
-  free_->setToolTip(tr("Scheme, oversampling and realizations as the parameters say"));
+  free_->setToolTip(tr("Scheme, oversampling and realizations as set in the parameters"));
   compare_->setText(isComparing_ ? tr("Cancel") : tr("Compare methods"));
   compare_->setToolTip(tr("Measures error against time of every method on this scene's lines"));
 }
@@ -190,7 +190,7 @@ void AccuracyPanel::showTarget() {
   const QSignalBlocker quiet(slider_);
   slider_->setValue(target > 0 ? placeOf(target) : 0);
   target_->setText(target > 0 ? tr("target: %1 of μ at every velocity").arg(percent(target))
-                              : tr("no target: as scheme and realizations say"));
+                              : tr("no target: scheme and realizations as set"));
   free_->setEnabled(target > 0);
 }
 

@@ -51,13 +51,13 @@ void addZoom(ContactCanvas& canvas, QMenu& menu) {
       {"zoomIn",
        QT_TRANSLATE_NOOP("asperity::ViewActionText", "Zoom in"),
        QT_TRANSLATE_NOOP("asperity::ViewActionText",
-                         "At the crosshair, or in the middle; also the wheel"),
+                         "At the crosshair or in the middle; also with the wheel"),
        {Qt::Key_Plus, Qt::Key_Equal, QKeySequence(QKeySequence::ZoomIn)}},
       [&canvas](bool) { canvas.zoom(1); });
   add(canvas, menu,
       {"zoomOut",
        QT_TRANSLATE_NOOP("asperity::ViewActionText", "Zoom out"),
-       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Also the wheel"),
+       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Also with the wheel"),
        {Qt::Key_Minus, QKeySequence(QKeySequence::ZoomOut)}},
       [&canvas](bool) { canvas.zoom(-1); });
   add(canvas, menu,
@@ -71,13 +71,13 @@ void addZoom(ContactCanvas& canvas, QMenu& menu) {
   add(canvas, menu,
       {"steeper",
        QT_TRANSLATE_NOOP("asperity::ViewActionText", "More vertical exaggeration"),
-       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Also Ctrl and the wheel"),
+       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Also with Ctrl and the wheel"),
        {Qt::SHIFT | Qt::Key_Up}},
       [&canvas](bool) { canvas.exaggerate(1); });
   add(canvas, menu,
       {"flatter",
        QT_TRANSLATE_NOOP("asperity::ViewActionText", "Less vertical exaggeration"),
-       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Also Ctrl and the wheel"),
+       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Also with Ctrl and the wheel"),
        {Qt::SHIFT | Qt::Key_Down}},
       [&canvas](bool) { canvas.exaggerate(-1); });
   add(canvas, menu,
@@ -102,8 +102,9 @@ void addSwitches(ContactCanvas& canvas, QMenu& menu) {
       add(canvas, menu,
           {"magnify",
            QT_TRANSLATE_NOOP("asperity::ViewActionText", "Magnifier"),
-           QT_TRANSLATE_NOOP("asperity::ViewActionText",
-                             "Enlarges the asperity at the crosshair, or the one pressed most"),
+           QT_TRANSLATE_NOOP(
+               "asperity::ViewActionText",
+               "Enlarges the asperity at the crosshair, or the one under the highest pressure"),
            {Qt::Key_M}},
           [&canvas](bool on) { canvas.magnify(on); });
   for (QAction* action : {follow, magnify}) action->setCheckable(true);
@@ -126,11 +127,11 @@ void addColours(ContactCanvas& canvas, QMenu& menu) {
       {ContactOverlay::Relaxation,
        QT_TRANSLATE_NOOP("asperity::ViewActionText", "Time since contact"),
        QT_TRANSLATE_NOOP("asperity::ViewActionText",
-                         "How long the free surface has had to come back")},
+                         "How long the free surface has had to recover")},
       {ContactOverlay::Power, QT_TRANSLATE_NOOP("asperity::ViewActionText", "Dissipated power"),
        QT_TRANSLATE_NOOP(
            "asperity::ViewActionText",
-           "Where friction turns into heat: in contact and where the surface comes back")},
+           "Where friction turns into heat: in contact and where the surface recovers")},
       {ContactOverlay::None, QT_TRANSLATE_NOOP("asperity::ViewActionText", "Nothing"), nullptr},
   }};
   auto* colours = new QMenu(&menu);
@@ -159,7 +160,7 @@ void addColours(ContactCanvas& canvas, QMenu& menu) {
   add(canvas, menu,
       {"nextOverlay",
        QT_TRANSLATE_NOOP("asperity::ViewActionText", "Next colouring"),
-       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Goes through what colours can show"),
+       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Switches to the next colouring"),
        {Qt::Key_C}},
       [&canvas, group](bool) {
         const QList<QAction*> all = group->actions();

@@ -117,7 +117,7 @@ ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
 }
 
 void ClaimsTable::showTexts() {
-  setAccessibleName(tr("what the paper says of this figure, and whether it holds"));
+  setAccessibleName(tr("what the paper says about this figure, and whether it holds"));
   setHorizontalHeaderLabels(
       {tr("Holds"), tr("The paper says"), tr("Measured"), tr("Expected"), tr("Where")});
 }

@@ -209,11 +209,11 @@ QWidget* GalleryPage::makeCommands() {
   row->setContentsMargins(12, 10, 12, 10);
   compute_ = addButton(
       *row, "compute", [] { return tr("&Compute"); },
-      [] { return tr("This figure, from lines made anew (Enter in the list)"); },
+      [] { return tr("Computes this figure from new lines (Enter in the list)"); },
       &GalleryPage::compute);
   cancel_ = addButton(
       *row, "cancel", [] { return tr("Ca&ncel"); },
-      [] { return tr("Ends what is computed and what waits"); }, &GalleryPage::cancel);
+      [] { return tr("Stops this computation and all that wait"); }, &GalleryPage::cancel);
   progress_ = new QProgressBar;
   progress_->setObjectName("figureProgress");
   progress_->setRange(0, kSteps);

@@ -122,7 +122,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   showScene(scene);
   setMinimumSize(kLeastWindow);
   resize(1280, 800);
-  arrangement_->keepAsDefault();
+  windowLayout_->keepAsDefault();
 
   poll_ = new QTimer(this);
   poll_->setTimerType(Qt::PreciseTimer);
@@ -135,7 +135,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
 
 /// The layout gives the font back to other windows, while all of this one is there.
 MainWindow::~MainWindow() {
-  delete arrangement_;
+  delete windowLayout_;
 }
 
 PlotView& MainWindow::plotView() {
@@ -204,9 +204,9 @@ void MainWindow::buildCommands() {
                           *messages_, *status_});
   exports_->addTo(*commands_);
   appearance_->addTo(*commands_);
-  arrangement_ =
+  windowLayout_ =
       new WindowLayout({*this, *dock_, *splitter_, *canvas_, *tabs_, *figures_, *appearance_});
-  arrangement_->addTo(*commands_);
+  windowLayout_->addTo(*commands_);
   tabs_->addTo(*commands_);
   tour_ = new Tour(*document_, *documents_, *tourBar_, *hint_, this);
   tour_->addTo(*commands_);
@@ -290,15 +290,13 @@ void MainWindow::connectFrames() {
     commands_->setSymbol("play", playing ? Symbol::Pause : Symbol::Play);
     commands_->refresh("play");
   });
-  keepTranslated(*canvas_, [this] {
+  const auto showVeil = [this] {
     canvas_->setVeil(session_->isWaiting()
-                         ? tr("This is the scene before; the changed one is being computed")
+                         ? tr("This is the previous scene; the changed one is being computed")
                          : QString());
-  });
-  connect(session_, &Session::waitingChanged, this, [this](bool waits) {
-    canvas_->setVeil(waits ? tr("This is the scene before; the changed one is being computed")
-                           : QString());
-  });
+  };
+  keepTranslated(*canvas_, showVeil);
+  connect(session_, &Session::waitingChanged, this, showVeil);
   connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
   connect(canvas_, &ContactCanvas::fieldsWanted, this, &MainWindow::wantFields);
   connect(tabs_, &SceneTabs::fieldsWanted, this, &MainWindow::wantFields);
@@ -398,7 +396,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!documents_->mayLeave()) return event->ignore();
-  arrangement_->save();
+  windowLayout_->save();
   QMainWindow::closeEvent(event);
 }
 

@@ -59,7 +59,7 @@ class MainWindow : public QMainWindow {
   MessageBar& description() { return *description_; }  // of the scene that was opened
   Tour& tour() { return *tour_; }
   Appearance& appearance() { return *appearance_; }
-  WindowLayout& arrangement() { return *arrangement_; }
+  WindowLayout& windowLayout() { return *windowLayout_; }
 
   /// All words in another language, at once: every part is told by Qt (QEvent::LanguageChange) and
   /// sets its own texts; nothing else changes. An unknown code changes nothing.
@@ -77,7 +77,6 @@ class MainWindow : public QMainWindow {
   void connectScene();
   void connectFrames();
   void connectCurve();
-
   void buildMenus();  // this and the next six are in main_window_menus.cpp
   QMenu* addMenu(QString (*title)());
   void fillScenes(QMenu& menu);
@@ -110,7 +109,7 @@ class MainWindow : public QMainWindow {
   DocumentCommands* documents_ = nullptr;
   Exports* exports_ = nullptr;
   CurveCommands* curveCommands_ = nullptr;
-  WindowLayout* arrangement_ = nullptr;
+  WindowLayout* windowLayout_ = nullptr;
   Tour* tour_ = nullptr;
   WindowSight* sight_ = nullptr;
   QTimer* poll_ = nullptr;

@@ -70,7 +70,7 @@ void MainWindow::buildMenus() {
   view.setToolTipsVisible(true);
   addContactViewActions(*canvas_, view);
   view.addSeparator();
-  arrangement_->fillMenu(view);
+  windowLayout_->fillMenu(view);
   view.addSeparator();
   fillLanguages(view);
 

@@ -84,7 +84,7 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   prepareApplication(application);
   useLanguage(start.language.empty() ? windowLanguage() : start.language);
   auto window = std::make_unique<MainWindow>(scene ? *scene : firstScene(), options);
-  window->arrangement().remember();
+  window->windowLayout().remember();
   window->tour().offer();
   if (start.timing) new StartTimes(*window);
   window->show();

@@ -175,9 +175,9 @@ void StatusLine::showTips() {
       tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
   velocity_->setToolTip(velocityTip());
   settling_->setToolTip(
-      tr("The picture is on its way from the scene before to the steady state, "
-         "which these numbers and the chart are of. R shows that at once."));
-  simulations_->setToolTip(tr("Lines at one velocity each, computed in a second for the curve"));
+      tr("The picture is moving from the previous scene to the steady state that these numbers and "
+         "the chart describe. R shows that state at once."));
+  simulations_->setToolTip(tr("Lines computed per second for the curve, each at one velocity"));
   rate_->setToolTip(tr("Pictures of the contact shown in the last second"));
   backend_->setToolTip(tr("What draws the contact"));
 }
@@ -241,7 +241,7 @@ void StatusLine::showWork(const Work& work) {
   progress_->setValue(static_cast<int>(1000 * work.progress));
   progress_->setAccessibleName(waits ? tr("making the line") : tr("progress of the curve"));
   stop_->setText(stands ? kAgainSign : kStopSign);
-  const QString text = waits    ? tr("Making the line… Back to the scene before")
+  const QString text = waits    ? tr("Making the line… Back to the previous scene")
                        : stands ? tr("The curve is not complete: average it again")
                                 : tr("Stop averaging the curve");
   stop_->setToolTip(text);
