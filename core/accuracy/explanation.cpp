@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/accuracy/target_curve.h"
+#include "core/accuracy/compute_curve.h"
 #include "core/chart/few_summits.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/provenance.h"
@@ -58,7 +58,7 @@ void analyze(Explanation& explanation, int threads) {
   const auto start = std::chrono::steady_clock::now();
   CurveOptions options;
   options.threads = threads;
-  curveOf(explanation.scene, options);
+  computeCurve(explanation.scene, options);
   Measurement measured;
   measured.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,12 +1,9 @@
 #include "core/accuracy/target_curve.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 #include "core/accuracy/level_sampler.h"
 #include "core/base/printed_number.h"
@@ -420,18 +417,6 @@ TargetCurve targetCurve(const Scene& scene, const CurveOptions& options) {
 
 bool isFrictionless(const Scene& scene) {
   return lawOf(scene.elastomer).kind() == ElementKind::Elastic;
-}
-
-void requireTarget(const Curve& curve) {
-  if (curve.isTargetMet) return;
-  throw std::runtime_error(
-      fmt::format("accuracy.target_relative_error is not reached within the lines and memory "
-                  "allowed: {}",
-                  printedNumber(curve.achievedError, 2)));
-}
-
-Curve curveOf(const Scene& scene, const CurveOptions& options) {
-  return choosesAccuracy(scene) ? targetCurve(scene, options).curve : frictionCurve(scene, options);
 }
 
 }  // namespace asperity

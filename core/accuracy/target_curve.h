@@ -64,10 +64,4 @@ inline constexpr std::int64_t kPilotLines = 2 * kFewestDirect, kMostLines = 1000
 /// meaning. A curve to a target then states an interval about 0.
 bool isFrictionless(const Scene& scene);
 
-/// Throws std::runtime_error that says so where a curve misses its target.
-void requireTarget(const Curve& curve);
-
-/// Both, whichever the scene asks for.
-Curve curveOf(const Scene& scene, const CurveOptions& options = {});
-
 }  // namespace asperity

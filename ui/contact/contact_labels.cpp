@@ -163,7 +163,7 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   painter.paint(*motion, {std::round(std::clamp(middle, left, right - width)), y}, plate);
 }
 
-/// "200 \u00B5W in all, 23 % in the free surface": what comes back takes power, too. In steady
+/// "200 \u00B5W total, 23 % in the free surface": what comes back takes power, too. In steady
 /// sliding all is what the friction force does, that of the interface included, to the last digit;
 /// the sum over points, which gives the shares, only comes near to it.
 std::string powerText(const Frame& frame) {
@@ -176,7 +176,7 @@ std::string powerText(const Frame& frame) {
   const double power = isSteady ? frictionForce(drawnState(frame)) * std::abs(velocityOf(frame))
                                 : whole * frame.spacing;
   if (!(whole > 0)) return Words::tr("nothing is dissipated");
-  return filled(Words::tr("%1 in all, %2 % in the free surface"),
+  return filled(Words::tr("%1 total, %2 % in the free surface"),
                 {quantity(power, "W"), shortNumber(100 * free / whole, 2)});
 }
 
