@@ -11,13 +11,13 @@
 #include "app/command_options.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
+#include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/chart/curve_words.h"
 #include "core/scene/effects.h"
-#include "core/scene/scene_file.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/words.h"
@@ -103,18 +103,6 @@ Scene sceneWith(const Scene& scene, const std::string& assignments) {
   }
 }
 
-std::vector<CurvePoint> pointsOf(const Scene& scene, const CommonOptions& common) {
-  ProgressBar bar(Words::tr("realizations"), common.quiet);
-  CurveOptions options;
-  options.threads = common.threads;
-  options.progress = [&bar](const CurveProgress& progress) {
-    bar.show(progress.realizationsDone, progress.realizationsTotal);
-  };
-  Curve curve = curveOf(scene, options);
-  requireTarget(curve);
-  return std::move(curve.points);
-}
-
 nlohmann::ordered_json numberOr(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
@@ -138,9 +126,10 @@ void CurveChoice::addTo(nlohmann::ordered_json& picture) const {
 }
 
 void addCurveOptions(CLI::App& verb, CurveChoice& choice) {
-  verb.add_option(kCompare, choice.compare,
-                  "Compute the curve in a second way on the same lines and show the difference below "
-                  "it and in tables: nodal, linear or cubic, points per element, lines")
+  verb.add_option(
+          kCompare, choice.compare,
+          "Compute the curve in a second way on the same lines and show the difference below "
+          "it and in tables: nodal, linear or cubic, points per element, lines")
       ->type_name("SCHEME[:OVERSAMPLING[:LINES]]");
   verb.add_option(
           kWith, choice.with,
@@ -149,7 +138,8 @@ void addCurveOptions(CLI::App& verb, CurveChoice& choice) {
       ->type_name("KEY=VALUE[;KEY=VALUE...]")
       ->take_all()
       ->allow_extra_args(false);
-  verb.add_option(kAxes, choice.axes, "physical, or dimensionless: Eq. (13), and mu over the rms slope")
+  verb.add_option(kAxes, choice.axes,
+                  "physical, or dimensionless: Eq. (13), and mu over the rms slope")
       ->capture_default_str();
   verb.add_option(kXRange, choice.xRange, "Limits of the x-axis, in its unit (default: automatic)")
       ->type_name("FROM:TO");
@@ -177,6 +167,16 @@ void checkUseful(const CurveChoice& choice, const std::vector<std::string>& file
     if (given) throw InputError("", option, "belongs to pictures, and no output is one");
 }
 
+Curve computeCurve(const Scene& scene, const CommonOptions& common) {
+  ProgressBar bar(Words::tr("realizations"), common.quiet);
+  CurveOptions options;
+  options.threads = common.threads;
+  options.progress = [&bar](const CurveProgress& progress) {
+    bar.show(progress.realizationsDone, progress.realizationsTotal);
+  };
+  return computeCurve(scene, options);
+}
+
 CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<CurvePoint> own,
                   const CommonOptions& common) {
   CurveSet set;
@@ -195,8 +195,10 @@ CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<Cur
   for (const std::string& assignments : choice.with) {
     const Scene other = sceneWith(scene, assignments);
     const Message words = differencesInWords(other, scene);
+    Curve curve = computeCurve(other, common);
+    requireTarget(curve);
     set.pinned.push_back({words.empty() ? Message::name(Words::tr("same parameters")) : words,
-                          other, pointsOf(other, common), static_cast<int>(set.pinned.size())});
+                          other, std::move(curve.points), static_cast<int>(set.pinned.size())});
   }
   if (choice.compare.empty()) return set;
   ProgressBar bar(Words::tr("lines compared"), common.quiet);

@@ -23,9 +23,12 @@ std::string extensionOf(const std::string& file) {
 }
 
 void checkOutputs(const std::vector<std::string>& files,
-                  std::initializer_list<std::string_view> extensions) {
+                  std::initializer_list<std::string_view> extensions, Without without) {
   std::set<std::filesystem::path> seen;
   for (const std::string& file : files) {
+    if (file == "-" && without == Without::PrintsTable)
+      throw InputError("", "--output",
+                       "'-' is no file; without --output the table goes to standard output");
     checkWritable(file);
     const std::string extension = extensionOf(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())

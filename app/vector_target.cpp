@@ -11,7 +11,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
-#include "core/contact/kernels/lane_pass.h"
+#include "core/contact/kernels/kernels.h"
 
 namespace asperity {
 namespace {

@@ -15,6 +15,7 @@
 #include "app/output.h"
 #include "app/picture_composer.h"
 #include "app/progress_bar.h"
+#include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
@@ -42,10 +43,7 @@ constexpr std::int64_t kMotionRows = 2000;
 std::optional<CurvePoint> meanOverLines(const Scene& scene, const CurveOptions& options) {
   if (scene.sliding.kind != SlidingKind::Steady || !(scene.sliding.velocity > 0))
     return std::nullopt;
-  Scene here = scene;
-  here.sweep.velocityFrom = here.sweep.velocityTo = scene.sliding.velocity;
-  here.sweep.points = 1;
-  return curveOf(here, options).points.front();
+  return computePoint(scene, scene.sliding.velocity, options);
 }
 
 Json numberOr(double value) {
@@ -172,7 +170,7 @@ class BatchRun {
     options.threads = command_.common.threads;
     if (layout == PictureLayout::Curve || layout == PictureLayout::Both) {
       needSteadySliding(scene, "\"show\": \"" + result.item.show + "\"");
-      const Curve curve = curveOf(scene, options);
+      const Curve curve = computeCurve(scene, options);
       if (!curve.isTargetMet)
         throw InputError("", "accuracy.target_relative_error",
                          "is not reached within the lines and memory allowed: " +

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/friction/curve_features.h"
 #include "core/friction/curve_point.h"
-#include "core/friction/regions.h"
 #include "core/scene/scene.h"
 
 namespace asperity {

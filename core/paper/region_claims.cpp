@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "core/chart/few_summits.h"
+#include "core/friction/curve_features.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/fit.h"
 #include "core/material/element_law.h"
 #include "core/paper/load_shares.h"
 

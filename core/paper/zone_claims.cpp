@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/friction/curve_features.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/fit.h"
 #include "core/paper/load_shares.h"
 
 namespace asperity {

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/surface/fourier.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
 

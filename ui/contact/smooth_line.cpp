@@ -3,17 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/line/polynomial.h"
+
 namespace asperity {
-namespace {
-
-/// The cubic with heights z0, z1 and slopes s0, s1 at the ends of an interval; t in [0, 1].
-double hermite(double z0, double z1, double s0, double s1, double interval, double t) {
-  const double r = 1 - t;
-  return r * r * ((1 + 2 * t) * z0 + t * interval * s0) +
-         t * t * ((1 + 2 * r) * z1 - r * interval * s1);
-}
-
-}  // namespace
 
 std::vector<LinePoint> sampledLine(const Line& line, std::size_t atLeast) {
   const std::size_t n = line.nodes();
@@ -26,11 +18,12 @@ std::vector<LinePoint> sampledLine(const Line& line, std::size_t atLeast) {
     const double x = static_cast<double>(i) * line.spacing;
     points.push_back({x, line.height[i]});
     const std::size_t next = (i + 1) % n;
+    const double step = line.height[next] - line.height[i];
     for (std::size_t k = 1; k < pieces; ++k) {
       const double t = static_cast<double>(k) / static_cast<double>(pieces);
-      points.push_back(
-          {x + t * line.spacing, hermite(line.height[i], line.height[next], line.slopeAfter[i],
-                                         line.slopeLeftOf(next), line.spacing, t)});
+      const double rise =
+          hermiteRise(t, step, line.spacing, line.slopeAfter[i], line.slopeLeftOf(next));
+      points.push_back({x + t * line.spacing, line.height[i] + rise});
     }
   }
   points.push_back({line.length, line.height.front()});

@@ -234,6 +234,21 @@ TEST(ForceArrows, ShowFrictionInTotal) {
   EXPECT_NEAR(arrowsOf(frame).sideways, 2 * deformation, 1e-3);
 }
 
+/// In a low picture they do not lie across the line, now or later.
+TEST(ForceArrows, StayAboveTheLineOfALowPicture) {
+  const Frame frame = *sampleFrame({});
+  for (const float height : {220.0F, 260.0F, 300.0F, 340.0F}) {
+    ContactPictureOptions options;
+    options.width = 700;
+    options.height = static_cast<int>(height);
+    const ContactLayout layout = layoutContact(frame, options, 60);
+    const float top = layout.plot.y + 40;
+    const ForceArrows arrows = forceArrows(frame, layout, top);
+    for (const double line : frame.lineHeight)
+      EXPECT_TRUE(arrows.down == 0 || layout.py(line) > top + arrows.down);
+  }
+}
+
 TEST(ForceArrows, StayInThePlotWhateverTheForces) {
   Frame frame = *sampleFrame({});
   for (const double mu : {1e-9, 1e-3, 0.1, 7.0, 1e4}) {

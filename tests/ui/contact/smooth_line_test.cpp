@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/surface/shapes.h"
+#include "core/surface/line.h"
 
 namespace asperity {
 namespace {
