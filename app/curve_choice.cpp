@@ -13,13 +13,14 @@
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "core/accuracy/target_curve.h"
+#include "core/base/input_error.h"
+#include "core/base/read_number.h"
+#include "core/base/suggestions.h"
 #include "core/chart/curve_words.h"
+#include "core/friction/curve_file.h"
 #include "core/scene/assignments.h"
 #include "core/scene/effects.h"
-#include "core/base/input_error.h"
-#include "core/base/suggestions.h"
 #include "core/scene/parameters.h"
-#include "core/base/read_number.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/words.h"
 
@@ -197,8 +198,9 @@ CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<Cur
   for (const std::string& assignments : choice.with) {
     const Scene other = sceneWith(scene, assignments);
     const std::string words = differencesInWords(other, scene);
-    set.pinned.push_back({words.empty() ? Words::tr("same parameters") : words, other,
-                          pointsOf(other, common), static_cast<int>(set.pinned.size())});
+    set.pinned.push_back({words.empty() ? "same parameters" : words, other, pointsOf(other, common),
+                          static_cast<int>(set.pinned.size()),
+                          static_cast<int>(set.pinned.size()) + 1});
   }
   if (choice.compare.empty()) return set;
   ProgressBar bar(Words::tr("lines compared"), common.quiet);
@@ -211,11 +213,10 @@ CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<Cur
 
 void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
   for (const NamedCurve& curve : set.pinned) {
+    const std::vector<CurvePoint>* const curves[] = {&curve.points};
+    const CurveTable table(curves);
     auto points = nlohmann::ordered_json::array();
-    for (const CurvePoint& point : curve.points)
-      points.push_back({{"velocity", point.velocity},
-                        {"mu", numberOr(point.mu)},
-                        {"mu_standard_error", numberOr(point.muStandardError)}});
+    for (const CurvePoint& point : curve.points) points.push_back(table.json(point));
     answer["with"].push_back({{"name", curve.name}, {"points", std::move(points)}});
   }
   if (!set.difference) return;

@@ -5,19 +5,17 @@
 #include <cmath>
 
 #include "app/named_choice.h"
+#include "core/base/input_error.h"
 #include "core/chart/curve_diagram.h"
 #include "core/run/transient_diagram.h"
-#include "core/base/input_error.h"
-#include "ui/language/words.h"
-#include "ui/contact/contact_overlay.h"
 #include "ui/chart/diagram_picture.h"
+#include "ui/contact/contact_overlay.h"
+#include "ui/contact/contact_picture.h"
 #include "ui/draw/stacked.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
-
-// Told from the means, in front of which it may stand.
-constexpr int kPresentColour = 1;
 
 // Strips are low, which would make their texts small; where they are lower than so many heights of
 // a number, the texts make room for them all the same.
@@ -28,12 +26,6 @@ constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Co
                                                    {"curve", PictureLayout::Curve},
                                                    {"both", PictureLayout::Both},
                                                    {"transient", PictureLayout::Transient}}};
-
-DiagramSeries ringAround(DiagramSeries series) {
-  series.name.clear();
-  series.mark = SeriesMark::Ring;
-  return series;
-}
 
 }  // namespace
 
@@ -72,20 +64,24 @@ PictureComposer::PictureComposer(const PictureStyle& style, PictureContent conte
 DrawList PictureComposer::compose(const Frame& frame) {
   const PictureLayout layout = content_.layout;
   if (layout == PictureLayout::Contact) return contact(frame, style_.height);
-  if (layout == PictureLayout::Curve) return diagram(curveWithPresent(frame), style_.height);
+  if (layout == PictureLayout::Curve) return diagram(curveWithMarker(frame), style_.height);
   const int above = contactHeight();
   if (layout == PictureLayout::Both) {
     if (!below_ || frame.transient) {
-      DiagramSheet sheet = curveWithPresent(frame);
+      DiagramSheet sheet = curveWithMarker(frame);
       sheet.title.clear();  // it stands above
-      below_ = diagram(sheet, style_.height - above);
+      const DrawList picture = contact(frame, above);
+      below_ = diagram(sheet, style_.height - above, 0, frameAbove(frame));
+      return stacked(picture, *below_);
     }
     return stacked(contact(frame, above), *below_);
   }
   const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
-  const DiagramSheet strips = transientSheet(*frame.scene, samples, frame.spacing, frame.length);
+  DiagramSheet strips = transientSheet(*frame.scene, samples, frame.spacing, frame.length);
   const int below = style_.height - above;
-  return stacked(contact(frame, above), diagram(strips, below, stripText(strips, below)));
+  if (!haveRoom(strips, below)) strips.diagrams.pop_back();
+  const DrawList picture = contact(frame, above);
+  return stacked(picture, diagram(strips, below, stripText(strips, below), frameAbove(frame)));
 }
 
 int PictureComposer::contactHeight() const {
@@ -101,16 +97,18 @@ float PictureComposer::stripText(const DiagramSheet& strips, int height) const {
   return std::max(text, kLeastStripText);
 }
 
+bool PictureComposer::haveRoom(const DiagramSheet& strips, int height) const {
+  return lowestFrame(strips, optionsFor(height, stripText(strips, height))) >= kLeastStrip;
+}
+
 void PictureComposer::checkStrips(const Scene& scene) const {
   if (content_.layout != PictureLayout::Transient) return;
-  const DiagramSheet strips = transientSheet(scene, {}, 0, 0);
-  const auto hasRoom = [&](int height) {
-    return lowestFrame(strips, optionsFor(height, stripText(strips, height))) >= kLeastStrip;
-  };
+  DiagramSheet strips = transientSheet(scene, {}, 0, 0);
+  strips.diagrams.pop_back();  // which is left out where it has no room
   int height = style_.height - contactHeight();
-  if (hasRoom(height)) return;
+  if (haveRoom(strips, height)) return;
   constexpr int kHighest = 20000, kStep = 10;
-  while (height < kHighest && !hasRoom(height)) height += kStep;
+  while (height < kHighest && !haveRoom(strips, height)) height += kStep;
   const std::string given = fmt::format("{}x{}", style_.width, style_.height);
   if (height >= kHighest)
     throw InputError("", "--size", given + " is too narrow for strips over time");
@@ -130,7 +128,8 @@ void PictureComposer::checkRoom(const Scene& scene) const {
 }
 
 DrawList PictureComposer::contact(const Frame& frame, int height) {
-  ContactPictureOptions options;
+  ContactPictureOptions& options = contact_;
+  options = {};
   options.width = style_.width;
   options.height = height;
   options.scale = style_.scale;
@@ -146,33 +145,23 @@ DiagramOptions PictureComposer::optionsFor(int height, float leastText) const {
   return {style_.width, height, style_.scale, style_.theme, leastText};
 }
 
-DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float leastText) const {
-  return composeDiagrams(sheet, optionsFor(height, leastText));
+/// Of the contact that was composed last.
+FrameAbove PictureComposer::frameAbove(const Frame& frame) const {
+  const Clip area = contactPlotArea(frame, contact_);
+  return {area.x, area.x + area.width, contactUnit(contact_)};
 }
 
-/// The curve and on it the line and the velocity of the frame, and the way that a motion came.
-DiagramSheet PictureComposer::curveWithPresent(const Frame& frame) const {
+DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float leastText,
+                                  const std::optional<FrameAbove>& above) const {
+  DiagramOptions options = optionsFor(height, leastText);
+  options.above = above;
+  return composeDiagrams(sheet, options);
+}
+
+/// The curve with the line and the velocity of the frame, and the way that a motion came.
+DiagramSheet PictureComposer::curveWithMarker(const Frame& frame) const {
   DiagramSheet sheet = curveSheet(content_.curves);
-  const auto [velocity, friction] = factorsOf(content_.curves.present.points, content_.curves.axes);
-  std::vector<DiagramSeries>& series = sheet.diagrams.front().series;
-  DiagramSeries present;
-  present.mark = SeriesMark::Diamond;
-  present.stroke = SeriesStroke::None;
-  present.colour = kPresentColour;
-  if (frame.transient) {
-    DiagramSeries trace;
-    trace.colour = kPresentColour;
-    for (const TransientSample& sample : *frame.transient)
-      trace.points.push_back({std::abs(sample.velocity) * velocity, sample.mu * friction});
-    present.name = Words::tr("the motion up to here");
-    if (!trace.points.empty()) present.points = {trace.points.back()};
-    series.push_back(std::move(trace));
-    series.push_back(ringAround(present));  // it may stand in the middle of the trace
-  } else {
-    present.name = Words::tr("the line shown, at its velocity");
-    present.points = {{frame.scene->sliding.velocity * velocity, frame.muSteady * friction}};
-  }
-  series.push_back(std::move(present));
+  sheet.diagrams.front().marker = markerOf(frame, content_.curves.axes);
   return sheet;
 }
 

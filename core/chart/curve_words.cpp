@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/scene/parameters.h"
 #include "core/base/printed_number.h"
+#include "core/scene/parameters.h"
 
 namespace asperity {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/friction/ensemble.h"
-#include "core/chart/few_summits.h"
+#include "core/chart/curve_regions.h"
 #include "core/paper/load_shares.h"
 #include "core/friction/fit.h"
 #include "core/material/element_law.h"

@@ -6,7 +6,7 @@
 
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
-#include "core/chart/few_summits.h"
+#include "core/chart/curve_regions.h"
 #include "core/paper/element_curves.h"
 #include "core/paper/figure_parts.h"
 #include "core/paper/figures_each.h"

@@ -752,150 +752,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::FrictionPlot</name>
-    <message>
-        <source>v = %1 m/s</source>
-        <translation>v = %1 m/s</translation>
-    </message>
-    <message>
-        <source>sliding velocity v (m/s)</source>
-        <translation>Gleitgeschwindigkeit v (m/s)</translation>
-    </message>
-    <message>
-        <source>coefficient of friction μ</source>
-        <translation>Reibungszahl μ</translation>
-    </message>
-    <message>
-        <source>now</source>
-        <translation>jetzt</translation>
-    </message>
-    <message>
-        <source>before the change</source>
-        <translation>vor der Änderung</translation>
-    </message>
-    <message>
-        <source>this line, now</source>
-        <translation>diese Linie, jetzt</translation>
-    </message>
-    <message>
-        <source>no curve yet</source>
-        <translation>noch keine Kurve</translation>
-    </message>
-    <message>
-        <source>curve of the scene before</source>
-        <translation>Kurve der vorigen Szene</translation>
-    </message>
-    <message>
-        <source>%1 of %2 realizations</source>
-        <translation>%1 von %2 Realisierungen</translation>
-    </message>
-    <message>
-        <source>no friction: nothing positive to show on a logarithmic axis</source>
-        <translation>keine Reibung: nichts Positives für eine logarithmische Achse</translation>
-    </message>
-    <message>
-        <source>no positive coefficient of friction to show on a logarithmic axis</source>
-        <translation>keine positive Reibungszahl für eine logarithmische Achse</translation>
-    </message>
-    <message>
-        <source>friction μ</source>
-        <translation>Reibungszahl μ</translation>
-    </message>
-    <message>
-        <source>dimensionless velocity v̄ = τ v ∇z / (√2 h)</source>
-        <translation>dimensionslose Geschwindigkeit v̄ = τ v ∇z / (√2 h)</translation>
-    </message>
-    <message>
-        <source>normalized friction μ / ∇z</source>
-        <translation>normierte Reibungszahl μ / ∇z</translation>
-    </message>
-    <message>
-        <source>v̄ = %1</source>
-        <translation>v̄ = %1</translation>
-    </message>
-    <message>
-        <source>no dimensionless axes: they need a line with roughness and one relaxation time</source>
-        <translation>keine dimensionslosen Achsen: Sie brauchen eine raue Linie und eine einzige Relaxationszeit</translation>
-    </message>
-    <message>
-        <source>|v| = %1 m/s</source>
-        <translation>|v| = %1 m/s</translation>
-    </message>
-    <message>
-        <source>this motion, now</source>
-        <translation>diese Bewegung, jetzt</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::FrictionSeries</name>
-    <message>
-        <source>few summits carry the load</source>
-        <translation>wenige Gipfel tragen die Last</translation>
-    </message>
-    <message>
-        <source>Region IV: few summits of the finite period carry the load, and the slope in contact falls, Eq. (15). It begins below 95 % of the maximum.</source>
-        <translation>Bereich IV: Wenige Gipfel der endlichen Periode tragen die Last, und die Steigung im Kontakt fällt, Gl. (15). Er beginnt unter 95 % des Maximums.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 lines</source>
-        <translation>%1 von %2 Linien</translation>
-    </message>
-    <message>
-        <source>this line</source>
-        <translation>diese Linie</translation>
-    </message>
-    <message>
-        <source>mean of the lines ± standard error</source>
-        <translation>Mittel über die Linien ± Standardfehler</translation>
-    </message>
-    <message>
-        <source>Eq. (11)</source>
-        <translation>Gl. (11)</translation>
-    </message>
-    <message>
-        <source>linear</source>
-        <translation>linear</translation>
-    </message>
-    <message>
-        <source>Region I: friction grows in proportion to velocity, Eqs. (5) to (8). It ends where the curve is 20 % below that line.</source>
-        <translation>Bereich I: Die Reibung wächst proportional zur Geschwindigkeit, Gl. (5) bis (8). Er endet, wo die Kurve 20 % unter dieser Geraden liegt.</translation>
-    </message>
-    <message>
-        <source>transition</source>
-        <translation>Übergang</translation>
-    </message>
-    <message>
-        <source>Region II: from the line to the plateau. It ends where 95 % of the maximum is reached.</source>
-        <translation>Bereich II: von der Geraden zum Plateau. Er endet, wo 95 % des Maximums erreicht sind.</translation>
-    </message>
-    <message>
-        <source>plateau</source>
-        <translation>Plateau</translation>
-    </message>
-    <message>
-        <source>Region III: contacts carry on their leading sides only, Eq. (9). It ends where friction falls below 95 % of the maximum.</source>
-        <translation>Bereich III: Kontakte tragen nur an ihren Vorderseiten, Gl. (9). Er endet, wo die Reibung unter 95 % des Maximums fällt.</translation>
-    </message>
-    <message>
-        <source>decrease</source>
-        <translation>Abfall</translation>
-    </message>
-    <message>
-        <source>Borders are read from this curve, not from theory.</source>
-        <translation>Die Grenzen sind aus dieser Kurve abgelesen, nicht aus der Theorie.</translation>
-    </message>
-    <message>
-        <source>difference</source>
-        <translation>Unterschied</translation>
-    </message>
-    <message>
-        <source>%1, less the curve above</source>
-        <translation>%1, minus obere Kurve</translation>
-    </message>
-    <message>
-        <source>same parameters</source>
-        <translation>gleiche Parameter</translation>
-    </message>
+    <name>asperity::FrictionChart</name>
     <message>
         <source>v = %1 m/s</source>
         <translation>v = %1 m/s</translation>
@@ -915,14 +772,6 @@
     <message>
         <source>with %1</source>
         <translation>mit %1</translation>
-    </message>
-    <message>
-        <source>this line, deformation alone</source>
-        <translation>diese Linie, nur Verformung</translation>
-    </message>
-    <message>
-        <source>mean of the lines ± standard error, deformation alone</source>
-        <translation>Mittel über die Linien ± Standardfehler, nur Verformung</translation>
     </message>
 </context>
 <context>
@@ -1062,6 +911,10 @@
 </context>
 <context>
     <name>asperity::MainWindow</name>
+    <message>
+        <source>velocity, friction, indentation and contact length in time</source>
+        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
+    </message>
     <message>
         <source>More commands</source>
         <translation>Weitere Befehle</translation>
@@ -1684,9 +1537,9 @@
     </message>
 </context>
 <context>
-    <name>asperity::PlotLegend</name>
+    <name>asperity::ChartLegend</name>
     <message>
-        <source>legend of the plot</source>
+        <source>legend of the chart</source>
         <translation>Legende des Diagramms</translation>
     </message>
     <message numerus="yes">
@@ -2029,33 +1882,6 @@
     <message>
         <source>%1 of %2&amp;ensp;&lt;b&gt;%3.&lt;/b&gt; %4 &lt;i&gt;Try: %5&lt;/i&gt;</source>
         <translation>%1 von %2&amp;ensp;&lt;b&gt;%3.&lt;/b&gt; %4 &lt;i&gt;Versuch: %5&lt;/i&gt;</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::TransientStrips</name>
-    <message>
-        <source>friction, indentation and contact length in time</source>
-        <translation>Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
-    </message>
-    <message>
-        <source>nothing has moved yet</source>
-        <translation>noch hat sich nichts bewegt</translation>
-    </message>
-    <message>
-        <source>predicted rate 1/τ + v/ℓ = %1 (exact for one contact, a guide on rough lines)</source>
-        <translation>vorhergesagte Rate 1/τ + v/ℓ = %1 (exakt für einen Kontakt, ein Anhalt auf rauen Linien)</translation>
-    </message>
-    <message>
-        <source>friction μ</source>
-        <translation>Reibungszahl μ</translation>
-    </message>
-    <message>
-        <source>indentation d</source>
-        <translation>Eindringung d</translation>
-    </message>
-    <message>
-        <source>contact length ℓ</source>
-        <translation>Kontaktlänge ℓ</translation>
     </message>
 </context>
 <context>

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/language/words.h"
-#include "ui/draw/colours.h"
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/marks.h"
+#include "ui/draw/colours.h"
 #include "ui/draw/text_metrics.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -79,8 +79,12 @@ void shortenNames(Legend& legend, float width) {
   const auto columns = static_cast<float>(legend.columns);
   const float column =
       (width - 2 * kPad * legend.size - (columns - 1) * kBetween * legend.size) / columns;
-  for (LegendEntry& entry : legend.entries)
-    entry.name = elided(entry.name, legend.size, false, column - (kSample + kGap) * legend.size);
+  for (LegendEntry& entry : legend.entries) {
+    std::string name =
+        elided(entry.name, legend.size, false, column - (kSample + kGap) * legend.size);
+    legend.isWhole = legend.isWhole && name == entry.name;
+    entry.name = std::move(name);
+  }
 }
 
 /// Only as many entries as the height has room for, and how many are missing.
@@ -158,6 +162,22 @@ Legend legendFor(const Diagram& diagram, const std::vector<SeriesStyle>& styles,
   if (legend.ramp && rampWidth(*legend.ramp, size) + 2 * kPad * size > width) legend.ramp.reset();
   dropEntries(legend, height);
   measure(legend);
+  return legend;
+}
+
+Legend legendOver(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
+                  float width) {
+  constexpr int kMostColumns = 6;
+  Legend legend;
+  legend.entries = entriesOf(diagram, styles);
+  legend.ramp = diagram.ramp;
+  legend.size = size;
+  const int count = static_cast<int>(std::min<std::size_t>(legend.entries.size(), kMostColumns));
+  for (legend.columns = std::max(1, count); legend.columns > 0; --legend.columns) {
+    measure(legend);
+    if (legend.width <= width) return legend;
+  }
+  legend.isWhole = false;
   return legend;
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/draw/occupancy_grid.h"
 #include "ui/chart/diagram_series.h"
+#include "ui/draw/occupancy_grid.h"
 
 namespace asperity {
 
@@ -25,7 +25,7 @@ struct Legend {
   std::size_t rows = 0;   // of entries in a column
   float columnWidth = 0;  // of entries, without padding
   float width = 0, height = 0;
-  bool isWhole = true;  // no entry is missing
+  bool isWhole = true;  // no entry is missing or shortened
   bool empty() const { return entries.empty() && !ramp; }
 };
 
@@ -33,6 +33,10 @@ struct Legend {
 /// the last one ("and 7 more").
 Legend legendFor(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
                  float width, float height);
+
+/// In as few rows as this width allows, nothing shortened; not whole where it is too slim.
+Legend legendOver(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
+                  float width);
 
 /// On a plate of the background's colour.
 void addLegend(DrawList& list, const Legend& legend, const Box& box, bool framed,

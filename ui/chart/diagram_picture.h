@@ -3,11 +3,20 @@
 // functions of their arguments; the same picture on the screen, in PNG, SVG and PDF. Any thread.
 #pragma once
 
+#include <optional>
+
 #include "core/chart/diagram.h"
-#include "ui/draw/theme.h"
 #include "ui/draw/draw_list.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
+
+/// The frame of a picture that stands above, and its unit: diagrams below it have the same edges
+/// and letters. Pixels.
+struct FrameAbove {
+  float left = 0, right = 0;
+  float unit = 1;
+};
 
 struct DiagramOptions {
   int width = 1200, height = 800;  // pixels
@@ -15,6 +24,7 @@ struct DiagramOptions {
   Theme theme = lightTheme();
   float leastText =
       0;  // texts keep this size (1: usual) where a low picture would make them smaller
+  std::optional<FrameAbove> above{};
 };
 
 /// A size fit for print: 2400 x 1600 pixels at scale 2 for one diagram, wider where there are

@@ -5,7 +5,6 @@
 
 #include "ui/language/words.h"
 #include "ui/contact/narrow_contact.h"
-#include "ui/draw/plot_axes.h"
 #include "ui/draw/text_metrics.h"
 
 namespace asperity {

@@ -183,9 +183,15 @@ void translate(Diagram& diagram) {
   translate(diagram.title);
   for (DiagramAxis* axis : {&diagram.x, &diagram.y}) translate(axis->title);
   for (DiagramSeries& series : diagram.series) translate(series.name);
-  for (DiagramSpan& span : diagram.spans) translate(span.label);
+  for (DiagramSpan& span : diagram.spans) {
+    translate(span.label);
+    for (std::string& note : span.notes) translate(note);
+  }
   for (DiagramSpan& shade : diagram.shades) translate(shade.label);
   for (DiagramLabel& label : diagram.labels) translate(label.text);
+  if (diagram.marker)
+    for (std::string* text : {&diagram.marker->name, &diagram.marker->label}) translate(*text);
+  translate(diagram.blank);
   if (diagram.ramp)
     for (std::string* text : {&diagram.ramp->title, &diagram.ramp->from, &diagram.ramp->to})
       translate(*text);
@@ -234,7 +240,8 @@ QString sceneText(std::string_view text) {
 }
 
 DiagramSheet translated(DiagramSheet sheet) {
-  for (std::string* text : {&sheet.title, &sheet.subtitle, &sheet.note}) translate(*text);
+  for (std::string* text : {&sheet.title, &sheet.subtitle, &sheet.note, &sheet.status})
+    translate(*text);
   for (Diagram& diagram : sheet.diagrams) translate(diagram);
   return sheet;
 }

@@ -11,9 +11,9 @@
 #include "core/run/transient_diagram.h"
 #include "tests/ui/chart/sample_sheets.h"
 #include "tests/ui/contact/tidy_texts.h"
+#include "ui/chart/diagram_picture.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/chart/diagram_picture.h"
 
 namespace asperity {
 namespace {

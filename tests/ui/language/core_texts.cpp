@@ -8,19 +8,19 @@
 #include <vector>
 
 #include "core/accuracy/work_precision_sheet.h"
-#include "core/contact/balance_error.h"
+#include "core/base/input_error.h"
 #include "core/chart/curve_diagram.h"
-#include "core/friction/curve_difference.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
+#include "core/contact/balance_error.h"
+#include "core/friction/curve_difference.h"
 #include "core/friction/ensemble.h"
-#include "core/paper/figure.h"
 #include "core/friction/line_plan.h"
+#include "core/paper/figure.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/motion_table.h"
 #include "core/run/steady_frames.h"
 #include "core/scene/effects.h"
-#include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
 #include "core/scene/scene_file.h"
@@ -54,11 +54,16 @@ std::vector<Scene> furtherScenes() {
 }
 
 void add(Texts& texts, const DiagramSheet& sheet) {
-  texts.insert({sheet.title, sheet.subtitle, sheet.note});
+  texts.insert({sheet.title, sheet.subtitle, sheet.note, sheet.status});
   for (const Diagram& diagram : sheet.diagrams) {
     texts.insert({diagram.title, diagram.x.title, diagram.y.title});
     for (const DiagramSeries& series : diagram.series) texts.insert(series.name);
-    for (const DiagramSpan& span : diagram.spans) texts.insert(span.label);
+    for (const DiagramSpan& span : diagram.spans) {
+      texts.insert(span.label);
+      texts.insert(span.notes.begin(), span.notes.end());
+    }
+    if (diagram.marker) texts.insert({diagram.marker->name, diagram.marker->label});
+    texts.insert(diagram.blank);
     for (const DiagramSpan& shade : diagram.shades) texts.insert(shade.label);
     for (const DiagramLabel& label : diagram.labels) texts.insert(label.text);
     if (diagram.ramp) texts.insert({diagram.ramp->title, diagram.ramp->from, diagram.ramp->to});

@@ -21,11 +21,11 @@
 #include <vector>
 
 #include "core/scene/scene_file.h"
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
-#include "ui/window/main/contact_canvas.h"
 #include "ui/window/figures/figure_picture.h"
 #include "ui/window/figures/gallery_page.h"
+#include "ui/window/main/contact_canvas.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/run_window.h"
@@ -89,7 +89,7 @@ const char* complaint(MainWindow& window, const Wish& wish, int frames) {
   if (wish.message) return window.messages().isVisible() ? nullptr : "no message appeared";
   if (frames < 5) return "the contact is not animated";
   if (window.canvas().backendName().isEmpty()) return "nothing draws the contact";
-  if (window.plotView().plot().series.empty()) return "no curve has arrived";
+  if (window.plotView().sheet().diagrams[0].series.empty()) return "no curve has arrived";
   return nullptr;
 }
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/accuracy/work_precision_sheet.h"
-#include "ui/chart/friction_series.h"
+#include "ui/chart/friction_chart.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/draw/ticks.h"

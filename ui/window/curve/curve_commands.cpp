@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_view.h"
 #include "ui/window/main/ask_file.h"
 #include "ui/window/curve/curve_files.h"
 #include "ui/window/main/session.h"
@@ -20,14 +20,14 @@ constexpr double kZoom = 1.5;
 
 }  // namespace
 
-CurveCommands::CurveCommands(Session& session, PlotView& view, Export run, QObject* parent)
+CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObject* parent)
     : QObject(parent), session_(session), view_(view), run_(std::move(run)) {
   pin_ = add("pinCurve", tr("Pin curve"),
-             [this] { session_.editCurve([](FrictionPlot& plot) { plot.pin(); }); });
+             [this] { session_.editCurve([](FrictionChart& plot) { plot.pin(); }); });
   pin_->setShortcut(Qt::Key_P);
   pin_->setToolTip(tr("Keeps this curve to compare others with"));
   unpinAll_ = add("unpinAll", tr("Unpin all"),
-                  [this] { session_.editCurve([](FrictionPlot& plot) { plot.unpinAll(); }); });
+                  [this] { session_.editCurve([](FrictionChart& plot) { plot.unpinAll(); }); });
   unpinAll_->setShortcut(Qt::SHIFT | Qt::Key_P);
   dimensionless_ = add("dimensionlessAxes", tr("Dimensionless axes"), [] {});
   dimensionless_->setCheckable(true);
@@ -43,7 +43,7 @@ CurveCommands::CurveCommands(Session& session, PlotView& view, Export run, QObje
   save_->setToolTip(tr("Everything that is shown, as a picture or as a table"));
   copy_ = add("copyCurvePicture", tr("Copy curve picture"), [this] { copyPicture(); });
   connect(&session_, &Session::plotChanged, this, &CurveCommands::showState);
-  connect(&view_, &PlotView::zoomChanged, this, &CurveCommands::showState);
+  connect(&view_, &ChartView::zoomChanged, this, &CurveCommands::showState);
   showState();
 }
 
@@ -75,7 +75,7 @@ void CurveCommands::fillUnpin() {
   unpin_->clear();
   for (const PinnedCurve& pinned : session_.friction().pinned()) {
     QAction* action = unpin_->addAction(session_.friction().nameOf(pinned), this, [this, pinned] {
-      session_.editCurve([&](FrictionPlot& plot) { plot.unpin(pinned.id); });
+      session_.editCurve([&](FrictionChart& plot) { plot.unpin(pinned.id); });
     });
     action->setObjectName(QStringLiteral("unpin:%1").arg(pinned.id));
   }
@@ -95,7 +95,7 @@ void CurveCommands::showState() {
 /// Ranges that were zoomed to belong to the other axes.
 void CurveCommands::setAxes(bool dimensionless) {
   view_.fit();
-  session_.editCurve([dimensionless](FrictionPlot& plot) {
+  session_.editCurve([dimensionless](FrictionChart& plot) {
     plot.setAxes(dimensionless ? CurveAxes::Dimensionless : CurveAxes::Physical);
   });
 }

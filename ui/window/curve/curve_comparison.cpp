@@ -19,7 +19,7 @@ void CurveComparison::setSetting(const std::optional<CurveSetting>& setting) {
   ++number_;  // what still runs is not wanted
   if (work_) work_->cancel();
   if (setting_) return follow();
-  session_.editCurve([](FrictionPlot& plot) { plot.showDifference(std::nullopt); });
+  session_.editCurve([](FrictionChart& plot) { plot.showDifference(std::nullopt); });
 }
 
 /// Begins when the scene's own curve is complete: the curve comes first.
@@ -58,7 +58,7 @@ void CurveComparison::take(std::uint64_t number,
                            std::shared_ptr<const CurveDifference> difference) {
   if (number != number_ || !setting_) return;
   emit shown();
-  session_.editCurve([&](FrictionPlot& plot) { plot.showDifference(*difference); });
+  session_.editCurve([&](FrictionChart& plot) { plot.showDifference(*difference); });
 }
 
 }  // namespace asperity

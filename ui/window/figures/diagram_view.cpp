@@ -6,7 +6,7 @@
 #include <exception>
 #include <utility>
 
-#include "ui/chart/plot_marks.h"
+#include "ui/chart/chart_panel.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/text_painter.h"
 

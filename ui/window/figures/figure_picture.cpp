@@ -3,7 +3,7 @@
 #include <QEvent>
 #include <QPainter>
 
-#include "ui/chart/plot_marks.h"
+#include "ui/chart/chart_panel.h"
 #include "ui/language/translated.h"
 #include "ui/chart/figure_drawing.h"
 #include "ui/window/main/appearance.h"

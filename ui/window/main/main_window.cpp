@@ -10,25 +10,25 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "ui/chart/plot_view.h"
-#include "ui/chart/transient_strips.h"
+#include "core/run/transient_diagram.h"
+#include "ui/chart/chart_view.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/accuracy/accuracy_panel.h"
-#include "ui/window/main/appearance.h"
-#include "ui/window/main/contact_canvas.h"
+#include "ui/window/accuracy/plan_list.h"
 #include "ui/window/curve/curve_reading.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/gallery_page.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/contact_canvas.h"
 #include "ui/window/main/gesture_counter.h"
-#include "ui/window/tasks/latest_work.h"
 #include "ui/window/main/message_bar.h"
-#include "ui/window/accuracy/plan_list.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/session.h"
 #include "ui/window/main/status_line.h"
 #include "ui/window/main/tour_bar.h"
 #include "ui/window/main/window_sight.h"
+#include "ui/window/tasks/latest_work.h"
 
 namespace asperity {
 
@@ -119,7 +119,7 @@ void MainWindow::putTogether() {
 
 void MainWindow::buildViews() {
   canvas_->setAccessibleName(ContactCanvas::tr("contact view"));
-  plot_ = makePlotView();
+  plot_ = new ChartView;
   plot_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(170);
@@ -183,7 +183,8 @@ void MainWindow::showFrame() {
   if (!isShowingFigures()) canvas_->setFrame(frame);
   status_->showFrame(*frame, readCurve(*frame, session_->curve()));
   if (frame->transient && frame->sceneNumber == session_->sceneNumber())
-    strips_->show(frame->scene->sliding, frame->transient, frame->spacing, frame->length);
+    strips_->setSheet(
+        transientSheet(*frame->scene, *frame->transient, frame->spacing, frame->length));
   if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
 }
 
@@ -212,9 +213,9 @@ void MainWindow::setDark(bool dark) {
   QApplication::setPalette(paletteOf(theme));
   setStyleSheet(windowStyleSheet(theme));
   canvas_->setTheme(theme);
-  plot_->setColours(plotColoursOf(theme));
+  plot_->setTheme(theme);
   for (DiagramView* view : {spectrum_, statistics_}) view->setTheme(theme);
-  strips_->setColours(plotColoursOf(theme));
+  strips_->setTheme(theme);
   accuracy_->setTheme(theme);
   if (gallery_) gallery_->setTheme(theme);
   paintIcons();

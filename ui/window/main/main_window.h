@@ -41,7 +41,7 @@ class GestureCounter;
 class LatestWork;
 class ParameterPanel;
 class PlanList;
-class PlotView;
+class ChartView;
 class SceneDocument;
 class Session;
 class StatusLine;
@@ -50,7 +50,6 @@ struct CurveWish;
 struct FoundScene;
 struct SceneOrigin;
 class TourBar;
-class TransientStrips;
 class WindowSight;
 
 enum class Colours { System, Light, Dark };
@@ -68,7 +67,7 @@ class MainWindow : public QMainWindow {
 
   Session& session() { return *session_; }
   ParameterPanel& panel() { return *panel_; }
-  PlotView& plotView() { return *plot_; }
+  ChartView& plotView() { return *plot_; }
   CurveCommands& curveCommands() { return *curveCommands_; }
   ContactCanvas& canvas() { return *canvas_; }
   MessageBar& messages() { return *messages_; }
@@ -264,10 +263,10 @@ class MainWindow : public QMainWindow {
   GestureCounter* gestures_ = nullptr;
   ContactCanvas* canvas_ = nullptr;
   QObject* parts_ = nullptr;  // owns what is no widget and has words or serves what has
-  PlotView* plot_ = nullptr;
+  ChartView* plot_ = nullptr;
   ParameterPanel* panel_ = nullptr;
   QTabWidget* tabs_ = nullptr;  // under the contact
-  TransientStrips* strips_ = nullptr;
+  ChartView* strips_ = nullptr;
   DiagramView *spectrum_ = nullptr, *statistics_ = nullptr;
   PlanList* plan_ = nullptr;
   AccuracyPanel* accuracy_ = nullptr;

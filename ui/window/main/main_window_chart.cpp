@@ -2,7 +2,7 @@
 #include <QFileInfo>
 #include <QMenu>
 
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_view.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/curve/curve_comparison.h"

@@ -8,8 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "ui/chart/plot_view.h"
-#include "ui/chart/transient_strips.h"
+#include "ui/chart/chart_view.h"
 #include "ui/language/translated.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/main/appearance.h"

@@ -12,7 +12,7 @@
 #include <QToolBar>
 #include <memory>
 
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/accuracy/accuracy_panel.h"
@@ -33,7 +33,7 @@ struct MainWindow::Arrangement {
   QByteArray docks, split;
   QList<bool> tabs;  // in order: wanted
   int tab = 0;
-  std::optional<PlotWindow> zoom;  // of the friction curve
+  std::optional<ChartWindow> zoom;  // of the friction curve
   Scene typed;                     // in the panel, where it may miss something yet
   PanelState panel;
   QString focus;  // name of what had it

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "core/run/line_diagrams.h"
-#include "ui/chart/plot_view.h"
-#include "ui/chart/transient_strips.h"
+#include "core/run/transient_diagram.h"
+#include "ui/chart/chart_view.h"
 #include "ui/window/accuracy/accuracy_panel.h"
+#include "ui/window/accuracy/plan_list.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/main/main_window.h"
-#include "ui/window/accuracy/plan_list.h"
 #include "ui/window/main/session.h"
 
 namespace asperity {
@@ -35,7 +35,10 @@ double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(con
 
 /// What is known of the scene, under the contact; the motion's strips only where it has one.
 QTabWidget* MainWindow::buildTabs() {
-  strips_ = new TransientStrips;
+  strips_ = new ChartView;
+  strips_->setObjectName("transientStrips");
+  strips_->setFocusPolicy(Qt::NoFocus);
+  strips_->setAccessibleName(tr("velocity, friction, indentation and contact length in time"));
   plan_ = new PlanList;
   tabs_ = new QTabWidget;
   tabs_->setObjectName("tabs");
@@ -71,7 +74,7 @@ void MainWindow::showAboutScene() {
   action.setVisible(moves);
   tabs_->setTabVisible(kMotionTab, moves && action.isChecked());
   if (moves && !moved) tabs_->setCurrentIndex(kMotionTab);
-  if (moves) strips_->show(sliding, nullptr);
+  if (moves) strips_->setSheet(transientSheet(session_->scene(), {}));
   plan_->showScene(session_->scene());
   spectrum_->show([scene = session_->scene()] { return spectrumSheet(scene); });
   accuracy_->showScene(session_->scene());

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "core/material/element_law.h"
-#include "ui/chart/decade_range.h"
+#include "ui/chart/friction_chart.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/curve/curve_reading.h"
