@@ -64,24 +64,32 @@ PictureComposer::PictureComposer(const PictureStyle& style, PictureContent conte
 DrawList PictureComposer::compose(const Frame& frame) {
   const PictureLayout layout = content_.layout;
   if (layout == PictureLayout::Contact) return contact(frame, style_.height);
-  if (layout == PictureLayout::Curve) return diagram(curveWithMarker(frame), style_.height);
-  const int above = contactHeight();
-  if (layout == PictureLayout::Both) {
-    if (!below_ || frame.transient) {
-      DiagramSheet sheet = curveWithMarker(frame);
-      sheet.title.clear();  // it stands above
-      const DrawList picture = contact(frame, above);
-      below_ = diagram(sheet, style_.height - above, 0, frameAbove(frame));
-      return stacked(picture, *below_);
-    }
+  if (layout == PictureLayout::Curve)
+    return composeDiagrams(curveWithMarker(frame), optionsFor(style_.height, 0));
+  const int above = contactHeight(), below = style_.height - above;
+  DiagramOptions options = optionsFor(below, 0);
+  options.above = FrameAbove{};
+  DiagramSheet sheet;
+  if (layout == PictureLayout::Transient) {
+    const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
+    sheet = transientSheet(*frame.scene, samples, frame.spacing, frame.length);
+    if (!haveRoom(sheet, below)) sheet.diagrams.pop_back();
+    options.leastText = stripText(sheet, below);
+  } else if (below_ && !frame.transient) {
     return stacked(contact(frame, above), *below_);
+  } else {
+    sheet = curveWithMarker(frame);
+    sheet.title.clear();  // it stands above
+    options.above->unit = contactUnit(contactOptions(above));
   }
-  const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
-  DiagramSheet strips = transientSheet(*frame.scene, samples, frame.spacing, frame.length);
-  const int below = style_.height - above;
-  if (!haveRoom(strips, below)) strips.diagrams.pop_back();
-  const DrawList picture = contact(frame, above);
-  return stacked(picture, diagram(strips, below, stripText(strips, below), frameAbove(frame)));
+  left_ = std::max(left_, leftOfFrames(sheet, options));
+  DrawList picture = contact(frame, above);
+  const Clip area = contactPlotArea(frame, contact_);
+  options.above->left = area.x;
+  options.above->right = area.x + area.width;
+  DrawList diagram = composeDiagrams(sheet, options);
+  if (layout == PictureLayout::Both) below_ = diagram;
+  return stacked(std::move(picture), std::move(diagram));
 }
 
 int PictureComposer::contactHeight() const {
@@ -127,35 +135,27 @@ void PictureComposer::checkRoom(const Scene& scene) const {
   checkPanels(sheet, style_, layout == PictureLayout::Both ? contactHeight() : 0);
 }
 
-DrawList PictureComposer::contact(const Frame& frame, int height) {
-  ContactPictureOptions& options = contact_;
-  options = {};
+ContactPictureOptions PictureComposer::contactOptions(int height) const {
+  ContactPictureOptions options;
   options.width = style_.width;
   options.height = height;
   options.scale = style_.scale;
   options.theme = style_.theme;
   options.overlay = content_.overlay;
+  options.leastLeft = left_;
+  return options;
+}
+
+DrawList PictureComposer::contact(const Frame& frame, int height) {
+  contact_ = contactOptions(height);
   view_ = fittedView(frame, view_);
-  options.view = *view_;
-  applyView(content_.view, frame, options);
-  return composeContact(frame, options);
+  contact_.view = *view_;
+  applyView(content_.view, frame, contact_);
+  return composeContact(frame, contact_);
 }
 
 DiagramOptions PictureComposer::optionsFor(int height, float leastText) const {
   return {style_.width, height, style_.scale, style_.theme, leastText};
-}
-
-/// Of the contact that was composed last.
-FrameAbove PictureComposer::frameAbove(const Frame& frame) const {
-  const Clip area = contactPlotArea(frame, contact_);
-  return {area.x, area.x + area.width, contactUnit(contact_)};
-}
-
-DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float leastText,
-                                  const std::optional<FrameAbove>& above) const {
-  DiagramOptions options = optionsFor(height, leastText);
-  options.above = above;
-  return composeDiagrams(sheet, options);
 }
 
 /// The curve with the line and the velocity of the frame, and the way that a motion came.

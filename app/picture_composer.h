@@ -48,9 +48,7 @@ class PictureComposer {
  private:
   int contactHeight() const;  // pixels, above a diagram
   DrawList contact(const Frame& frame, int height);
-  FrameAbove frameAbove(const Frame& frame) const;
-  DrawList diagram(const DiagramSheet& sheet, int height, float leastText = 0,
-                   const std::optional<FrameAbove>& above = {}) const;
+  ContactPictureOptions contactOptions(int height) const;
   DiagramOptions optionsFor(int height, float leastText) const;
   float stripText(const DiagramSheet& strips, int height) const;
   void checkStrips(const Scene& scene) const;
@@ -61,6 +59,7 @@ class PictureComposer {
   PictureContent content_;
   std::optional<ContactView> view_;
   ContactPictureOptions contact_;  // of the last one
+  float left_ = 0;                 // pixels, where the frames of contact and diagram begin at least
   std::optional<DrawList> below_;  // the curve, which stands still in steady sliding
 };
 

@@ -7,9 +7,9 @@
 #include "core/accuracy/pilot.h"
 #include "core/base/processor_time.h"
 #include "core/friction/study.h"
+#include "core/material/element_law.h"
 #include "core/run/rigid_line.h"
 #include "core/run/transient.h"
-#include "core/material/element_law.h"
 
 namespace asperity {
 namespace {

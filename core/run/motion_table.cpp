@@ -8,17 +8,17 @@
 #include <cmath>
 #include <mutex>
 
-#include "core/friction/curve_file.h"
-#include "core/chart/curve_words.h"
+#include "core/base/input_error.h"
 #include "core/base/jobs.h"
+#include "core/base/printed_number.h"
+#include "core/chart/curve_words.h"
+#include "core/friction/curve_file.h"
 #include "core/friction/study.h"
 #include "core/run/rigid_line.h"
 #include "core/run/transient.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/columns.h"
 #include "core/scene/effects.h"
-#include "core/base/input_error.h"
-#include "core/base/printed_number.h"
 #include "core/scene/provenance.h"
 
 namespace asperity {
@@ -259,10 +259,14 @@ DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {
   sheet.diagrams.push_back(contactStrip(scene, table.mean));
   sheet.title = scene.title;
   sheet.subtitle = parametersInWords(scene);
-  if (table.lines.size() > 1) sheet.note = fmt::format("mean of {} lines", table.lines.size());
+  if (sheet.status.empty()) sheet.note.clear();  // without a guide there is none to explain
+  const auto addNote = [&sheet](const std::string& note) {
+    sheet.note += (sheet.note.empty() ? "" : "; ") + note;
+  };
+  if (table.lines.size() > 1) addNote(fmt::format("mean of {} lines", table.lines.size()));
   if (std::isfinite(table.muError))
-    sheet.note += fmt::format("{}band: estimated error of elements and time steps, {} in \u03BC",
-                              sheet.note.empty() ? "" : "; ", printedNumber(table.muError, 2));
+    addNote(fmt::format("band: estimated error of elements and time steps, {} in \u03BC",
+                        printedNumber(table.muError, 2)));
   return sheet;
 }
 

@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "core/accuracy/target_curve.h"
+#include "core/base/input_error.h"
 #include "core/friction/ensemble.h"
 #include "core/run/simulation.h"
-#include "core/base/input_error.h"
 
 namespace asperity {
 namespace {

@@ -93,8 +93,8 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
   addErrorBand(sheet.diagrams[1], samples);
   if (willRelax(scene))
     sheet.note =
-        "Dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113, exact for one contact, a "
-        "guide on rough lines.";
+        "dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113, exact for one contact, a "
+        "guide on rough lines";
   DiagramSeries guide{.stroke = SeriesStroke::Dashed, .isTheory = true};
   guide.points = relaxationGuide(scene.sliding, samples);
   if (samples.empty()) sheet.status = "nothing has moved yet";

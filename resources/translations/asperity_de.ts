@@ -2093,44 +2093,8 @@
         <translation>und %1 weitere</translation>
     </message>
     <message>
-        <source>one period L = %1</source>
-        <translation>eine Periode L = %1</translation>
-    </message>
-    <message>
-        <source>rms height h = %1</source>
-        <translation>RMS-Höhe h = %1</translation>
-    </message>
-    <message>
-        <source>rms slope = %1</source>
-        <translation>RMS-Steigung = %1</translation>
-    </message>
-    <message>
-        <source>Hurst exponent H = %1</source>
-        <translation>Hurst-Exponent H = %1</translation>
-    </message>
-    <message>
-        <source>Rigid line</source>
-        <translation>Starre Linie</translation>
-    </message>
-    <message>
-        <source>wave number q (1/m)</source>
-        <translation>Wellenzahl q (1/m)</translation>
-    </message>
-    <message>
-        <source>power spectral density C (m³)</source>
-        <translation>Leistungsspektraldichte C (m³)</translation>
-    </message>
-    <message>
-        <source>C ∝ q⁻²ᴴ⁻¹, cut off at π over the element spacing</source>
-        <translation>C ∝ q⁻²ᴴ⁻¹, abgeschnitten bei π durch Elementabstand</translation>
-    </message>
-    <message>
         <source>%1 failed</source>
         <translation>%1 fehlgeschlagen</translation>
-    </message>
-    <message>
-        <source>the line shown, at its velocity</source>
-        <translation>die gezeigte Linie bei ihrer Geschwindigkeit</translation>
     </message>
     <message>
         <source>, arrow %1×</source>
@@ -2267,14 +2231,6 @@
     <message>
         <source>pressure</source>
         <translation>Druck</translation>
-    </message>
-    <message>
-        <source>same parameters</source>
-        <translation>gleiche Parameter</translation>
-    </message>
-    <message>
-        <source>the motion up to here</source>
-        <translation>die Bewegung bis hierher</translation>
     </message>
     <message>
         <source>μ of the interface</source>

@@ -1939,8 +1939,8 @@
         <translation>vorhergesagte Rate %1/τ + v/ℓ = %2⁻¹</translation>
     </message>
     <message>
-        <source>Dashed: relaxation at the predicted rate 1/τ + v/ℓ, exact for one contact, a guide on rough lines.</source>
-        <translation>Gestrichelt: Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ, exakt für einen Kontakt, ein Anhalt auf rauen Linien.</translation>
+        <source>dashed: relaxation at the predicted rate 1/τ + v/ℓ, exact for one contact, a guide on rough lines</source>
+        <translation>gestrichelt: Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ, exakt für einen Kontakt, ein Anhalt auf rauen Linien</translation>
     </message>
     <message>
         <source>%1 lines minus the curve above</source>

@@ -100,7 +100,7 @@ bool hasCommonAxis(const DiagramSheet& sheet) {
 }
 
 DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) {
-  if (options.above) {
+  if (options.above && options.above->unit > 0) {
     const float unit = options.above->unit, letters = fontSize(12 * unit);
     return {unit,
             fontSize(19 * unit),

@@ -14,16 +14,15 @@ struct LegendEntry {
   std::string name;
   SeriesStyle style;
   bool hasSample = true;
+  Place place{};  // of its row's upper left corner, from that of the first row
 };
 
 /// Measured and ready to be put somewhere; empty where there is nothing to say.
 struct Legend {
-  std::vector<LegendEntry> entries;  // column by column
+  std::vector<LegendEntry> entries;
   std::optional<DiagramRamp> ramp;
   float size = 12;  // of the font
   int columns = 1;
-  std::size_t rows = 0;   // of entries in a column
-  float columnWidth = 0;  // of entries, without padding
   float width = 0, height = 0;
   bool isWhole = true;  // no entry is missing or shortened
   bool empty() const { return entries.empty() && !ramp; }
@@ -34,7 +33,8 @@ struct Legend {
 Legend legendFor(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
                  float width, float height);
 
-/// In as few rows as this width allows, nothing shortened; not whole where it is too slim.
+/// In rows that are filled one after the other, nothing shortened; not whole where one name is too
+/// long for this width.
 Legend legendOver(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
                   float width);
 

@@ -20,10 +20,10 @@ class Panel {
  public:
   /// `above`: pixels for the title and the names of regions, the same for all of a sheet.
   /// `saysAlong`: with labels and title of the axis along. `titleAbove`: the title of the axis up
-  /// stands over the frame.
+  /// stands over the frame. `isAligned`: alignTo() will be called.
   Panel(const Diagram& diagram, const Box& cell, float above, bool saysAlong, bool titleAbove,
-        const DiagramSizes& sizes, const Theme& theme)
-      : diagram_(diagram), cell_(cell), sizes_(sizes), theme_(theme) {
+        bool isAligned, const DiagramSizes& sizes, const Theme& theme)
+      : diagram_(diagram), cell_(cell), sizes_(sizes), theme_(theme), isAligned_(isAligned) {
     axes_.saysAlong = saysAlong;
     axes_.titleAbove = titleAbove;
     top_ = std::round(cell.y + above + aboveAxes(axes_, sizes));
@@ -32,13 +32,10 @@ class Panel {
     arrange();
   }
 
-  /// Pixels that labels and title take at the left.
-  float left() const { return axes_.box.x - cell_.x; }
+  const Box& frame() const { return axes_.box; }
 
-  /// The frame between these places along x, as those of others; 0 at the right: where it ends by
-  /// itself. The legend stands inside or above it.
+  /// The frame between these places along x, as those of others; the legend inside or above it.
   void alignTo(float left, float right) {
-    isAligned_ = true;
     left_ = left;
     right_ = right;
     arrange();
@@ -88,14 +85,19 @@ class Panel {
   }
 
   /// Where the marker is, from the bottom to the top.
+  std::vector<Place> markerLine() const {
+    const Box& box = axes_.box;
+    const float x = axes_.px(axisPlace(axes_.along.scale, diagram_.marker->x));
+    return {{x, box.y}, {x, box.bottom()}};
+  }
+
   void addMarkerLine(DrawList& list) const {
     const Box& box = axes_.box;
     if (!diagram_.marker) return;
-    const float x = axes_.px(axisPlace(axes_.along.scale, diagram_.marker->x));
-    if (!(x >= box.x && x <= box.right())) return;
+    const std::vector<Place> line = markerLine();
+    if (!(line[0].x >= box.x && line[0].x <= box.right())) return;
     DrawLayer layer;
-    addLine(layer, {{x, box.y}, {x, box.bottom()}}, 1.2F * sizes_.unit,
-            seriesColour(kMarkerColour, theme_));
+    addLine(layer, line, 1.2F * sizes_.unit, seriesColour(kMarkerColour, theme_));
     list.layers.push_back(std::move(layer));
   }
 
@@ -129,7 +131,7 @@ class Panel {
     const Legend over = legendOver(diagram_, styles_, sizes_.legend, frame.width);
     const float rest = frame.height - over.height;
     const bool sparesHeight =
-        over.isWhole && rest > std::max(kLeastHeight * frame.height, 7 * sizes_.tick);
+        over.isWhole && rest > std::max(kLeastHeight * frame.height, 5 * sizes_.tick);
     const bool prefersOver = sparesHeight && !(sparesWidth && beside.isWhole);
     if (prefersOver) {
       place(0, over.height);
@@ -149,7 +151,7 @@ class Panel {
     box.y = top_ + above;
     box.height = std::max(1.0F, bottom_ - box.y);
     axes_.up = tickedUp(diagram_.y, rangeUp(diagram_, along_), box.height, sizes_);
-    box.x = std::round(cell_.x + std::max(left_, leftOfAxes(axes_, sizes_)));
+    box.x = std::round(std::max(left_, cell_.x + leftOfAxes(axes_, sizes_)));
     const auto fit = [&](float overhang) {
       const float end = right_ > 0 ? right_ : cell_.right() - right - overhang;
       box.width = std::max(1.0F, std::floor(end - box.x));
@@ -161,6 +163,7 @@ class Panel {
     legend_ = legendFor(diagram_, styles_, sizes_.legend, 0.7F * box.width, 0.7F * box.height);
     OccupancyGrid series(box, 4 * sizes_.unit);
     coverSeries(series, diagram_, styles_, axes_);
+    if (diagram_.marker) series.addLine(markerLine(), 1);
     OccupancyGrid map = series;
     labels_ = placeLabels(diagram_, axes_, map, sizes_);
     placeLegend(map);
@@ -203,12 +206,12 @@ class Panel {
   std::vector<SeriesStyle> styles_;
   std::vector<PlacedLabel> labels_;
   Legend legend_;
+  bool isAligned_;              // with the frames of other diagrams, or of a picture above
   float top_ = 0, bottom_ = 1;  // of the frame where no legend is above it
-  bool isAligned_ = false;
-  float left_ = 0;    // at least so many pixels left of the frame
-  float right_ = 0;   // where the frame ends; 0: by itself
-  Box legendBox_;     // no width: not shown
-  float hidden_ = 0;  // share of the legend's box that hides something
+  float left_ = 0;              // where the frame begins at least
+  float right_ = 0;             // where the frame ends; 0: by itself
+  Box legendBox_;               // no width: not shown
+  float hidden_ = 0;            // share of the legend's box that hides something
 };
 
 /// Above the frames: titles and names of regions, the same height for all of the sheet, and some
@@ -239,14 +242,21 @@ std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sh
   const float above = aboveFrames(sheet, titlesAbove, sizes);
   std::vector<Panel> panels;
   const bool isCommon = hasCommonAxis(sheet);
+  const bool isStack = gridFor(sheet).columns == 1 && sheet.diagrams.size() > 1;
+  const bool isAligned = !sheet.diagrams.empty() && (isStack || options.above);
   for (std::size_t i = 0; i < sheet.diagrams.size(); ++i)
     panels.emplace_back(sheet.diagrams[i], cells[i], above,
-                        !isCommon || i + 1 == sheet.diagrams.size(), titlesAbove, sizes,
+                        !isCommon || i + 1 == sheet.diagrams.size(), titlesAbove, isAligned, sizes,
                         options.theme);
-  if (sheet.sharesAxis || options.above) {
-    float left = options.above ? options.above->left - sheetMargin(sizes) : 0;
-    for (const Panel& panel : panels) left = std::max(left, panel.left());
-    for (Panel& panel : panels) panel.alignTo(left, options.above ? options.above->right : 0);
+  if (isAligned) {
+    float left = 0, right = static_cast<float>(options.width);
+    for (const Panel& panel : panels) {
+      left = std::max(left, panel.frame().x);
+      right = std::min(right, panel.frame().right());
+    }
+    if (options.above) left = std::max(left, options.above->left);
+    if (options.above && options.above->right > 0) right = options.above->right;
+    for (Panel& panel : panels) panel.alignTo(left, right);
   }
   return panels;
 }
@@ -319,6 +329,14 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   for (const Panel& panel : panelsOf(sheet, options, list))
     lowest = std::min(lowest, panel.isReadable() ? panel.frameHeight() : 0);
   return lowest / sizesFor(sheet, options).tick;
+}
+
+float leftOfFrames(const DiagramSheet& english, const DiagramOptions& options) {
+  const DiagramSheet sheet = prepared(english);
+  DrawList list = emptyList(options);
+  float left = 0;
+  for (const Panel& panel : panelsOf(sheet, options, list)) left = std::max(left, panel.frame().x);
+  return left;
 }
 
 DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {

@@ -11,11 +11,11 @@
 
 namespace asperity {
 
-/// The frame of a picture that stands above, and its unit: diagrams below it have the same edges
-/// and letters. Pixels.
+/// The frame of a picture that stands above: diagrams below it have the same edges, and letters of
+/// its unit. Pixels; 0: as the diagrams need by themselves.
 struct FrameAbove {
   float left = 0, right = 0;
-  float unit = 1;
+  float unit = 0;
 };
 
 struct DiagramOptions {
@@ -38,6 +38,9 @@ int heightForAll(const DiagramSheet& sheet, const DiagramOptions& options);
 /// The height of the lowest frame of all, in heights of the numbers beside it; 0 where a frame has
 /// no room and would be left out.
 float lowestFrame(const DiagramSheet& sheet, const DiagramOptions& options);
+
+/// Pixels, where the leftmost frame begins.
+float leftOfFrames(const DiagramSheet& sheet, const DiagramOptions& options);
 
 /// Every text on the picture and none over another, from 320 x 200 pixels on; what finds no place
 /// is shortened, then left out, units and powers of ten last. Never throws for what a sheet holds.

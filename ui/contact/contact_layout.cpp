@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/language/words.h"
 #include "ui/contact/narrow_contact.h"
 #include "ui/draw/text_metrics.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -186,7 +186,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   if (!layout.axisTitles) nameUnit(layout.heightTicks);
   const float left = widestLabel(layout.heightTicks, s.small) + 9 * u + pad +
                      (layout.axisTitles ? s.small * 1.6F : 0);
-  layout.plot.x = std::round(left);
+  layout.plot.x = std::round(std::max(left, options.leastLeft));
   layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);
   layout.xTicks = roomyTicks(layout.view.left, layout.view.left + layout.view.width,
                              layout.plot.width, s.small, "m");
