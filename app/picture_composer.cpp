@@ -72,8 +72,8 @@ DrawList PictureComposer::compose(const Frame& frame) {
   DiagramSheet sheet;
   if (layout == PictureLayout::Transient) {
     const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
-    sheet = transientSheet(*frame.scene, samples, frame.spacing, frame.length);
-    if (!haveRoom(sheet, below)) sheet.diagrams.pop_back();
+    sheet = withoutCrowding(transientSheet(*frame.scene, samples, frame.spacing, frame.length),
+                            optionsFor(below, kStripText));
     options.leastText = stripText(sheet, below);
   } else if (below_ && !frame.transient) {
     return stacked(contact(frame, above), *below_);
@@ -105,18 +105,17 @@ float PictureComposer::stripText(const DiagramSheet& strips, int height) const {
   return std::max(text, kLeastStripText);
 }
 
-bool PictureComposer::haveRoom(const DiagramSheet& strips, int height) const {
-  return lowestFrame(strips, optionsFor(height, stripText(strips, height))) >= kLeastStrip;
-}
-
 void PictureComposer::checkStrips(const Scene& scene) const {
   if (content_.layout != PictureLayout::Transient) return;
-  DiagramSheet strips = transientSheet(scene, {}, 0, 0);
-  strips.diagrams.pop_back();  // which is left out where it has no room
+  const auto hasRoom = [&](int height) {
+    const DiagramSheet strips =
+        withoutCrowding(transientSheet(scene, {}, 0, 0), optionsFor(height, kStripText));
+    return lowestFrame(strips, optionsFor(height, stripText(strips, height))) >= kLeastStrip;
+  };
   int height = style_.height - contactHeight();
-  if (haveRoom(strips, height)) return;
+  if (hasRoom(height)) return;
   constexpr int kHighest = 20000, kStep = 10;
-  while (height < kHighest && !haveRoom(strips, height)) height += kStep;
+  while (height < kHighest && !hasRoom(height)) height += kStep;
   const std::string given = fmt::format("{}x{}", style_.width, style_.height);
   if (height >= kHighest)
     throw InputError("", "--size", given + " is too narrow for strips over time");

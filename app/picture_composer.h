@@ -52,7 +52,6 @@ class PictureComposer {
   DiagramOptions optionsFor(int height, float leastText) const;
   float stripText(const DiagramSheet& strips, int height) const;
   void checkStrips(const Scene& scene) const;
-  bool haveRoom(const DiagramSheet& strips, int height) const;
   DiagramSheet curveWithMarker(const Frame& frame) const;
 
   PictureStyle style_;

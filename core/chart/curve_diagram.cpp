@@ -88,7 +88,7 @@ DiagramSeries pinnedSeries(const NamedCurve& curve, CurveAxes axes) {
   series.id = curve.id;
   series.colour = colourOfPin(curve.place);
   const int turn = curve.place / kPinColours;
-  series.mark = marks[static_cast<std::size_t>(curve.place + turn) % marks.size()];
+  series.mark = marks[static_cast<std::size_t>(curve.place + 2 * turn) % marks.size()];
   if (turn % 2 == 1) series.stroke = SeriesStroke::Dashed;
   return series;
 }
@@ -215,9 +215,6 @@ Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& along) {
     if (point.y < axis.from || point.y > axis.to)
       beyond.points.push_back({point.x, std::clamp(point.y, axis.from, axis.to), kNotApplicable,
                                kNotApplicable, point.row});
-  std::erase_if(series.points, [&](const DiagramPoint& point) {
-    return point.y < axis.from || point.y > axis.to;
-  });
   diagram.series = {std::move(zero), std::move(series)};
   if (!beyond.points.empty()) diagram.series.push_back(std::move(beyond));
   return diagram;

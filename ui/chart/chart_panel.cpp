@@ -26,7 +26,7 @@ namespace {
 constexpr double kUnderDepth = 1.5, kOverDepth = 3.5;
 
 constexpr double kMarkSize = 8, kSmallestMark = 3;  // pixels across, times the scale
-constexpr double kTheory = 1.6, kCurve = 1.6, kBar = 1.3;
+constexpr double kTheory = 2, kCurve = 1.6, kBar = 1.3;
 constexpr double kCap = 3.5;   // half the width of an error bar's caps
 constexpr double kAside = 4;   // pixels between a shade's edges and its name
 constexpr double kLeft = 6;    // from the edge to a title at the left
@@ -427,7 +427,8 @@ void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const Ch
 void ChartPanel::lookAt(QCategoryAxis& axis, const ChartLook& look) {
   if (axis.labelsFont() != look.font) axis.setLabelsFont(look.font);
   if (axis.labelsColor() != look.text()) axis.setLabelsColor(look.text());
-  const QPen pen = look.showsFocus ? QPen(look.marker(), 2) : QPen(look.axis(), 1);
+  const QColor focus = colourOf(seriesColour(0, look.theme));
+  const QPen pen = look.showsFocus ? QPen(focus, 2) : QPen(look.axis(), 1);
   if (axis.linePen() != pen) axis.setLinePen(pen);
 }
 

@@ -331,6 +331,13 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   return lowest / sizesFor(sheet, options).tick;
 }
 
+DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options) {
+  constexpr float kGood = 3;  // heights of a number
+  if (sheet.diagrams.size() > 1 && lowestFrame(sheet, options) < kGood) sheet.diagrams.pop_back();
+  if (lowestFrame(sheet, options) < kGood) sheet.note.clear();
+  return sheet;
+}
+
 float leftOfFrames(const DiagramSheet& english, const DiagramOptions& options) {
   const DiagramSheet sheet = prepared(english);
   DrawList list = emptyList(options);

@@ -39,6 +39,10 @@ int heightForAll(const DiagramSheet& sheet, const DiagramOptions& options);
 /// no room and would be left out.
 float lowestFrame(const DiagramSheet& sheet, const DiagramOptions& options);
 
+/// The sheet without its last diagram, then without its note, where they would leave the others
+/// too low to be read with ease.
+DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options);
+
 /// Pixels, where the leftmost frame begins.
 float leftOfFrames(const DiagramSheet& sheet, const DiagramOptions& options);
 

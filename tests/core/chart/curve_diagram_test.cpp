@@ -97,7 +97,7 @@ TEST(CurveDiagram, ADifferenceBeyondItsAxisIsATriangle) {
   const Diagram below = curveSheet(set).diagrams[1];
   EXPECT_EQ(below.y.to, 200);
   ASSERT_EQ(below.series.size(), 3U);
-  EXPECT_EQ(below.series[1].points.size(), 1U);
+  EXPECT_EQ(below.series[1].points.size(), 2U);
   ASSERT_EQ(below.series[2].points.size(), 1U);
   EXPECT_EQ(below.series[2].mark, SeriesMark::Triangle);
   EXPECT_EQ(below.series[2].points[0].y, 200);
@@ -147,8 +147,8 @@ TEST(CurveDiagram, ADifferenceStandsBelowOverTheSameAxis) {
   EXPECT_EQ(below.x.to, above.x.to);
   EXPECT_GT(above.x.to, scene.sweep.velocityTo);
   EXPECT_EQ(below.y.unit, "%");
-  EXPECT_EQ(below.series.back().points.size(), set.difference->points.size());
-  const DiagramPoint& drawn = below.series.back().points[2];
+  EXPECT_EQ(below.series[1].points.size(), set.difference->points.size());
+  const DiagramPoint& drawn = below.series[1].points[2];
   const DifferencePoint& computed = set.difference->points[2];
   EXPECT_NEAR(drawn.y, 100 * computed.relative, 1e-12);
   EXPECT_NEAR(drawn.high - drawn.y, 100 * computed.standardError, 1e-9);

@@ -313,10 +313,11 @@ TEST(DiagramTexts, OfStripsKeepUnitsAndPowersOfTenAtAnySize) {
       for (const int width : {300, 320, 420, 500, 640, 1016, 1280})
         for (const int height : {150, 161, 184, 240, 331, 460, 700})
           for (const float text : {0.5F, 0.6F, 0.8F}) {
-            const DiagramSheet sheet = transientSheet(scene, samples, 4e-6, 0.02);
-            DiagramOptions options{static_cast<int>(static_cast<float>(width) * scale),
-                                   static_cast<int>(static_cast<float>(height) * scale), scale,
-                                   lightTheme(), text};
+            const DiagramOptions options{static_cast<int>(static_cast<float>(width) * scale),
+                                         static_cast<int>(static_cast<float>(height) * scale),
+                                         scale, lightTheme(), text};
+            const DiagramSheet sheet =
+                withoutCrowding(transientSheet(scene, samples, 4e-6, 0.02), options);
             if (lowestFrame(sheet, options) < 2) continue;
             ++shown;
             const DrawList list = composeDiagrams(sheet, options);

@@ -298,7 +298,7 @@ TEST(FrictionChartTest, OneLineIsNoMean) {
   FrictionChart diagram;
   Scene sine;
   sine.surface.kind = SurfaceKind::Sine;
-  CurveUpdate curve = update(sine, {point(1, 1e-3)}, 1);
+  CurveUpdate curve = update(sine, {point(1, 1e-3, kNotApplicable, 1)}, 1);
   curve.realizationsTotal = 1;
   diagram.take(curve);
   diagram.mark(frame(sine, 1e-3));

@@ -206,7 +206,7 @@ TEST_F(CurveCommandsTest, ASettingChosenInTheAccuracyPanelIsComparedBelowTheCurv
   EXPECT_NE(strip().points[2].y, shown.y);
   ASSERT_TRUE(waitFor([&] {
     return plot().sheet().diagrams.size() == 2 &&
-           plot().sheet().diagrams[1].series[1].points == strip().points;
+           plot().sheet().diagrams[1].series.at(1).points == strip().points;
   }));
 
   control<QCheckBox>("comparisonWanted").setChecked(false);
