@@ -189,7 +189,7 @@ Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& along) {
   Diagram diagram;
   diagram.height = kDifferenceHeight;
   diagram.x = along;
-  diagram.y = {"difference", "%", AxisScale::Linear};
+  diagram.y = {"difference \u0394", "%", AxisScale::Linear};
   const double factor = factorsOf(set.present.points, set.axes).velocity;
   DiagramSeries series, zero;
   series.name = nameOf(set.difference->setting) + " minus the curve above";

@@ -2009,10 +2009,6 @@
         <translation>verglichene Linien</translation>
     </message>
     <message>
-        <source>position</source>
-        <translation>Ort</translation>
-    </message>
-    <message>
         <source>height above the undeformed surface</source>
         <translation>Höhe über der unverformten Oberfläche</translation>
     </message>

@@ -1839,8 +1839,8 @@
         <translation>normierte Reibungszahl μ / ∇z</translation>
     </message>
     <message>
-        <source>difference</source>
-        <translation>Unterschied</translation>
+        <source>difference Δ</source>
+        <translation>Unterschied Δ</translation>
     </message>
     <message>
         <source>Borders are read from this curve, not from theory.</source>

@@ -182,8 +182,13 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
     painter->setFont(look_.font);
     paintSpans(*painter);
-    paintShades(*painter);
+    for (const DiagramSpan& shade : shades_) {
+      painter->setOpacity(shade.isFaded ? kFadedOpacity : 1);
+      painter->fillRect(columnOf(shade), look_.shade());
+    }
+    painter->setOpacity(1);
     paintGrid(*painter);
+    paintShadeNames(*painter);
     paintTitles(*painter);
   }
 
@@ -219,13 +224,12 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     painter.setOpacity(1);
   }
 
-  void paintShades(QPainter& painter) const {
+  void paintShadeNames(QPainter& painter) const {
     const QFontMetricsF metrics(look_.font);
     for (const DiagramSpan& shade : shades_) {
       const QRectF box = columnOf(shade);
       const QString label = QString::fromStdString(shade.label);
       painter.setOpacity(shade.isFaded ? kFadedOpacity : 1);
-      painter.fillRect(box, look_.shade());
       constexpr int kFoot = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
       const QRectF room = box.adjusted(kAside, 0, -kAside, -kAside);
       if (!room.contains(metrics.boundingRect(room, kFoot, label))) continue;

@@ -166,6 +166,7 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
 std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes,
                                      OccupancyGrid& map, const DiagramSizes& sizes) {
   const float size = sizes.legend, air = 0.25F * size;
+  const Box inside = grown(map.area(), -7 * sizes.unit);  // clear of the ticks
   std::vector<PlacedLabel> placed;
   for (const DiagramLabel& label : diagram.labels) {
     const Place at = axes.place(label.x, label.y);
@@ -179,8 +180,8 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     if (out.lines.empty()) continue;
     width += 2 * air;
     const float height = kLine * size * static_cast<float>(out.lines.size());
-    const auto box = boxNear(heldInside(map.area(), at, width, height), width, height, map.area(),
-                             map, 0.6F * size, hasArrow ? 24 : 14);
+    const auto box = boxNear(heldInside(inside, at, width, height), width, height, inside, map,
+                             0.6F * size, hasArrow ? 24 : 14);
     if (!box) continue;
     out.box = *box;
     out.covers = map.greatestUnder(*box) > 0;

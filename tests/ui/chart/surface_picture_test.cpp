@@ -85,8 +85,12 @@ TEST(SurfacePicture, HasTheSpectrumOfTheWindow) {
   const DiagramSheet sheet = surfaceSheet(scene, source.make(0)), tab = spectrumSheet(scene);
   ASSERT_EQ(sheet.diagrams.size(), 2U);
   ASSERT_EQ(sheet.diagrams[1].series.size(), tab.diagrams[0].series.size());
-  for (std::size_t i = 0; i < tab.diagrams[0].series.size(); ++i)
-    EXPECT_EQ(sheet.diagrams[1].series[i].points, tab.diagrams[0].series[i].points);
+  for (std::size_t i = 0; i < tab.diagrams[0].series.size(); ++i) {
+    const auto &own = sheet.diagrams[1].series[i].points, &other = tab.diagrams[0].series[i].points;
+    ASSERT_EQ(own.size(), other.size());
+    for (std::size_t k = 0; k < own.size(); ++k)
+      EXPECT_TRUE(own[k].x == other[k].x && own[k].y == other[k].y) << k;
+  }
 }
 
 /// The longest polyline is the rigid line's edge.
