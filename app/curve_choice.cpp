@@ -17,6 +17,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/chart/curve_words.h"
+#include "core/friction/curve_file.h"
 #include "core/scene/effects.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
@@ -197,8 +198,9 @@ CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<Cur
     const Message words = differencesInWords(other, scene);
     Curve curve = computeCurve(other, common);
     requireTarget(curve);
-    set.pinned.push_back({words.empty() ? Message::name(Words::tr("same parameters")) : words,
-                          other, std::move(curve.points), static_cast<int>(set.pinned.size())});
+    set.pinned.push_back({words.empty() ? Message("same parameters") : words, other,
+                          std::move(curve.points), static_cast<int>(set.pinned.size()),
+                          static_cast<int>(set.pinned.size()) + 1});
   }
   if (choice.compare.empty()) return set;
   ProgressBar bar(Words::tr("lines compared"), common.quiet);
@@ -211,11 +213,10 @@ CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<Cur
 
 void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
   for (const NamedCurve& curve : set.pinned) {
+    const std::vector<CurvePoint>* const curves[] = {&curve.points};
+    const CurveTable table(curves);
     auto points = nlohmann::ordered_json::array();
-    for (const CurvePoint& point : curve.points)
-      points.push_back({{"velocity", point.velocity},
-                        {"mu", numberOr(point.mu)},
-                        {"mu_standard_error", numberOr(point.muStandardError)}});
+    for (const CurvePoint& point : curve.points) points.push_back(table.json(point));
     answer["with"].push_back({{"name", curve.name.english()}, {"points", std::move(points)}});
   }
   if (!set.difference) return;

@@ -10,14 +10,12 @@
 #include "core/run/transient_diagram.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_overlay.h"
+#include "ui/contact/contact_picture.h"
 #include "ui/draw/stroke_pattern.h"
 #include "ui/language/words.h"
 
 namespace asperity {
 namespace {
-
-// Told from the means, in front of which it may stand.
-constexpr int kPresentColour = 1;
 
 // Strips are low, which would make their texts small; where they are lower than so many heights of
 // a number, the texts make room for them all the same.
@@ -28,12 +26,6 @@ constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Co
                                                    {"curve", PictureLayout::Curve},
                                                    {"both", PictureLayout::Both},
                                                    {"transient", PictureLayout::Transient}}};
-
-DiagramSeries ringAround(DiagramSeries series) {
-  series.name = {};
-  series.mark = SeriesMark::Ring;
-  return series;
-}
 
 }  // namespace
 
@@ -72,20 +64,32 @@ PictureComposer::PictureComposer(const PictureStyle& style, PictureContent conte
 DrawList PictureComposer::compose(const Frame& frame) {
   const PictureLayout layout = content_.layout;
   if (layout == PictureLayout::Contact) return contact(frame, style_.height);
-  if (layout == PictureLayout::Curve) return diagram(curveWithPresent(frame), style_.height);
-  const int above = contactHeight();
-  if (layout == PictureLayout::Both) {
-    if (!below_ || frame.transient) {
-      DiagramSheet sheet = curveWithPresent(frame);
-      sheet.title = {};  // it stands above
-      below_ = diagram(sheet, style_.height - above);
-    }
+  if (layout == PictureLayout::Curve)
+    return composeDiagrams(curveWithMarker(frame), optionsFor(style_.height, 0));
+  const int above = contactHeight(), below = style_.height - above;
+  DiagramOptions options = optionsFor(below, 0);
+  options.above = FrameAbove{};
+  DiagramSheet sheet;
+  if (layout == PictureLayout::Transient) {
+    const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
+    sheet = withoutCrowding(transientSheet(*frame.scene, samples, frame.spacing, frame.length),
+                            optionsFor(below, kStripText));
+    options.leastText = stripText(sheet, below);
+  } else if (below_ && !frame.transient) {
     return stacked(contact(frame, above), *below_);
+  } else {
+    sheet = curveWithMarker(frame);
+    sheet.title = {};  // it stands above
+    options.above->unit = contactUnit(contactOptions(above));
   }
-  const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
-  const DiagramSheet strips = transientSheet(*frame.scene, samples, frame.spacing, frame.length);
-  const int below = style_.height - above;
-  return stacked(contact(frame, above), diagram(strips, below, stripText(strips, below)));
+  left_ = std::max(left_, leftOfFrames(sheet, options));
+  DrawList picture = contact(frame, above);
+  const Clip area = contactPlotArea(frame, contact_);
+  options.above->left = area.x;
+  options.above->right = area.x + area.width;
+  DrawList diagram = composeDiagrams(sheet, options);
+  if (layout == PictureLayout::Both) below_ = diagram;
+  return stacked(std::move(picture), std::move(diagram));
 }
 
 int PictureComposer::contactHeight() const {
@@ -103,8 +107,9 @@ float PictureComposer::stripText(const DiagramSheet& strips, int height) const {
 
 void PictureComposer::checkStrips(const Scene& scene) const {
   if (content_.layout != PictureLayout::Transient) return;
-  const DiagramSheet strips = transientSheet(scene, {}, 0, 0);
   const auto hasRoom = [&](int height) {
+    const DiagramSheet strips =
+        withoutCrowding(transientSheet(scene, {}, 0, 0), optionsFor(height, kStripText));
     return lowestFrame(strips, optionsFor(height, stripText(strips, height))) >= kLeastStrip;
   };
   int height = style_.height - contactHeight();
@@ -129,50 +134,33 @@ void PictureComposer::checkRoom(const Scene& scene) const {
   checkPanels(sheet, style_, layout == PictureLayout::Both ? contactHeight() : 0);
 }
 
-DrawList PictureComposer::contact(const Frame& frame, int height) {
+ContactPictureOptions PictureComposer::contactOptions(int height) const {
   ContactPictureOptions options;
   options.width = style_.width;
   options.height = height;
   options.scale = style_.scale;
   options.theme = style_.theme;
   options.overlay = content_.overlay;
+  options.leastLeft = left_;
+  return options;
+}
+
+DrawList PictureComposer::contact(const Frame& frame, int height) {
+  contact_ = contactOptions(height);
   view_ = fittedView(frame, view_);
-  options.view = *view_;
-  applyView(content_.view, frame, options);
-  return composeContact(frame, options);
+  contact_.view = *view_;
+  applyView(content_.view, frame, contact_);
+  return composeContact(frame, contact_);
 }
 
 DiagramOptions PictureComposer::optionsFor(int height, float leastText) const {
   return {style_.width, height, style_.scale, style_.theme, leastText};
 }
 
-DrawList PictureComposer::diagram(const DiagramSheet& sheet, int height, float leastText) const {
-  return composeDiagrams(sheet, optionsFor(height, leastText));
-}
-
-/// The curve and on it the line and the velocity of the frame, and the way that a motion came.
-DiagramSheet PictureComposer::curveWithPresent(const Frame& frame) const {
+/// The curve with the line and the velocity of the frame, and the way that a motion came.
+DiagramSheet PictureComposer::curveWithMarker(const Frame& frame) const {
   DiagramSheet sheet = curveSheet(content_.curves);
-  const auto [velocity, friction] = factorsOf(content_.curves.present.points, content_.curves.axes);
-  std::vector<DiagramSeries>& series = sheet.diagrams.front().series;
-  DiagramSeries present;
-  present.mark = SeriesMark::Diamond;
-  present.stroke = SeriesStroke::None;
-  present.colour = kPresentColour;
-  if (frame.transient) {
-    DiagramSeries trace;
-    trace.colour = kPresentColour;
-    for (const TransientSample& sample : *frame.transient)
-      trace.points.push_back({std::abs(sample.velocity) * velocity, sample.mu * friction});
-    present.name = Words::tr("the motion up to here");
-    if (!trace.points.empty()) present.points = {trace.points.back()};
-    series.push_back(std::move(trace));
-    series.push_back(ringAround(present));  // it may stand in the middle of the trace
-  } else {
-    present.name = Words::tr("the line shown, at its velocity");
-    present.points = {{frame.scene->sliding.velocity * velocity, frame.muSteady * friction}};
-  }
-  series.push_back(std::move(present));
+  sheet.diagrams.front().marker = markerOf(frame, content_.curves.axes);
   return sheet;
 }
 

@@ -11,6 +11,7 @@
 #include "core/chart/diagram.h"
 #include "core/run/frame.h"
 #include "ui/chart/diagram_picture.h"
+#include "ui/contact/contact_picture.h"
 
 namespace asperity {
 
@@ -46,15 +47,17 @@ class PictureComposer {
  private:
   int contactHeight() const;  // pixels, above a diagram
   DrawList contact(const Frame& frame, int height);
-  DrawList diagram(const DiagramSheet& sheet, int height, float leastText = 0) const;
+  ContactPictureOptions contactOptions(int height) const;
   DiagramOptions optionsFor(int height, float leastText) const;
   float stripText(const DiagramSheet& strips, int height) const;
   void checkStrips(const Scene& scene) const;
-  DiagramSheet curveWithPresent(const Frame& frame) const;
+  DiagramSheet curveWithMarker(const Frame& frame) const;
 
   PictureStyle style_;
   PictureContent content_;
   std::optional<ContactView> view_;
+  ContactPictureOptions contact_;  // of the last one
+  float left_ = 0;                 // pixels, where the frames of contact and diagram begin at least
   std::optional<DrawList> below_;  // the curve, which stands still in steady sliding
 };
 

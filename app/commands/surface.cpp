@@ -6,10 +6,11 @@
 #include "app/output.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/run/line_diagrams.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "core/surface/surface_file.h"
-#include "ui/contact/surface_picture.h"
+#include "ui/chart/diagram_picture.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
@@ -28,9 +29,11 @@ std::string summaryOf(const Line& line, const std::vector<std::string>& outputs)
   return text;
 }
 
-void writePicture(const std::string& output, const Scene& scene, const DrawList& list) {
+void writePicture(const std::string& output, const Scene& scene, const Line& line) {
+  constexpr int kWidth = 1280, kHeight = 800;
   HeadlessPictures pictures;
-  pictures.write(output, list, {translated(scene.title), pictureOrigin("surface", scene)});
+  pictures.write(output, composeDiagrams(surfaceSheet(scene, line), {kWidth, kHeight}),
+                 {translated(scene.title), pictureOrigin("surface", scene)});
   pictures.finish();
 }
 
@@ -40,8 +43,7 @@ void writeSurface(const std::string& output, const Scene& scene, const LineSourc
   if (extension == ".csv")
     writeFileAtomically(output, provenanceComment("surface", scene) + lineCsv(line));
   if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
-  if (extension == ".png")
-    writePicture(output, scene, composeSurface(scene, line, source.spectrum(0), {}));
+  if (extension == ".png") writePicture(output, scene, line);
 }
 
 }  // namespace

@@ -8,7 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/accuracy/compute_curve.h"
-#include "core/chart/few_summits.h"
+#include "core/accuracy/target_curve.h"
+#include "core/chart/curve_regions.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"

@@ -23,7 +23,7 @@ struct Explanation {
   Scene scene;
   std::string verb;  // "curve" or "render"
   std::vector<PlanStage> stages;
-  /// m/s, above which few summits carry the load (core/chart/few_summits.h); NaN: nowhere.
+  /// m/s, above which few summits carry the load (core/chart/curve_regions.h); NaN: nowhere.
   double fewSummitsVelocity = kNotApplicable;
   std::optional<Prediction> predicted{};
   std::optional<Measurement> measured{};

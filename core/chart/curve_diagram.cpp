@@ -9,14 +9,16 @@
 
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
-#include "core/chart/few_summits.h"
 #include "core/scene/effects.h"
 
 namespace asperity {
 namespace {
 
-constexpr double kSlim = 0.42;  // height of the difference, of the curves'
-constexpr double kAir = 1.3;    // factor between the outermost points and the frame
+constexpr double kDifferenceHeight = 0.42;  // of the curves' height
+constexpr double kAir = 1.3;                // factor between the outermost points and the frame
+constexpr double kLowestPercent = -100, kHighestPercent = 200;  // of the axis of a difference
+constexpr double kLeastPercent = 0.1;
+constexpr int kLawPoints = 160;
 
 /// Curves are of the deformation, also where local friction stands beside it.
 Message nameOfMean(const NamedCurve& curve) {
@@ -29,46 +31,102 @@ Message nameOfMean(const NamedCurve& curve) {
                 : message("mean of {} lines \u00B1 standard error", lines);
 }
 
-DiagramSeries seriesOf(const NamedCurve& curve, CurveAxes axes) {
-  const auto [velocity, friction] = factorsOf(curve.points, axes);
+/// A point on the axes, with its own factors: lines whose slopes differ have others at each
+/// velocity.
+DiagramPoint pointOf(const CurvePoint& point, CurveAxes axes, int row) {
+  if (axes == CurveAxes::Physical)
+    return {point.velocity, point.mu, point.mu - point.muStandardError,
+            point.mu + point.muStandardError, row};
+  const double error = point.muStandardError * point.normalizedMu / point.mu;
+  return {point.dimensionlessVelocity, point.normalizedMu, point.normalizedMu - error,
+          point.normalizedMu + error, row};
+}
+
+/// The points that are known, with error bars.
+DiagramSeries meanSeries(const NamedCurve& curve, CurveAxes axes) {
   DiagramSeries series;
-  for (const CurvePoint& point : curve.points) {
-    if (point.realizations < 1) continue;
-    const double mu = point.mu * friction, error = point.muStandardError * friction;
-    series.points.push_back({point.velocity * velocity, mu, mu - error, mu + error});
-  }
+  for (std::size_t i = 0; i < curve.points.size(); ++i)
+    if (curve.points[i].realizations > 0)
+      series.points.push_back(pointOf(curve.points[i], axes, static_cast<int>(i)));
   return series;
 }
 
-DiagramSeries lawOf(const NamedCurve& curve, CurveAxes axes) {
+/// Eq. (11) between two points of a curve, exactly: by it 1 / mu^2 is linear in 1 / v^2.
+double lawBetween(const CurvePoint& a, const CurvePoint& b, double velocity) {
+  const auto inverseSquare = [](double value) { return 1 / (value * value); };
+  const double start = inverseSquare(a.velocity), end = inverseSquare(b.velocity);
+  const double part = (inverseSquare(velocity) - start) / (end - start);
+  return 1 / std::sqrt(std::lerp(inverseSquare(a.muLaw), inverseSquare(b.muLaw), part));
+}
+
+/// Sampled more finely than the sweep, where the law would have corners.
+DiagramSeries lawSeries(const NamedCurve& curve, CurveAxes axes) {
   const auto [velocity, friction] = factorsOf(curve.points, axes);
   DiagramSeries law;
   law.name = "Eq. (11)";
   law.isTheory = true;
-  for (const CurvePoint& point : curve.points)
-    if (std::isfinite(point.muLaw))
-      law.points.push_back({point.velocity * velocity, point.muLaw * friction});
+  law.id = kLawCurve;
+  const CurvePoint* before = nullptr;
+  const int steps = std::max(1, kLawPoints / std::max(1, static_cast<int>(curve.points.size())));
+  for (const CurvePoint& point : curve.points) {
+    if (!std::isfinite(point.muLaw)) continue;
+    for (int k = 1; before && before->velocity != point.velocity && k < steps; ++k) {
+      const double between =
+          before->velocity * std::pow(point.velocity / before->velocity, double(k) / steps);
+      law.points.push_back({between * velocity, lawBetween(*before, point, between) * friction});
+    }
+    law.points.push_back({point.velocity * velocity, point.muLaw * friction});
+    before = &point;
+  }
   return law;
 }
 
+/// Pinned curves keep their look when others go; where colours repeat, mark and stroke are others.
 DiagramSeries pinnedSeries(const NamedCurve& curve, CurveAxes axes) {
   constexpr std::array marks{SeriesMark::Square, SeriesMark::Triangle, SeriesMark::Diamond};
-  DiagramSeries series = seriesOf(curve, axes);
+  DiagramSeries series = meanSeries(curve, axes);
   series.name = curve.name;
+  series.id = curve.id;
   series.colour = colourOfPin(curve.place);
-  // Another mark where colours repeat.
-  const int turn = curve.place + curve.place / kPinColours;
-  series.mark = marks[static_cast<std::size_t>(turn) % marks.size()];
+  const int turn = curve.place / kPinColours;
+  series.mark = marks[static_cast<std::size_t>(curve.place + 2 * turn) % marks.size()];
+  if (turn % 2 == 1) series.stroke = SeriesStroke::Dashed;
   return series;
 }
 
 void addRegions(Diagram& diagram, const NamedCurve& curve, CurveAxes axes) {
   const double factor = factorsOf(curve.points, axes).velocity;
   if (!std::isfinite(factor)) return;
-  for (const CurveRegion& region : regionsOfCurve(curve.scene, curve.points))
-    diagram.spans.push_back({region.from * factor, region.to * factor,
-                             message("{} {}", region.name, Message(wordOfRegion(region.name)))});
-  addFewSummits(diagram, fewSummitsOf(curve.scene, curve.points), factor);
+  const auto few = fewSummitsOf(curve.scene, curve.points);
+  for (const CurveRegion& region : regionsOfCurve(curve.scene, curve.points)) {
+    DiagramSpan span{region.from * factor, region.to * factor,
+                     message("{} {}", region.name, Message(wordOfRegion(region.name))),
+                     region.name};
+    span.notes = {sentenceOfRegion(region.name),
+                  "Borders are read from this curve, not from theory."};
+    if (few && region.name == "IV") span.notes.emplace_back(kFewSummitsSentence);
+    diagram.spans.push_back(std::move(span));
+  }
+  addFewSummits(diagram, few, factor);
+}
+
+bool isOnLogarithmicAxes(const DiagramPoint& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y) && point.x > 0 && point.y > 0;
+}
+
+/// Why none of the present curve's points is on the axes; empty where one is.
+Message blankOf(const NamedCurve& curve, CurveAxes axes) {
+  const auto isShown = [&](CurveAxes on) {
+    return std::ranges::any_of(meanSeries(curve, on).points, isOnLogarithmicAxes);
+  };
+  if (curve.points.empty() || isShown(axes)) return {};
+  if (std::ranges::all_of(curve.points, [](const CurvePoint& point) {
+        return point.realizations < 1 || point.mu == 0;
+      }))
+    return "no friction: nothing positive to show on a logarithmic axis";
+  if (axes == CurveAxes::Dimensionless && isShown(CurveAxes::Physical))
+    return "no dimensionless axes: they need a line with roughness and one relaxation time";
+  return "no positive coefficient of friction to show on a logarithmic axis";
 }
 
 Diagram curvesDiagram(const CurveSet& set) {
@@ -83,16 +141,18 @@ Diagram curvesDiagram(const CurveSet& set) {
   diagram.x.to = set.xTo;
   diagram.y.from = set.yFrom;
   diagram.y.to = set.yTo;
-  DiagramSeries law = lawOf(set.present, set.axes);
+  DiagramSeries law = lawSeries(set.present, set.axes);
   if (!law.points.empty()) diagram.series.push_back(std::move(law));
   for (const NamedCurve& curve : set.pinned)
     diagram.series.push_back(pinnedSeries(curve, set.axes));
-  DiagramSeries mean = seriesOf(set.present, set.axes);
+  DiagramSeries mean = meanSeries(set.present, set.axes);
   mean.name = nameOfMean(set.present);
   mean.mark = SeriesMark::Circle;
   mean.colour = 0;
+  mean.id = kPresentCurve;
   diagram.series.push_back(std::move(mean));
   addRegions(diagram, set.present, set.axes);
+  diagram.blank = blankOf(set.present, set.axes);
   return diagram;
 }
 
@@ -102,8 +162,7 @@ void fixAlong(Diagram& diagram) {
   double low = 0, high = 0;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points) {
-      if (!std::isfinite(point.x) || !std::isfinite(point.y) || point.x <= 0 || point.y <= 0)
-        continue;
+      if (!isOnLogarithmicAxes(point)) continue;
       low = high > 0 ? std::min(low, point.x) : point.x;
       high = std::max(high, point.x);
     }
@@ -112,24 +171,54 @@ void fixAlong(Diagram& diagram) {
   diagram.x.to = high * kAir;
 }
 
-/// In per cent, over the axis of the curves.
+/// Ends around all values and 0, held within what can be read.
+void fixDifferenceAxis(DiagramAxis& axis, const DiagramSeries& series) {
+  constexpr double kAround = 1.1, kBesideZero = 0.15;
+  double low = 0, high = 0;
+  for (const DiagramPoint& point : series.points) {
+    if (!std::isfinite(point.y)) continue;
+    low = std::min({low, point.y, std::isfinite(point.low) ? point.low : point.y});
+    high = std::max({high, point.y, std::isfinite(point.high) ? point.high : point.y});
+  }
+  const double least = kBesideZero * std::max({-low, high, kLeastPercent});
+  axis.from = std::max(-std::max(-kAround * low, least), kLowestPercent);
+  axis.to = std::min(std::max(kAround * high, least), kHighestPercent);
+}
+
+/// In per cent, over the axis of the curves. What lies beyond the axis stands at its end as a
+/// triangle.
 Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& along) {
   Diagram diagram;
-  diagram.height = kSlim;
+  diagram.height = kDifferenceHeight;
   diagram.x = along;
-  diagram.y = {"difference", "%", AxisScale::Linear};
+  diagram.y = {"difference \u0394", "%", AxisScale::Linear};
   const double factor = factorsOf(set.present.points, set.axes).velocity;
-  DiagramSeries series, none;
+  DiagramSeries series, zero;
   series.name = message("{} minus the curve above", nameOf(set.difference->setting));
   series.mark = SeriesMark::Diamond;
   series.colour = colourOfPin(kPinColours - 1);
-  none.isTheory = true;
-  for (const DifferencePoint& point : set.difference->points) {
+  series.id = kDifferenceCurve;
+  zero.isTheory = true;
+  for (std::size_t i = 0; i < set.difference->points.size(); ++i) {
+    const DifferencePoint& point = set.difference->points[i];
     const double value = 100 * point.relative, error = 100 * point.standardError;
-    series.points.push_back({point.velocity * factor, value, value - error, value + error});
-    none.points.push_back({point.velocity * factor, 0});
+    series.points.push_back(
+        {point.velocity * factor, value, value - error, value + error, static_cast<int>(i)});
+    zero.points.push_back({point.velocity * factor, 0});
   }
-  diagram.series = {std::move(none), std::move(series)};
+  fixDifferenceAxis(diagram.y, series);
+  DiagramSeries beyond = series;
+  beyond.name.clear();
+  beyond.mark = SeriesMark::Triangle;
+  beyond.stroke = SeriesStroke::None;
+  beyond.points.clear();
+  const DiagramAxis& axis = diagram.y;
+  for (const DiagramPoint& point : series.points)
+    if (point.y < axis.from || point.y > axis.to)
+      beyond.points.push_back({point.x, std::clamp(point.y, axis.from, axis.to), kNotApplicable,
+                               kNotApplicable, point.row});
+  diagram.series = {std::move(zero), std::move(series)};
+  if (!beyond.points.empty()) diagram.series.push_back(std::move(beyond));
   return diagram;
 }
 

@@ -1,12 +1,22 @@
 // Regions I to IV of a computed friction curve, for whoever draws one: decided from the curve
-// itself by the rule of regions.h, and only where the curve shows them. Pure; any thread.
+// itself by the rule of regions.h, and only where the curve shows them; and where few summits carry
+// the load, which is what region IV is. Pure; any thread.
+//
+// In fast sliding of Kelvin elements every contact is viscous and one-sided, p = 4 eta v |z'|, so
+// that F_N / (4 eta v) is the height which the contacts of one period climb together. Below about
+// a tenth of the rms height h the load rests on the last summits of the period, which are smooth
+// below the cut-off: the slope in contact falls, and friction with it (Li et al. 2013, Eq. 15). For
+// F_N over four decades friction has then lost 1 to 10 % of its plateau, and 30 % at a hundredth
+// of h. The border belongs to the finite period: at given F_N / L and h it moves with L.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/chart/diagram.h"
 #include "core/friction/curve_features.h"
 #include "core/friction/curve_point.h"
 #include "core/scene/scene.h"
@@ -23,5 +33,38 @@ std::string_view wordOfRegion(std::string_view name);
 
 /// What happens in the region and how its borders were found, one sentence each.
 std::string_view sentenceOfRegion(std::string_view name);
+
+struct VelocityRange {
+  double from = 0, to = 0;  // m/s
+};
+
+/// Part of the rms height that counts as few summits.
+inline constexpr double kFewSummits = 0.1;
+
+/// What the tint of a diagram says.
+inline constexpr const char* kFewSummitsSentence =
+    "Tinted: F\u2099/(4\u03B7v), the height that the contacts of one period climb together, is "
+    "below "
+    "0.1 h; the border moves with the period L.";
+
+/// F_N / (4 eta v) in m.
+double climbedHeight(double normalForce, double viscosity, double velocity);
+
+/// The velocity (m/s) above which F_N / (4 eta v) is below a tenth of the rms height (m). NaN where
+/// that says nothing: for elastic elements and those with arms, a constant indentation, lines that
+/// are not rough.
+double fewSummitsVelocity(const Scene& scene, double rmsHeight);
+
+/// The same for a computed curve, whose dimensionless columns hold the rms height of its lines.
+double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points);
+
+/// Where it is so between two velocities; nothing where it is nowhere so.
+std::optional<VelocityRange> fewSummitsWithin(double velocity, double first, double last);
+
+/// The same of all velocities of a curve.
+std::optional<VelocityRange> fewSummitsOf(const Scene& scene, std::span<const CurvePoint> points);
+
+/// Tints the diagram there, whose axis along is velocity times `factor`.
+void addFewSummits(Diagram& diagram, const std::optional<VelocityRange>& range, double factor = 1);
 
 }  // namespace asperity

@@ -11,8 +11,6 @@
 namespace asperity {
 namespace {
 
-constexpr double kSlopesDiffer = 1e-9;  // relative; less is rounding
-
 /// A text as one cell.
 std::string cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == text.npos) return text;
@@ -20,52 +18,6 @@ std::string cell(const std::string& text) {
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";
 }
-
-/// Rows of one table.
-class Rows {
- public:
-  explicit Rows(bool hasDifference) : hasDifference_(hasDifference) {
-    text_ = joinedColumns({"series", "velocity", "mu", "mu_standard_error",
-                           "dimensionless_velocity", "normalized_mu", "realizations"});
-    if (hasDifference)
-      text_ += "," + joinedColumns({"relative_difference", "relative_difference_standard_error"});
-    text_ += "\n";
-  }
-
-  void add(const std::string& series, double velocity, double mu, double error,
-           const AxesFactors& factors, std::int64_t realizations,
-           const DifferencePoint* difference = nullptr) {
-    if (!std::isfinite(mu)) return;
-    text_ += cell(series);
-    for (const double value :
-         {velocity, mu, error, velocity * factors.velocity, mu * factors.friction})
-      text_ += "," + csvNumber(value);
-    text_ += realizations > 0 ? fmt::format(",{}", realizations) : ",";
-    if (hasDifference_)
-      text_ += difference ? fmt::format(",{},{}", csvNumber(difference->relative),
-                                        csvNumber(difference->standardError))
-                          : ",,";
-    text_ += "\n";
-  }
-
-  void addCurve(const std::string& series, const NamedCurve& curve) {
-    const AxesFactors factors = factorsOf(curve.points, CurveAxes::Dimensionless);
-    for (const CurvePoint& point : curve.points) {
-      if (point.realizations == 0) continue;
-      AxesFactors own = factors;
-      // Lines that differ in their slope have another factor at each velocity.
-      const double ratio = point.normalizedMu / point.mu;
-      if (std::abs(ratio / factors.friction - 1) > kSlopesDiffer) own.friction = ratio;
-      add(series, point.velocity, point.mu, point.muStandardError, own, point.realizations);
-    }
-  }
-
-  std::string take() { return std::move(text_); }
-
- private:
-  bool hasDifference_;
-  std::string text_;
-};
 
 }  // namespace
 
@@ -82,24 +34,56 @@ AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes) {
 }
 
 int colourOfPin(int place) {
-  // Without the first two, which the present curve and its marker have.
-  constexpr std::array<int, kPinColours> order{2, 3, 6, 5, 4, 1};
+  // Without the first two, which the present curve and its marker have; those come last.
+  constexpr std::array<int, kPinColours> order{2, 3, 6, 5, 4, 7, 8, 1};
   return order[static_cast<std::size_t>(place % kPinColours)];
 }
 
 std::string curveSetCsv(const CurveSet& set) {
-  Rows rows(set.difference.has_value());
-  rows.addCurve("present", set.present);
-  const AxesFactors factors = factorsOf(set.present.points, CurveAxes::Dimensionless);
-  for (const CurvePoint& point : set.present.points)
-    rows.add("Eq. (11)", point.velocity, point.muLaw, kNotApplicable, factors, 0);
-  for (std::size_t i = 0; i < set.pinned.size(); ++i)
-    rows.addCurve(fmt::format("pinned {}: {}", i + 1, set.pinned[i].name.english()), set.pinned[i]);
+  std::vector<const std::vector<CurvePoint>*> curves{&set.present.points};
+  for (const NamedCurve& curve : set.pinned) curves.push_back(&curve.points);
+  const CurveTable table(curves);
+  std::string text = joinedColumns({"series"}) + "," + table.header();
   if (set.difference)
-    for (const DifferencePoint& point : set.difference->points)
-      rows.add("compared: " + nameOf(set.difference->setting).english(), point.velocity, point.mu,
-               point.muStandardError, factors, set.difference->setting.realizations, &point);
-  return rows.take();
+    text += "," + joinedColumns({"relative_difference", "relative_difference_standard_error"});
+  text += "\n";
+  const auto addRow = [&](const std::string& series, const CurvePoint& point,
+                          const DifferencePoint* difference = nullptr) {
+    if (!std::isfinite(point.mu)) return;
+    text += cell(series) + "," + table.row(point);
+    if (set.difference)
+      text += difference ? fmt::format(",{},{}", csvNumber(difference->relative),
+                                       csvNumber(difference->standardError))
+                         : ",,";
+    text += "\n";
+  };
+  const auto addCurve = [&](const std::string& series, const NamedCurve& curve) {
+    for (const CurvePoint& point : curve.points)
+      if (point.realizations > 0) addRow(series, point);
+  };
+  const std::string& title = set.present.scene.title;
+  addCurve(title.empty() ? "this scene" : title, set.present);
+  const AxesFactors factors = factorsOf(set.present.points, CurveAxes::Dimensionless);
+  const auto pointAt = [&](double velocity, double mu) {
+    CurvePoint point;
+    point.velocity = velocity;
+    point.mu = mu;
+    point.contactFraction = point.indentation = kNotApplicable;
+    point.dimensionlessVelocity = velocity * factors.velocity;
+    point.normalizedMu = mu * factors.friction;
+    return point;
+  };
+  for (const CurvePoint& point : set.present.points)
+    addRow("Eq. (11)", pointAt(point.velocity, point.muLaw));
+  for (const NamedCurve& curve : set.pinned) addCurve(curve.name.english(), curve);
+  if (!set.difference) return text;
+  for (const DifferencePoint& difference : set.difference->points) {
+    CurvePoint point = pointAt(difference.velocity, difference.mu);
+    point.muStandardError = difference.muStandardError;
+    point.realizations = set.difference->setting.realizations;
+    addRow(nameOf(set.difference->setting).english(), point, &difference);
+  }
+  return text;
 }
 
 }  // namespace asperity

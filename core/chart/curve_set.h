@@ -29,10 +29,11 @@ struct AxesFactors {
 AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes);
 
 struct NamedCurve {
-  Message name;  // "G = 20 MPa"; of the present curve empty
+  Message name;  // "G = 20 MPa": in what it differs; of the present curve empty
   Scene scene;
   std::vector<CurvePoint> points;
   int place = 0;  // among the pinned: decides colour and mark
+  int id = 1;     // of its series in a diagram; of pinned curves above 0
 };
 
 struct CurveSet {
@@ -45,11 +46,12 @@ struct CurveSet {
 };
 
 /// The palette's colour of a pinned curve; colours of different places differ up to kPinColours.
-inline constexpr int kPinColours = 6;
+inline constexpr int kPinColours = 8;
 int colourOfPin(int place);
 
-/// One row for each point of each curve: series, velocity, mu, mu_standard_error and the same on
-/// dimensionless axes; with a comparison its difference in two more columns.
+/// One row for each point of each curve: the series, all columns of a curve (curve_file.h), and
+/// with a comparison its difference in two more. A series is called what it is: the scene's title,
+/// in what a pinned scene differs, the setting that is compared with, "Eq. (11)".
 std::string curveSetCsv(const CurveSet& set);
 
 }  // namespace asperity

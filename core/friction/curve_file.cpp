@@ -50,13 +50,6 @@ constexpr std::array<ExtraColumn, 7> kExtraColumns{{
     {"marginal_share", [](const CurvePoint& point) { return point.marginalShare; }},
 }};
 
-std::vector<ExtraColumn> extraColumnsOf(const std::vector<CurvePoint>& points) {
-  std::vector<ExtraColumn> columns;
-  for (const ExtraColumn& column : kExtraColumns)
-    if (!points.empty() && std::isfinite(column.value(points.front()))) columns.push_back(column);
-  return columns;
-}
-
 constexpr ColumnName kNotes = "notes";
 
 bool hasNotes(const std::vector<CurvePoint>& points) {
@@ -84,7 +77,7 @@ std::string curveHeader() {
 std::string curveRow(const CurvePoint& point) {
   std::string text;
   for (const CurveColumn& column : kCurveColumns) text += csvNumber(point.*column.member) + ",";
-  return text + fmt::format("{}\n", point.realizations);
+  return text + (point.realizations > 0 ? fmt::format("{}\n", point.realizations) : "\n");
 }
 
 std::string notesOf(const CurvePoint& point) {
@@ -100,41 +93,54 @@ std::string notesOf(const CurvePoint& point) {
   return std::isgreater(std::abs(point.mu - damping), damping) ? "unresolved_friction" : "";
 }
 
-std::string curveCsv(const std::vector<CurvePoint>& points) {
-  const std::vector<ExtraColumn> extra = extraColumnsOf(points);
-  const bool withNotes = hasNotes(points);
+CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves) {
+  for (std::size_t i = 0; i < kExtraColumns.size(); ++i)
+    if (std::ranges::any_of(curves, [&](const std::vector<CurvePoint>* points) {
+          return !points->empty() && std::isfinite(kExtraColumns[i].value(points->front()));
+        }))
+      extra_.push_back(i);
+  for (const std::vector<CurvePoint>* points : curves) hasNotes_ = hasNotes_ || hasNotes(*points);
+}
+
+std::string CurveTable::header() const {
   std::string text = withoutLineEnd(curveHeader());
-  for (const ExtraColumn& column : extra) text += "," + column.name.text();
-  text += withNotes ? "," + kNotes.text() + "\n" : "\n";
-  for (const CurvePoint& point : points) {
-    text += withoutLineEnd(curveRow(point));
-    for (const ExtraColumn& column : extra) text += "," + csvNumber(column.value(point));
-    text += withNotes ? "," + notesOf(point) + "\n" : "\n";
-  }
+  for (const std::size_t i : extra_) text += "," + kExtraColumns[i].name.text();
+  return hasNotes_ ? text + "," + kNotes.text() : text;
+}
+
+std::string CurveTable::row(const CurvePoint& point) const {
+  std::string text = withoutLineEnd(curveRow(point));
+  for (const std::size_t i : extra_) text += "," + csvNumber(kExtraColumns[i].value(point));
+  return hasNotes_ ? text + "," + notesOf(point) : text;
+}
+
+nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
+  using Json = nlohmann::ordered_json;
+  const auto cell = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  Json row;
+  for (const CurveColumn& column : kCurveColumns)
+    row[column.name.text()] = cell(point.*column.member);
+  row[kRealizations.text()] = point.realizations;
+  for (const std::size_t i : extra_)
+    row[kExtraColumns[i].name.text()] = cell(kExtraColumns[i].value(point));
+  if (hasNotes_) row[kNotes.text()] = notesOf(point);
+  return row;
+}
+
+std::string curveCsv(const std::vector<CurvePoint>& points) {
+  const std::vector<CurvePoint>* const curves[] = {&points};
+  const CurveTable table(curves);
+  std::string text = table.header() + "\n";
+  for (const CurvePoint& point : points) text += table.row(point) + "\n";
   return text;
 }
 
 std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene) {
-  using Json = nlohmann::ordered_json;
-  const std::vector<ExtraColumn> extra = extraColumnsOf(points);
-  const bool withNotes = hasNotes(points);
-  Json rows = Json::array();
-  for (const CurvePoint& point : points) {
-    Json row;
-    for (const CurveColumn& column : kCurveColumns) {
-      const double value = point.*column.member;
-      row[column.name.text()] = std::isfinite(value) ? Json(value) : Json(nullptr);
-    }
-    row[kRealizations.text()] = point.realizations;
-    for (const ExtraColumn& column : extra) {
-      const double value = column.value(point);
-      row[column.name.text()] = std::isfinite(value) ? Json(value) : Json(nullptr);
-    }
-    if (withNotes) row[kNotes.text()] = notesOf(point);
-    rows.push_back(std::move(row));
-  }
-  Json root = provenance("curve", scene);
-  root["points"] = std::move(rows);
+  const std::vector<CurvePoint>* const curves[] = {&points};
+  const CurveTable table(curves);
+  nlohmann::ordered_json root = provenance("curve", scene);
+  root["points"] = nlohmann::ordered_json::array();
+  for (const CurvePoint& point : points) root["points"].push_back(table.json(point));
   return root.dump(2) + "\n";
 }
 

@@ -3,6 +3,9 @@
 // empty in CSV and null in JSON. Pure functions; equal curves give equal bytes.
 #pragma once
 
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +25,22 @@ std::string curveRow(const CurvePoint& point);
 /// does, which gives back what it takes: too few of the paper's elements carry the load, and mu is
 /// the error of their sum, with either sign.
 std::string notesOf(const CurvePoint& point);
+
+/// The columns of a table that may hold several curves: those of every curve, and further ones
+/// (local friction, an interval, notes, ...) where one of them needs them.
+class CurveTable {
+ public:
+  explicit CurveTable(std::span<const std::vector<CurvePoint>* const> curves);
+
+  /// Names and cells of one row, separated by commas, without a line end.
+  std::string header() const;
+  std::string row(const CurvePoint& point) const;
+  nlohmann::ordered_json json(const CurvePoint& point) const;
+
+ private:
+  std::vector<std::size_t> extra_;  // places in the list of further columns
+  bool hasNotes_ = false;
+};
 
 /// With a column of notes where a point has one.
 std::string curveCsv(const std::vector<CurvePoint>& points);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/chart/few_summits.h"
+#include "core/chart/curve_regions.h"
 #include "core/friction/curve_features.h"
 #include "core/friction/ensemble.h"
 #include "core/material/element_law.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/chart/few_summits.h"
+#include "core/chart/curve_regions.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/element_curves.h"

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/base/number_text.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
 
@@ -190,7 +191,88 @@ Diagram slopeDiagram(const SlopeStatistics& slopes) {
   return diagram;
 }
 
+/// The cubic with heights z0, z1 and slopes s0, s1 at the ends of an interval; t in [0, 1].
+double hermite(double z0, double z1, double s0, double s1, double interval, double t) {
+  const double r = 1 - t;
+  return r * r * ((1 + 2 * t) * z0 + t * interval * s0) +
+         t * t * ((1 + 2 * r) * z1 - r * interval * s1);
+}
+
+/// The rigid body over one period of its line.
+Diagram heightDiagram(const Line& line) {
+  constexpr std::size_t kPoints = 2000;
+  constexpr double kBelow = 0.08, kAbove = 0.2;  // of the range of heights
+  constexpr double kFlatHalfHeight = 1e-6;       // m, shown around a line without heights
+  Diagram diagram;
+  diagram.x = {"position", "m", AxisScale::Linear, 0, line.length};
+  diagram.y = {"height", "m", AxisScale::Linear};
+  const std::vector<LinePoint> points = sampledLine(line, kPoints);
+  if (points.empty()) return diagram;
+  auto [low, high] = std::ranges::minmax(points, {}, &LinePoint::height);
+  double from = low.height, to = high.height;
+  // A line without heights: rounding errors are not shown as if they were roughness.
+  if (!(to - from > 1e-9 * std::max(std::abs(from), std::abs(to)))) {
+    from -= kFlatHalfHeight;
+    to += kFlatHalfHeight;
+  }
+  diagram.y.from = from - kBelow * (to - from);
+  diagram.y.to = to + kAbove * (to - from);
+  DiagramSeries body{.name = "rigid body", .isBand = true, .isTheory = true};
+  for (const LinePoint& point : points)
+    body.points.push_back({point.x, point.height, point.height, diagram.y.to});
+  diagram.series = {std::move(body)};
+  return diagram;
+}
+
 }  // namespace
+
+std::vector<LinePoint> sampledLine(const Line& line, std::size_t atLeast) {
+  const std::size_t n = line.nodes();
+  std::vector<LinePoint> points;
+  if (n == 0) return points;
+  const bool smooth = line.slopeAfter.size() == n;
+  const std::size_t pieces = smooth ? std::max<std::size_t>(1, (atLeast + n - 1) / n) : 1;
+  points.reserve(n * pieces + 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = static_cast<double>(i) * line.spacing;
+    points.push_back({x, line.height[i]});
+    const std::size_t next = (i + 1) % n;
+    for (std::size_t k = 1; k < pieces; ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(pieces);
+      points.push_back(
+          {x + t * line.spacing, hermite(line.height[i], line.height[next], line.slopeAfter[i],
+                                         line.slopeLeftOf(next), line.spacing, t)});
+    }
+  }
+  points.push_back({line.length, line.height.front()});
+  return points;
+}
+
+DiagramSheet surfaceSheet(const Scene& scene, const Line& line) {
+  constexpr int kDigits = 4;
+  DiagramSheet sheet;
+  sheet.title = scene.title.empty() ? Message("Rigid line") : Message(scene.title);
+  const auto printed = [](std::string number) { return PrintedNumber{std::move(number)}; };
+  std::vector<Message> facts{
+      message("one period L = {}", printed(printedQuantity(line.length, "m", kDigits))),
+      message("rms height h = {}",
+              printed(printedQuantity(line.rmsHeight, "m", kDigits, Zeros::Keep))),
+      message("rms slope = {}", printed(printedNumber(line.rmsSlope, kDigits, Zeros::Keep)))};
+  if (scene.surface.kind == SurfaceKind::SelfAffine)
+    facts.push_back(
+        message("Hurst exponent H = {}", printed(printedNumber(scene.surface.hurst, kDigits))));
+  sheet.subtitle = listed(facts);
+  if (line.nodes() == 0 || !(line.length > 0)) return sheet;
+  sheet.diagrams = {heightDiagram(line)};
+  sheet.columns = 1;
+  const bool isFormula = LineSource(scene, 1).spectrum(0).coefficients.empty();
+  if (isFormula || !(line.rmsHeight > 0)) return sheet;
+  DiagramSheet spectrum = spectrumSheet(scene);
+  if (spectrum.diagrams[0].series.back().points.size() < 2) return sheet;
+  sheet.diagrams.push_back(std::move(spectrum.diagrams[0]));
+  sheet.note = std::move(spectrum.note);
+  return sheet;
+}
 
 SpectrumReading readSpectrum(const Scene& scene) {
   const LineSource source(scene, 1);

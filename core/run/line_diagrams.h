@@ -1,5 +1,6 @@
-// The rigid line in numbers, as diagrams: its spectrum with the Hurst exponent read back from it,
-// and how pressures and slopes are distributed where the bodies touch. Pure; any thread.
+// The rigid line in numbers, as diagrams: its heights, its spectrum with the Hurst exponent read
+// back from it, and how pressures and slopes are distributed where the bodies touch. Pure; any
+// thread.
 #pragma once
 
 #include <span>
@@ -9,6 +10,7 @@
 #include "core/friction/curve_features.h"
 #include "core/run/frame.h"
 #include "core/scene/scene.h"
+#include "core/surface/line.h"
 
 namespace asperity {
 
@@ -27,6 +29,20 @@ SpectrumReading readSpectrum(const Scene& scene);
 
 /// C(q), what was wanted and what was fitted, on logarithmic axes.
 DiagramSheet spectrumSheet(const Scene& scene);
+
+struct LinePoint {
+  double x = 0;       // m
+  double height = 0;  // m
+};
+
+/// One period from x = 0 to x = length, both included: every node, and between two nodes the cubic
+/// with the node's heights and slopes (corners stay corners), at equal distances, so that there are
+/// at least `atLeast` points. A line without slopes is straight between its nodes.
+std::vector<LinePoint> sampledLine(const Line& line, std::size_t atLeast);
+
+/// The line of a scene over one period with its statistics, and its spectrum below where it has one
+/// of its own and is not given by a formula.
+DiagramSheet surfaceSheet(const Scene& scene, const Line& line);
 
 /// Shares of the points in equal stretches of [from, to], of those inside.
 struct Histogram {

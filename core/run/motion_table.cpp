@@ -327,7 +327,8 @@ DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {
   sheet.diagrams.push_back(contactStrip(scene, table.drawn));
   sheet.title = scene.title;
   sheet.subtitle = parametersInWords(scene);
-  std::vector<Message> notes;
+  if (sheet.status.empty()) sheet.note = {};  // without a guide there is none to explain
+  std::vector<Message> notes{sheet.note};
   if (table.lines.size() > 1) notes.push_back(message("mean of {} lines", table.lines.size()));
   if (std::isfinite(table.muError))
     notes.push_back(message("band: estimated error of elements and time steps, {} in \u03BC",

@@ -1,14 +1,25 @@
 #include "core/run/transient_diagram.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/run/minimum_span.h"
+#include "core/base/number_text.h"
+#include "core/friction/law.h"
+#include "core/material/element_law.h"
 #include "core/scene/effects.h"
+#include "core/scene/motion.h"
 
 namespace asperity {
 namespace {
+
+constexpr double kFrictionFloor = 10;        // ripples, of which a strip then shows a third at most
+constexpr double kMost = 0.5;                // of the value
+constexpr double kAir = 0.12;                // of the range, on either side
+constexpr double kContactFloor = 0.2;        // of a contact fraction
+constexpr std::size_t kLongestTrace = 2000;  // samples of a motion
 
 Diagram strip(const Scene& scene, std::span<const TransientSample> samples, DiagramAxis up,
               double TransientSample::*member, double least) {
@@ -55,6 +66,24 @@ void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
   diagram.series.insert(diagram.series.begin(), std::move(band));
 }
 
+/// s, when the velocity last jumped before `now`; a start from rest jumps at 0. NaN: never.
+double newestJump(const Sliding& sliding, double now) {
+  const Motion motion(sliding);
+  if (sliding.kind == SlidingKind::Start) return 0;
+  const bool jumped = motion.jump() < motion.duration() && now > motion.jump();
+  return jumped && !motion.isSmooth() ? motion.jump() : kNotApplicable;
+}
+
+/// Whether a guide will be there at the end: then it is explained from the beginning.
+bool willRelax(const Scene& scene) {
+  return lawOf(scene.elastomer).kind() == ElementKind::Kelvin &&
+         std::isfinite(newestJump(scene.sliding, scene.sliding.duration));
+}
+
+bool isKnown(const TransientSample& sample) {
+  return std::isfinite(sample.mu) && std::isfinite(sample.predictedRate);
+}
+
 }  // namespace
 
 DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
@@ -71,14 +100,110 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
              AxisScale::Linear},
             &TransientSample::mu, floors.friction),
       strip(scene, samples, {"indentation d", "m", AxisScale::Linear},
-            &TransientSample::indentation, floors.indentation)};
+            &TransientSample::indentation, floors.indentation),
+      strip(scene, samples, {"contact length \u2113", "m", AxisScale::Linear},
+            &TransientSample::contactLength, floors.contactLength)};
   addErrorBand(sheet.diagrams[1], samples);
+  if (willRelax(scene))
+    sheet.note =
+        "dashed: relaxation at the predicted rate 1/\u03C4 + v/\u2113, exact for one contact, a "
+        "guide on rough lines";
+  DiagramSeries guide{.stroke = SeriesStroke::Dashed, .isTheory = true};
+  guide.points = relaxationGuide(scene.sliding, samples);
+  if (samples.empty()) sheet.status = "nothing has moved yet";
+  if (guide.points.size() < 2) return sheet;
+  sheet.status = message("predicted rate 1/\u03C4 + v/\u2113 = {} s\u207B\u00B9",
+                         PrintedNumber{printedNumber(samples.back().predictedRate, 3)});
+  sheet.diagrams[1].series.push_back(std::move(guide));
   return sheet;
 }
 
 Diagram contactStrip(const Scene& scene, std::span<const TransientSample> samples) {
   return strip(scene, samples, {"in contact", "", AxisScale::Linear},
-               &TransientSample::contactFraction, 0.2);
+               &TransientSample::contactFraction, kContactFloor);
+}
+
+AxesFactors factorsOf(const Frame& frame, CurveAxes axes) {
+  if (axes == CurveAxes::Physical) return {1, 1};
+  AxesFactors factors;
+  if (!(frame.rmsHeight > 0) || !(frame.rmsSlope > 0)) return factors;
+  factors.friction = 1 / frame.rmsSlope;
+  const ElementLaw law = lawOf(frame.scene->elastomer);
+  if (law.kind() != ElementKind::Kelvin) return factors;
+  LawInput in;
+  in.relaxationTime = law.relaxationTime;
+  in.rmsHeight = frame.rmsHeight;
+  in.rmsSlope = frame.rmsSlope;
+  in.velocity = 1;
+  factors.velocity = dimensionlessVelocity(in);
+  return factors;
+}
+
+DiagramMarker markerOf(const Frame& frame, CurveAxes axes) {
+  const AxesFactors factors = factorsOf(frame, axes);
+  DiagramMarker marker;
+  double velocity = frame.scene->sliding.velocity, mu = frame.muSteady;
+  Message label = message("v = {} m/s", PrintedNumber{printedNumber(velocity, 3)});
+  if (frame.transient) {
+    const std::vector<TransientSample>& samples = *frame.transient;
+    velocity = std::abs(samples.empty() ? frame.velocity : samples.back().velocity);
+    mu = samples.empty() ? kNotApplicable : samples.back().mu;
+    label = message("|v| = {} m/s", PrintedNumber{printedNumber(std::abs(frame.velocity), 3)});
+    marker.isFixed = true;
+    const std::size_t first = samples.size() > kLongestTrace ? samples.size() - kLongestTrace : 0;
+    for (std::size_t i = first; i < samples.size(); ++i)
+      marker.trace.push_back(
+          {std::abs(samples[i].velocity) * factors.velocity, samples[i].mu * factors.friction});
+  }
+  marker.name = marker.isFixed ? "this motion, now" : "this line, now";
+  marker.x = velocity * factors.velocity;
+  marker.y = mu * factors.friction;
+  marker.label = axes == CurveAxes::Physical
+                     ? label
+                     : message("v\u0304 = {}", PrintedNumber{printedNumber(marker.x, 3)});
+  return marker;
+}
+
+std::vector<DiagramPoint> relaxationGuide(const Sliding& sliding,
+                                          std::span<const TransientSample> samples) {
+  if (samples.empty() || !isKnown(samples.back())) return {};
+  const double jump = newestJump(sliding, samples.back().time);
+  const auto first = std::ranges::find_if(
+      samples, [&](const TransientSample& s) { return s.time > jump && isKnown(s); });
+  if (first == samples.end()) return {};
+  const double end = samples.back().mu;
+  double time = first->time, exponent = 0;
+  std::vector<DiagramPoint> guide;
+  for (auto sample = first; sample != samples.end() && isKnown(*sample); ++sample) {
+    exponent += sample->predictedRate * (sample->time - time);
+    time = sample->time;
+    guide.push_back({time, end + (first->mu - end) * std::exp(-exponent)});
+  }
+  return guide;
+}
+
+MinimumSpan minimumSpan(std::span<const TransientSample> samples, double spacing, double period) {
+  double length = 0, fraction = 0, count = 0;
+  for (const TransientSample& sample : samples) {
+    if (!(sample.contactLength > 0)) continue;
+    length += sample.contactLength;
+    fraction += sample.contactFraction;
+    ++count;
+  }
+  if (!(count > 0) || !(spacing > 0)) return {};
+  length /= count;
+  const double contacts = std::max(1.0, fraction / count * period / length);
+  const double ripple = spacing / length / std::sqrt(contacts);
+  const double floor = std::min(kFrictionFloor * ripple, kMost);
+  return {floor, std::min(ripple, kMost), floor};
+}
+
+AxisEnds axisEnds(double low, double high, double least) {
+  const double middle = 0.5 * (low + high);
+  const double size = std::max(high - low, least * std::abs(middle));
+  if (!(size > 0)) return {middle - 1, middle + 1};
+  const double half = (0.5 + kAir) * size;
+  return {middle - half, middle + half};
 }
 
 }  // namespace asperity

@@ -937,6 +937,7 @@
     </message>
 </context>
 <context>
+<<<<<<< HEAD
     <name>asperity::FigurePages</name>
     <message>
         <source>All figures</source>
@@ -1104,6 +1105,9 @@
         <source>same parameters</source>
         <translation>gleiche Parameter</translation>
     </message>
+=======
+    <name>asperity::FrictionChart</name>
+>>>>>>> wchart
     <message>
         <source>v = %1 m/s</source>
         <translation>v = %1 m/s</translation>
@@ -1259,8 +1263,21 @@
 <context>
     <name>asperity::MainWindow</name>
     <message>
+<<<<<<< HEAD
         <source>Parameters</source>
         <translation>Parameter</translation>
+=======
+        <source>velocity, friction, indentation and contact length in time</source>
+        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
+    </message>
+    <message>
+        <source>More commands</source>
+        <translation>Weitere Befehle</translation>
+    </message>
+    <message>
+        <source>This is the scene before; the changed one is being computed</source>
+        <translation>Dies ist die Szene davor; die geänderte wird noch berechnet</translation>
+>>>>>>> wchart
     </message>
     <message>
         <source>close</source>
@@ -1612,9 +1629,9 @@
     </message>
 </context>
 <context>
-    <name>asperity::PlotLegend</name>
+    <name>asperity::ChartLegend</name>
     <message>
-        <source>legend of the plot</source>
+        <source>legend of the chart</source>
         <translation>Legende des Diagramms</translation>
     </message>
     <message numerus="yes">
@@ -2043,33 +2060,6 @@
     </message>
 </context>
 <context>
-    <name>asperity::TransientStrips</name>
-    <message>
-        <source>friction, indentation and contact length in time</source>
-        <translation>Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
-    </message>
-    <message>
-        <source>nothing has moved yet</source>
-        <translation>noch hat sich nichts bewegt</translation>
-    </message>
-    <message>
-        <source>predicted rate 1/τ + v/ℓ = %1 (exact for one contact, a guide on rough lines)</source>
-        <translation>vorhergesagte Rate 1/τ + v/ℓ = %1 (exakt für einen Kontakt, ein Anhalt auf rauen Linien)</translation>
-    </message>
-    <message>
-        <source>friction μ</source>
-        <translation>Reibungszahl μ</translation>
-    </message>
-    <message>
-        <source>indentation d</source>
-        <translation>Eindringung d</translation>
-    </message>
-    <message>
-        <source>contact length ℓ</source>
-        <translation>Kontaktlänge ℓ</translation>
-    </message>
-</context>
-<context>
     <name>asperity::ViewActionText</name>
     <message>
         <source>Zoom in</source>
@@ -2194,8 +2184,17 @@
 <context>
     <name>asperity::Words</name>
     <message>
+<<<<<<< HEAD
         <source>and %1 more</source>
         <translation>und %1 weitere</translation>
+=======
+        <source>undecided</source>
+        <translation>unentschieden</translation>
+    </message>
+    <message>
+        <source>lines compared</source>
+        <translation>verglichene Linien</translation>
+>>>>>>> wchart
     </message>
     <message>
         <source>height above the undeformed surface</source>
@@ -2338,6 +2337,21 @@
         <translation>Elastomer: %1</translation>
     </message>
     <message>
+<<<<<<< HEAD
+=======
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>, arrow %1×</source>
+        <translation>, Pfeil %1×</translation>
+    </message>
+    <message>
+>>>>>>> wchart
         <source>time since contact</source>
         <translation>Zeit seit dem Kontakt</translation>
     </message>
@@ -2486,6 +2500,7 @@
         <translation>Realisierungen</translation>
     </message>
     <message>
+<<<<<<< HEAD
         <source>same parameters</source>
         <translation>gleiche Parameter</translation>
     </message>
@@ -2500,6 +2515,10 @@
     <message>
         <source>the line shown, at its velocity</source>
         <translation>die gezeigte Linie bei ihrer Geschwindigkeit</translation>
+=======
+        <source>μ of the interface</source>
+        <translation>μ der Grenzfläche</translation>
+>>>>>>> wchart
     </message>
     <message>
         <source>%1 of %2</source>

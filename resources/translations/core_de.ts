@@ -2131,8 +2131,108 @@
         <translation>normierte Reibungszahl μ / ∇z</translation>
     </message>
     <message>
-        <source>difference</source>
-        <translation>Unterschied</translation>
+        <source>difference Δ</source>
+        <translation>Unterschied Δ</translation>
+    </message>
+    <message>
+        <source>Borders are read from this curve, not from theory.</source>
+        <translation>Die Grenzen sind aus dieser Kurve abgelesen, nicht aus der Theorie.</translation>
+    </message>
+    <message>
+        <source>no friction: nothing positive to show on a logarithmic axis</source>
+        <translation>keine Reibung: nichts Positives für eine logarithmische Achse</translation>
+    </message>
+    <message>
+        <source>no positive coefficient of friction to show on a logarithmic axis</source>
+        <translation>keine positive Reibungszahl für eine logarithmische Achse</translation>
+    </message>
+    <message>
+        <source>no dimensionless axes: they need a line with roughness and one relaxation time</source>
+        <translation>keine dimensionslosen Achsen: Sie brauchen eine raue Linie und eine einzige Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>no curve yet</source>
+        <translation>noch keine Kurve</translation>
+    </message>
+    <message>
+        <source>curve of the scene before</source>
+        <translation>Kurve der vorigen Szene</translation>
+    </message>
+    <message>
+        <source>%1 of %2 realizations</source>
+        <translation>%1 von %2 Realisierungen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lines</source>
+        <translation>%1 von %2 Linien</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>this line, now</source>
+        <translation>diese Linie, jetzt</translation>
+    </message>
+    <message>
+        <source>this motion, now</source>
+        <translation>diese Bewegung, jetzt</translation>
+    </message>
+    <message>
+        <source>before the change</source>
+        <translation>vor der Änderung</translation>
+    </message>
+    <message>
+        <source>same parameters</source>
+        <translation>gleiche Parameter</translation>
+    </message>
+    <message>
+        <source>contact length ℓ</source>
+        <translation>Kontaktlänge ℓ</translation>
+    </message>
+    <message>
+        <source>nothing has moved yet</source>
+        <translation>noch hat sich nichts bewegt</translation>
+    </message>
+    <message>
+        <source>rigid body</source>
+        <translation>starrer Körper</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Rigid line</source>
+        <translation>Starre Linie</translation>
+    </message>
+    <message>
+        <source>one period L = %1</source>
+        <translation>eine Periode L = %1</translation>
+    </message>
+    <message>
+        <source>rms height h = %1</source>
+        <translation>RMS-Höhe h = %1</translation>
+    </message>
+    <message>
+        <source>rms slope = %1</source>
+        <translation>RMS-Steigung = %1</translation>
+    </message>
+    <message>
+        <source>Hurst exponent H = %1</source>
+        <translation>Hurst-Exponent H = %1</translation>
+    </message>
+    <message>
+        <source>predicted rate 1/τ + v/ℓ = %1 s⁻¹</source>
+        <translation>vorhergesagte Rate 1/τ + v/ℓ = %1 s⁻¹</translation>
+    </message>
+    <message>
+        <source>dashed: relaxation at the predicted rate 1/τ + v/ℓ, exact for one contact, a guide on rough lines</source>
+        <translation>gestrichelt: Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ, exakt für einen Kontakt, ein Anhalt auf rauen Linien</translation>
     </message>
     <message>
         <source>%1 lines</source>

@@ -179,14 +179,15 @@ TEST_F(ViewTest, ComparedCurvesAreInPictureAndTables) {
   EXPECT_THAT(read("c.svg"), AllOf(HasSubstr("linear x4, 5 lines"), HasSubstr("100 mN")));
   const std::string table = read("c.csv");
   EXPECT_THAT(table, AllOf(StartsWith("# asperity: "), HasSubstr("relative_difference"),
-                           HasSubstr("pinned 2: "), HasSubstr("compared: ")));
+                           HasSubstr("\n\"H = 0.5, F\u2099 = 1 N\","),
+                           HasSubstr("\n\"linear x4, 5 lines\",")));
   const Json answer = Json::parse(read("c.json"));
   EXPECT_EQ(answer["points"].size(), 5U);
   EXPECT_EQ(answer["with"].size(), 2U);
   EXPECT_EQ(answer["compared"]["points"].size(), 5U);
   // The same difference and error in every table.
   const Json& compared = answer["compared"]["points"][2];
-  const std::string row = table.substr(table.find("compared: "));
+  const std::string row = table.substr(table.find("\n\"linear x4, 5 lines\",") + 1);
   std::istringstream rows(row);
   std::string line;
   for (int k = 0; k < 3; ++k) std::getline(rows, line);

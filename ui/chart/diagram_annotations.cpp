@@ -16,22 +16,30 @@ constexpr float kTint = 0.1F;  // of a shade
 
 struct SpanBox {
   Box box;
-  std::string label;
+  std::string label, shortLabel;
 };
 
 /// A span's part of the frame; ends without a place on the axis are the frame's.
 std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const DiagramAxes& axes) {
-  const Box& box = axes.plot.box;
+  const Box& box = axes.box;
   std::vector<SpanBox> boxes;
   for (const DiagramSpan& span : spans) {
     const auto column = [&](double value, float otherwise) {
-      const double place = axisPlace(axes.along, value);
-      return std::isfinite(place) ? std::clamp(axes.plot.px(place), box.x, box.right()) : otherwise;
+      const double place = axisPlace(axes.along.scale, value);
+      return std::isfinite(place) ? std::clamp(axes.px(place), box.x, box.right()) : otherwise;
     };
     const float left = column(span.from, box.x), right = column(span.to, box.right());
-    boxes.push_back({{left, box.y, right - left, box.height}, span.label.text});
+    boxes.push_back({{left, box.y, right - left, box.height}, span.label.text, span.shortLabel});
   }
   return boxes;
+}
+
+/// The whole name, or the short one: never a part of one, unless a span has no short name.
+std::string labelWithin(const SpanBox& span, float size, float room) {
+  if (span.shortLabel.empty()) return elided(span.label.text, size, false, room);
+  for (const std::string& label : {span.label.text, span.shortLabel})
+    if (textWidth(label, size) <= room) return label;
+  return {};
 }
 
 /// Where the line from the middle of a box to a place outside leaves the box.
@@ -66,7 +74,8 @@ std::optional<Box> boxNear(const Place& at, float width, float height, const Box
       const Box box{at.x + away * std::cos(angle) - width / 2,
                     at.y + away * std::sin(angle) - height / 2, width, height};
       if (!isInside(area, box) || map.greatestUnder(box) >= kTaken) continue;
-      const float cost = 4 * map.under(box) + 0.05F * static_cast<float>(ring);
+      // Any way is shorter than covering something.
+      const float cost = 20 * map.under(box) + 0.05F * static_cast<float>(ring);
       if (!best || cost < least) {
         best = box;
         least = cost;
@@ -95,7 +104,8 @@ std::vector<std::string> linesOf(const std::string& text, float size, float widt
   return lines;
 }
 
-/// A shade's name at its foot, in as many lines as it needs there; none where it is too slim.
+/// A shade's name near its foot, in as many lines as it needs there; none where it is too slim or
+/// something would lie under it.
 std::optional<PlacedLabel> placeShade(const SpanBox& shade, OccupancyGrid& map,
                                       const DiagramSizes& sizes) {
   const float size = sizes.legend, air = 0.25F * size;
@@ -112,9 +122,8 @@ std::optional<PlacedLabel> placeShade(const SpanBox& shade, OccupancyGrid& map,
   const float height = kLine * size * static_cast<float>(out.lines.size());
   const Place foot{shade.box.x + shade.box.width / 2, shade.box.bottom() - height / 2 - 2 * air};
   const auto box = boxNear(foot, width, height, shade.box, map, 0.6F * size, 24);
-  if (!box) return std::nullopt;
+  if (!box || map.greatestUnder(*box) > 0) return std::nullopt;
   out.box = *box;
-  out.covers = map.greatestUnder(*box) > 0;
   map.addBox(grown(*box, air), kTaken);
   return out;
 }
@@ -132,7 +141,7 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
   const float strip = aboveFrame(diagram, sizes), size = sizes.tick;
   const float gap = 0.4F * size;
   DrawLayer layer;
-  float taken = axes.plot.box.x;  // names of overlapping regions share the strip
+  float taken = axes.box.x;  // names of overlapping regions share the strip
   bool shaded = true;
   for (const SpanBox& span : spanBoxes(diagram.spans, axes)) {
     if (!(span.box.width > 1)) continue;
@@ -140,7 +149,7 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
     if (shaded) addRectangle(layer, whole, withAlpha(theme.text, 0.055F));
     shaded = !shaded;
     const float left = std::max(whole.x, taken) + gap, room = whole.right() - gap - left;
-    const std::string label = elided(span.label, size, false, room);
+    const std::string label = labelWithin(span, size, room);
     if (label.empty()) continue;
     const float width = textWidth(label, size);
     const float centre = std::clamp(whole.x + whole.width / 2, left + width / 2,
@@ -157,6 +166,7 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
 std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes,
                                      OccupancyGrid& map, const DiagramSizes& sizes) {
   const float size = sizes.legend, air = 0.25F * size;
+  const Box inside = grown(map.area(), -7 * sizes.unit);  // clear of the ticks
   std::vector<PlacedLabel> placed;
   for (const DiagramLabel& label : diagram.labels) {
     const Place at = axes.place(label.x, label.y);
@@ -170,8 +180,8 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     if (out.lines.empty()) continue;
     width += 2 * air;
     const float height = kLine * size * static_cast<float>(out.lines.size());
-    const auto box = boxNear(heldInside(map.area(), at, width, height), width, height, map.area(),
-                             map, 0.6F * size, hasArrow ? 24 : 14);
+    const auto box = boxNear(heldInside(inside, at, width, height), width, height, inside, map,
+                             0.6F * size, hasArrow ? 24 : 14);
     if (!box) continue;
     out.box = *box;
     out.covers = map.greatestUnder(*box) > 0;

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "ui/draw/fonts.h"
-#include "ui/draw/log_ticks.h"
 #include "ui/draw/theme.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {
@@ -86,25 +86,40 @@ double barEnd(AxisScale scale, double end, double value) {
   return scale == AxisScale::Logarithmic ? std::max(place, value - 1) : place;
 }
 
-/// The places between the ticks of a linear axis as decimal logarithms.
-PictureAxis plainTicksOnLogarithmic(const DiagramAxis& axis, const AxisRange& range, int most) {
-  const AxisTicks ticks =
-      linearTicks(std::pow(10, range.from), std::pow(10, range.to), most, axis.unit);
-  PictureAxis plot{range.from, range.to, {}, titleWithUnit(axis.title.text, ticks.unit), {}, {}};
-  for (const Tick& tick : ticks.ticks)
-    if (tick.value > 0) plot.ticks.push_back({std::log10(tick.value), tick.label});
-  return plot;
+/// "position (mm)"; the name alone without a unit.
+std::string titleWithUnit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " (" + unit + ")";
 }
 
-PictureAxis logarithmic(const DiagramAxis& axis, const AxisRange& range, int most, float pixels,
-                        float unit) {
+TickedAxis linearAxis(const DiagramAxis& axis, const AxisRange& range, const AxisTicks& ticks) {
+  TickedAxis ticked{AxisScale::Linear,
+                    range,
+                    {},
+                    minorTicks(ticks, range.from, range.to),
+                    titleWithUnit(axis.title.text, ticks.unit)};
+  for (const Tick& tick : ticks.ticks) ticked.ticks.push_back({tick.value, tick.label});
+  return ticked;
+}
+
+/// Ticks at multiples of powers of ten; where that gives no two, those of a linear axis.
+TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int most, float pixels,
+                           float unit) {
+  TickedAxis ticked{
+      AxisScale::Logarithmic, range, {}, {}, titleWithUnit(axis.title.text, axis.unit)};
   const std::vector<LogTick> ticks = logTicks(range.from, range.to, most);
-  if (ticks.size() < 2) return plainTicksOnLogarithmic(axis, range, most);
-  PictureAxis plot =
-      logarithmicAxis(range.from, range.to, most, titleWithUnit(axis.title.text, axis.unit), {});
-  plot.minor =
-      minorLogTicks(range.from, range.to, ticks, pixels / (range.to - range.from), 3.0 * unit);
-  return plot;
+  for (const LogTick& tick : ticks) ticked.ticks.push_back({tick.decade, tick.label});
+  if (ticks.size() > 1) {
+    ticked.minor = minorLogTicks(range.from, range.to, ticks, pixels / range.size(), 3.0 * unit);
+    return ticked;
+  }
+  const AxisTicks linear =
+      linearTicks(std::pow(10, range.from), std::pow(10, range.to), most, axis.unit);
+  if (linear.ticks.size() <= ticks.size()) return ticked;
+  ticked.title = titleWithUnit(axis.title.text, linear.unit);
+  ticked.ticks.clear();
+  for (const Tick& tick : linear.ticks)
+    if (tick.value > 0) ticked.ticks.push_back({std::log10(tick.value), tick.label});
+  return ticked;
 }
 
 /// The symbol that ends a name, "v" of "velocity v"; empty where none does.
@@ -114,22 +129,17 @@ std::string symbolOf(const std::string& name) {
   return space != name.npos && name.size() - space - 1 <= kLongest ? name.substr(space + 1) : "";
 }
 
-struct TitleForm {
-  std::string text;
-  float size;
-};
-
 /// "velocity v (m/s)" in the largest size down to `least` that fits; then "v (m/s)" likewise; none
 /// where neither does.
-std::optional<TitleForm> saidInFull(const std::string& title, float size, float least,
-                                    float pixels) {
+std::optional<FittedTitle> saidInFull(const std::string& title, float size, float least,
+                                      float pixels) {
   const std::size_t unit = title.rfind(" (");
   const std::string symbol = symbolOf(title.substr(0, unit));
   std::vector<std::string> forms{title};
   if (!symbol.empty()) forms.push_back(symbol + (unit == title.npos ? "" : title.substr(unit)));
   for (const std::string& form : forms) {
     const float fitting = fittingSize(form, size, least, false, pixels);
-    if (textWidth(form, fitting) <= pixels) return TitleForm{form, fitting};
+    if (textWidth(form, fitting) <= pixels) return FittedTitle{form, fitting};
   }
   return std::nullopt;
 }
@@ -138,9 +148,53 @@ float leastTitle(float size) {
   return std::max(kLeastText, std::round(0.8F * size));
 }
 
-/// What fits: words go first, the unit with its power of ten never, as the numbers on the axis
-/// would be wrong without it.
-TitleForm fittedTitle(const std::string& title, float size, float pixels) {
+void addTitle(DrawList& list, const std::string& title, Place at, float size, float pixels,
+              TextAnchor anchor, const Rgba& colour, float angle) {
+  const FittedTitle form = fittedTitle(title, size, pixels);
+  addLabel(list, form.text, at, form.size, anchor, colour, angle);
+}
+
+float widestLabel(const TickedAxis& axis, float size) {
+  float widest = 0;
+  for (const AxisTick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
+  return widest;
+}
+
+void addTickMarks(DrawLayer& layer, const DiagramAxes& axes, const Rgba& colour, float width,
+                  float length) {
+  const Box& box = axes.box;
+  const auto along = [&](double value, float reach) {
+    const float x = axes.px(value);
+    addLine(layer, {{x, box.bottom()}, {x, box.bottom() - reach}}, width, colour);
+    addLine(layer, {{x, box.y}, {x, box.y + reach}}, width, colour);
+  };
+  const auto up = [&](double value, float reach) {
+    const float y = axes.py(value);
+    addLine(layer, {{box.x, y}, {box.x + reach, y}}, width, colour);
+    addLine(layer, {{box.right(), y}, {box.right() - reach, y}}, width, colour);
+  };
+  for (const AxisTick& tick : axes.along.ticks) along(tick.value, length);
+  for (const double value : axes.along.minor) along(value, length / 2);
+  for (const AxisTick& tick : axes.up.ticks) up(tick.value, length);
+  for (const double value : axes.up.minor) up(value, length / 2);
+}
+
+void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, float size) {
+  const Box& box = axes.box;
+  for (const AxisTick& tick : axes.along.ticks) {
+    const float half = textWidth(tick.label, size) / 2;
+    const float centre = std::min(axes.px(tick.value), static_cast<float>(list.width) - half - 2);
+    addLabel(list, tick.label, {centre, box.bottom() + 1.5F * size}, size, TextAnchor::Centre,
+             colour);
+  }
+  for (const AxisTick& tick : axes.up.ticks)
+    addLabel(list, tick.label, {box.x - 0.7F * size, axes.py(tick.value) + 0.36F * size}, size,
+             TextAnchor::Right, colour);
+}
+
+}  // namespace
+
+FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
   const float least = leastTitle(size);
   if (const auto whole = saidInFull(title, size, least, pixels)) return *whole;
   const std::size_t at = title.rfind(" (");
@@ -153,14 +207,6 @@ TitleForm fittedTitle(const std::string& title, float size, float pixels) {
   const std::string alone = unit.substr(1);
   return {alone, fittingSize(alone, size, kLeastText, false, pixels)};
 }
-
-void addTitle(DrawList& list, const std::string& title, Place at, float size, float pixels,
-              TextAnchor anchor, const Rgba& colour, float angle) {
-  const TitleForm form = fittedTitle(title, size, pixels);
-  addLabel(list, form.text, at, form.size, anchor, colour, angle);
-}
-
-}  // namespace
 
 double axisPlace(AxisScale scale, double value) {
   if (!std::isfinite(value)) return kNaN;
@@ -196,56 +242,64 @@ AxisRange rangeUp(const Diagram& diagram, const AxisRange& along) {
   return padded(diagram.y, data, theory, true);
 }
 
-PictureAxis diagramAxisAlong(const DiagramAxis& axis, const AxisRange& range, float pixels,
-                             const DiagramSizes& sizes) {
+TickedAxis tickedAlong(const DiagramAxis& axis, const AxisRange& range, float pixels,
+                       const DiagramSizes& sizes) {
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
-    return linearAxisAlong(range.from, range.to, pixels, size, axis.title.text, axis.unit);
+    return linearAxis(axis, range, roomyTicks(range.from, range.to, pixels, size, axis.unit));
   for (int most = std::clamp(static_cast<int>(pixels / (3.5F * size)), 2, 20);; --most) {
-    PictureAxis plot = logarithmic(axis, range, most, pixels, sizes.unit);
-    if (most <= 1 || plot.ticks.size() < 2) return plot;
+    TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
+    if (most <= 1 || ticked.ticks.size() < 2) return ticked;
     // Labels must not touch; unequal distances between multiples of a decade count.
     bool clear = true;
-    for (std::size_t i = 0; i + 1 < plot.ticks.size(); ++i) {
-      const double distance = (plot.ticks[i + 1].value - plot.ticks[i].value) /
-                              (range.to - range.from) * static_cast<double>(pixels);
+    for (std::size_t i = 0; i + 1 < ticked.ticks.size(); ++i) {
+      const double distance = (ticked.ticks[i + 1].value - ticked.ticks[i].value) / range.size() *
+                              static_cast<double>(pixels);
       const float both =
-          textWidth(plot.ticks[i].label, size) + textWidth(plot.ticks[i + 1].label, size);
+          textWidth(ticked.ticks[i].label, size) + textWidth(ticked.ticks[i + 1].label, size);
       clear = clear && distance > 0.5 * both + 0.8 * size;
     }
-    if (clear) return plot;
+    if (clear) return ticked;
   }
 }
 
-PictureAxis diagramAxisUp(const DiagramAxis& axis, const AxisRange& range, float pixels,
-                          const DiagramSizes& sizes) {
+TickedAxis tickedUp(const DiagramAxis& axis, const AxisRange& range, float pixels,
+                    const DiagramSizes& sizes) {
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
-    return linearAxisUp(range.from, range.to, pixels, size, axis.title.text, axis.unit);
+    return linearAxis(axis, range,
+                      ticksUp(range.from, range.to, pixels, 4 * size, size, axis.unit));
   for (int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16);; --most) {
-    PictureAxis plot = logarithmic(axis, range, most, pixels, sizes.unit);
-    if (most <= 1 || plot.ticks.size() < 2) return plot;
-    double least = plot.to - plot.from;
-    for (std::size_t i = 0; i + 1 < plot.ticks.size(); ++i)
-      least = std::min(least, plot.ticks[i + 1].value - plot.ticks[i].value);
-    if (least / (plot.to - plot.from) * static_cast<double>(pixels) > 1.5 * size) return plot;
+    TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
+    if (most <= 1 || ticked.ticks.size() < 2) return ticked;
+    double least = range.size();
+    for (std::size_t i = 0; i + 1 < ticked.ticks.size(); ++i)
+      least = std::min(least, ticked.ticks[i + 1].value - ticked.ticks[i].value);
+    if (least / range.size() * static_cast<double>(pixels) > 1.5 * size) return ticked;
   }
+}
+
+float DiagramAxes::px(double x) const {
+  return box.x + static_cast<float>((x - along.range.from) / along.range.size()) * box.width;
+}
+
+float DiagramAxes::py(double y) const {
+  return box.bottom() - static_cast<float>((y - up.range.from) / up.range.size()) * box.height;
 }
 
 Place DiagramAxes::place(double x, double y) const {
-  const double px = axisPlace(along, x), py = axisPlace(up, y);
-  if (!std::isfinite(px) || !std::isfinite(py))
+  const double right = axisPlace(along.scale, x), above = axisPlace(up.scale, y);
+  if (!std::isfinite(right) || !std::isfinite(above))
     return {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::quiet_NaN()};
   const auto held = [](float pixels) {
     return std::clamp(pixels, static_cast<float>(-kFarthest), static_cast<float>(kFarthest));
   };
-  return {held(plot.px(px)), held(plot.py(py))};
+  return {held(px(right)), held(py(above))};
 }
 
 float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
-  const PictureAxis& up = axes.plot.up;
-  const float title = up.title.empty() || axes.titleAbove ? 0 : 1.75F * sizes.axis;
-  return std::ceil(title + widestLabel(up, sizes.tick) + 0.7F * sizes.tick);
+  const float title = axes.up.title.empty() || axes.titleAbove ? 0 : 1.75F * sizes.axis;
+  return std::ceil(title + widestLabel(axes.up, sizes.tick) + 0.7F * sizes.tick);
 }
 
 float aboveAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
@@ -260,36 +314,52 @@ float belowAxes(const DiagramSizes& sizes) {
   return std::ceil(1.5F * sizes.tick + 2 * sizes.axis);
 }
 
+void addFrame(DrawLayer& layer, const Box& box, const Rgba& colour, float width) {
+  addLine(layer,
+          {{box.x, box.y},
+           {box.right(), box.y},
+           {box.right(), box.bottom()},
+           {box.x, box.bottom()},
+           {box.x, box.y}},
+          width, colour);
+}
+
 void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                     const Theme& theme) {
+  const Box& box = axes.box;
+  const float width = std::max(1.0F, std::round(sizes.unit));
   DrawLayer layer;
-  addGridLines(layer, axes.plot, theme, std::max(1.0F, std::round(sizes.unit)));
+  for (const AxisTick& tick : axes.up.ticks)
+    addLine(layer, {{box.x, axes.py(tick.value)}, {box.right(), axes.py(tick.value)}}, width,
+            theme.grid);
+  for (const AxisTick& tick : axes.along.ticks)
+    addLine(layer, {{axes.px(tick.value), box.y}, {axes.px(tick.value), box.bottom()}}, width,
+            theme.grid);
   list.layers.push_back(std::move(layer));
 }
 
 void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                      const Theme& theme, float above) {
-  const Box& box = axes.plot.box;
+  const Box& box = axes.box;
   const float width = std::max(1.0F, std::round(1.1F * sizes.unit));
   const Rgba colour = mix(theme.text, theme.axis, 0.35F);
   DrawLayer layer;
-  addTickMarks(layer, axes.plot, colour, width, std::round(6 * sizes.unit));
+  addTickMarks(layer, axes, colour, width, std::round(6 * sizes.unit));
   addFrame(layer, box, colour, width);
   list.layers.push_back(std::move(layer));
-  PlotAxes said = axes.plot;
+  DiagramAxes said = axes;
   if (!axes.saysAlong) said.along.ticks.clear();
   addTickLabels(list, said, theme.text, sizes.tick);
   if (axes.saysAlong)
     addTitle(
-        list, axes.plot.along.title,
+        list, axes.along.title,
         {box.x + box.width / 2, std::round(box.bottom() + 1.5F * sizes.tick + 1.5F * sizes.axis)},
         sizes.axis, box.width, TextAnchor::Centre, theme.text, 0);
   if (axes.titleAbove)
-    return addTitle(list, axes.plot.up.title,
-                    {box.x, std::round(box.y - above - 0.4F * sizes.axis)}, sizes.axis, box.width,
-                    TextAnchor::Left, theme.text, 0);
+    return addTitle(list, axes.up.title, {box.x, std::round(box.y - above - 0.4F * sizes.axis)},
+                    sizes.axis, box.width, TextAnchor::Left, theme.text, 0);
   const float left = box.x - leftOfAxes(axes, sizes);
-  addTitle(list, axes.plot.up.title, {std::round(left + 1.1F * sizes.axis), box.y + box.height / 2},
+  addTitle(list, axes.up.title, {std::round(left + 1.1F * sizes.axis), box.y + box.height / 2},
            sizes.axis, box.height, TextAnchor::Centre, theme.text, 1.57079633F);
 }
 

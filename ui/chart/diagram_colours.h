@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-inline constexpr int kDistinctColours = 7;
+inline constexpr int kDistinctColours = 9;
 
 /// The palette of Okabe and Ito (2008), which every colour vision tells apart, darkened or
 /// lightened where a colour would be too faint on the theme's background. Repeats after

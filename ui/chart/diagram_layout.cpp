@@ -100,6 +100,17 @@ bool hasCommonAxis(const DiagramSheet& sheet) {
 }
 
 DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) {
+  if (options.above && options.above->unit > 0) {
+    const float unit = options.above->unit, letters = fontSize(12 * unit);
+    return {unit,
+            fontSize(19 * unit),
+            fontSize(14 * unit),
+            fontSize(14 * unit),
+            letters,
+            letters,
+            letters,
+            letters};
+  }
   const float scale = options.scale > 0 ? options.scale : 1;
   const SheetGrid grid = gridFor(sheet);
   const float width = static_cast<float>(options.width) / static_cast<float>(grid.columns);

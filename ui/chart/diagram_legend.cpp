@@ -48,24 +48,13 @@ float rampHeight(const DiagramRamp& ramp, float size) {
   return (ramp.title.empty() ? 1 : 2) * kRow * size;
 }
 
-/// Of the entries in their columns.
-float entriesWidth(const Legend& legend) {
-  if (legend.entries.empty()) return 0;
-  const auto columns = static_cast<float>(legend.columns);
-  return columns * legend.columnWidth + (columns - 1) * kBetween * legend.size;
+float widthOf(const LegendEntry& entry, float size) {
+  return textWidth(entry.name, size) + (entry.hasSample ? (kSample + kGap) * size : 0);
 }
 
-void measure(Legend& legend) {
-  float names = 0;
-  for (const LegendEntry& entry : legend.entries)
-    names = std::max(names, textWidth(entry.name, legend.size) +
-                                (entry.hasSample ? 0 : -(kSample + kGap) * legend.size));
-  const std::size_t count = legend.entries.size();
-  const auto columns = static_cast<std::size_t>(legend.columns);
-  legend.rows = (count + columns - 1) / columns;
-  legend.columnWidth = (kSample + kGap) * legend.size + std::max(0.0F, names);
-  float width = entriesWidth(legend);
-  legend.height = static_cast<float>(legend.rows) * kRow * legend.size;
+/// The size of the whole, whose entries take so much.
+void enclose(Legend& legend, float width, std::size_t rows) {
+  legend.height = static_cast<float>(rows) * kRow * legend.size;
   if (legend.ramp) {
     width = std::max(width, rampWidth(*legend.ramp, legend.size));
     legend.height += rampHeight(*legend.ramp, legend.size);
@@ -74,13 +63,31 @@ void measure(Legend& legend) {
   legend.height = std::ceil(legend.height + 1.2F * kPad * legend.size);
 }
 
+/// Column by column, all equally wide.
+void measure(Legend& legend) {
+  float column = (kSample + kGap) * legend.size;
+  for (const LegendEntry& entry : legend.entries)
+    column = std::max(column, widthOf(entry, legend.size));
+  const auto columns = static_cast<std::size_t>(legend.columns);
+  const std::size_t rows = (legend.entries.size() + columns - 1) / columns;
+  for (std::size_t i = 0; i < legend.entries.size(); ++i)
+    legend.entries[i].place = {static_cast<float>(i / rows) * (column + kBetween * legend.size),
+                               static_cast<float>(i % rows) * kRow * legend.size};
+  const auto count = static_cast<float>(columns);
+  enclose(legend, rows > 0 ? count * column + (count - 1) * kBetween * legend.size : 0, rows);
+}
+
 /// Names cut to what one of so many columns has room for.
 void shortenNames(Legend& legend, float width) {
   const auto columns = static_cast<float>(legend.columns);
   const float column =
       (width - 2 * kPad * legend.size - (columns - 1) * kBetween * legend.size) / columns;
-  for (LegendEntry& entry : legend.entries)
-    entry.name = elided(entry.name, legend.size, false, column - (kSample + kGap) * legend.size);
+  for (LegendEntry& entry : legend.entries) {
+    std::string name =
+        elided(entry.name, legend.size, false, column - (kSample + kGap) * legend.size);
+    legend.isWhole = legend.isWhole && name == entry.name;
+    entry.name = std::move(name);
+  }
 }
 
 /// Only as many entries as the height has room for, and how many are missing.
@@ -162,6 +169,30 @@ Legend legendFor(const Diagram& diagram, const std::vector<SeriesStyle>& styles,
   return legend;
 }
 
+Legend legendOver(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
+                  float width) {
+  Legend legend;
+  legend.entries = entriesOf(diagram, styles);
+  legend.ramp = diagram.ramp;
+  legend.size = size;
+  const float room = width - 2 * kPad * size;
+  float x = 0, widest = 0;
+  std::size_t row = 0;
+  for (LegendEntry& entry : legend.entries) {
+    const float needed = widthOf(entry, size);
+    if (x > 0 && x + needed > room) {
+      x = 0;
+      ++row;
+    }
+    entry.place = {x, static_cast<float>(row) * kRow * size};
+    widest = std::max(widest, x + needed);
+    x += needed + kBetween * size;
+  }
+  enclose(legend, widest, legend.entries.empty() ? 0 : row + 1);
+  legend.isWhole = legend.width <= width;
+  return legend;
+}
+
 void addLegend(DrawList& list, const Legend& legend, const Box& box, bool framed,
                const DiagramSizes& sizes, const Theme& theme) {
   DrawLayer plate, lines, marks;
@@ -175,12 +206,9 @@ void addLegend(DrawList& list, const Legend& legend, const Box& box, bool framed
     addRamp(list, lines, *legend.ramp, {box.x + pad, top}, box.width - 2 * pad, size, theme);
     top += rampHeight(*legend.ramp, size);
   }
-  for (std::size_t i = 0; i < legend.entries.size(); ++i) {
-    const auto column = static_cast<float>(i / legend.rows);
-    const auto row = static_cast<float>(i % legend.rows);
-    const float x = box.x + pad + column * (legend.columnWidth + kBetween * size);
-    const float baseline = std::round(top + row * kRow * size + 1.1F * size);
-    const LegendEntry& entry = legend.entries[i];
+  for (const LegendEntry& entry : legend.entries) {
+    const float x = box.x + pad + entry.place.x;
+    const float baseline = std::round(top + entry.place.y + 1.1F * size);
     addSample(lines, marks, entry, {x, baseline - 0.36F * size}, size);
     const float left = x + (entry.hasSample ? (kSample + kGap) * size : 0);
     addLabel(list, entry.name, {left, baseline}, size, TextAnchor::Left,

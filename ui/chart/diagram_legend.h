@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/draw/occupancy_grid.h"
 #include "ui/chart/diagram_series.h"
+#include "ui/draw/occupancy_grid.h"
 
 namespace asperity {
 
@@ -14,18 +14,17 @@ struct LegendEntry {
   std::string name;
   SeriesStyle style;
   bool hasSample = true;
+  Place place{};  // of its row's upper left corner, from that of the first row
 };
 
 /// Measured and ready to be put somewhere; empty where there is nothing to say.
 struct Legend {
-  std::vector<LegendEntry> entries;  // column by column
+  std::vector<LegendEntry> entries;
   std::optional<DiagramRamp> ramp;
   float size = 12;  // of the font
   int columns = 1;
-  std::size_t rows = 0;   // of entries in a column
-  float columnWidth = 0;  // of entries, without padding
   float width = 0, height = 0;
-  bool isWhole = true;  // no entry is missing
+  bool isWhole = true;  // no entry is missing or shortened
   bool empty() const { return entries.empty() && !ramp; }
 };
 
@@ -33,6 +32,11 @@ struct Legend {
 /// the last one ("and 7 more").
 Legend legendFor(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
                  float width, float height);
+
+/// In rows that are filled one after the other, nothing shortened; not whole where one name is too
+/// long for this width.
+Legend legendOver(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
+                  float width);
 
 /// On a plate of the background's colour.
 void addLegend(DrawList& list, const Legend& legend, const Box& box, bool framed,

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ui/chart/diagram_annotations.h"
+#include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_legend.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/translated.h"
@@ -12,68 +13,65 @@
 namespace asperity {
 namespace {
 
-constexpr float kHidden = 0.015F;  // share of a legend's box that may hide something
+constexpr int kMarkerColour = 1;  // told from the present curve, which is the first
 
 /// One diagram of a sheet: first its parts find their places, then they are drawn.
 class Panel {
  public:
   /// `above`: pixels for the title and the names of regions, the same for all of a sheet.
   /// `saysAlong`: with labels and title of the axis along. `titleAbove`: the title of the axis up
-  /// stands over the frame.
+  /// stands over the frame. `isAligned`: alignTo() will be called.
   Panel(const Diagram& diagram, const Box& cell, float above, bool saysAlong, bool titleAbove,
-        const DiagramSizes& sizes, const Theme& theme)
-      : diagram_(diagram), cell_(cell), sizes_(sizes), theme_(theme) {
-    axes_.along = diagram.x.scale;
-    axes_.up = diagram.y.scale;
+        bool isAligned, const DiagramSizes& sizes, const Theme& theme)
+      : diagram_(diagram), cell_(cell), sizes_(sizes), theme_(theme), isAligned_(isAligned) {
     axes_.saysAlong = saysAlong;
     axes_.titleAbove = titleAbove;
-    axes_.plot.box.y = std::round(cell.y + above + aboveAxes(axes_, sizes));
-    const float below = saysAlong ? belowAxes(sizes) : 0;
-    axes_.plot.box.height = std::max(1.0F, std::floor(cell.bottom() - below - axes_.plot.box.y));
+    top_ = std::round(cell.y + above + aboveAxes(axes_, sizes));
+    bottom_ = std::max(top_ + 1, std::floor(cell.bottom() - (saysAlong ? belowAxes(sizes) : 0)));
     along_ = rangeAlong(diagram);
-    axes_.plot.up =
-        diagramAxisUp(diagram.y, rangeUp(diagram, along_), axes_.plot.box.height, sizes);
     arrange();
   }
 
-  /// Pixels that labels and title take at the left.
-  float left() const { return axes_.plot.box.x - cell_.x; }
+  const Box& frame() const { return axes_.box; }
 
-  /// The frame at this place along x, as wide as that of the others; the legend inside.
-  void alignTo(float left) {
+  /// The frame between these places along x, as those of others; the legend inside or above it.
+  void alignTo(float left, float right) {
     left_ = left;
-    place(0);
+    right_ = right;
+    arrange();
   }
 
-  float frameHeight() const { return axes_.plot.box.height; }
+  float frameHeight() const { return axes_.box.height; }
 
   /// Whether the title of the axis up can say what the axis is of.
   bool hasTitle() const {
-    return axes_.titleAbove || axes_.plot.up.title.empty() ||
-           fitsUpright(axes_.plot.up.title, axes_.plot.box.height, sizes_);
+    return axes_.titleAbove || axes_.up.title.empty() ||
+           fitsUpright(axes_.up.title, axes_.box.height, sizes_);
   }
 
   bool isReadable() const {
-    const Box& box = axes_.plot.box;
+    const Box& box = axes_.box;
     return box.width >= 4 * sizes_.tick && box.height >= 2 * sizes_.tick;
   }
   /// A name stands beside it, upright, and two ticks or more.
-  bool isComfortable() const { return isReadable() && axes_.plot.box.height >= 7 * sizes_.tick; }
+  bool isComfortable() const { return isReadable() && axes_.box.height >= 7 * sizes_.tick; }
 
   /// Nothing where the frame would be too small to read.
   void addTo(DrawList& list) const {
     if (!isReadable()) return;
-    const Box& box = axes_.plot.box;
+    const Box& box = axes_.box;
     addSpans(list, diagram_, axes_, sizes_, theme_);
     addDiagramGrid(list, axes_, sizes_, theme_);
     const float above = aboveFrame(diagram_, sizes_);
     addDiagramFrame(list, axes_, sizes_, theme_, above);  // marks at its edge lie over it
+    addMarkerLine(list);
     addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
+    addBlank(list);
     addLabels(list, labels_, sizes_, theme_);
     if (legendBox_.width > 0)
-      addLegend(list, legend_, legendBox_, legendBox_.right() <= box.right(), sizes_, theme_);
+      addLegend(list, legend_, legendBox_, isOver(legendBox_, box), sizes_, theme_);
     const float baseline =
-        std::round(box.y - above - aboveAxes(axes_, sizes_) - 0.55F * sizes_.panel);
+        std::round(top_ - above - aboveAxes(axes_, sizes_) - 0.55F * sizes_.panel);
     const float size =
         fittingSize(diagram_.title.text, sizes_.panel,
                     std::max(7.0F, std::round(0.8F * sizes_.panel)), true, cell_.right() - box.x);
@@ -82,33 +80,83 @@ class Panel {
   }
 
  private:
-  /// With the legend inside the frame where it hides next to nothing and is whole, otherwise at the
-  /// right of it where the frame can spare the room, otherwise where it hides least.
-  void arrange() {
-    place(0);
-    if (legend_.empty()) return;
-    const float inside = hidden_;
-    if (inside <= kHidden && legend_.isWhole) return;
-    const float gap = std::round(10 * sizes_.unit);
-    const Legend beside =
-        legendFor(diagram_, styles_, sizes_.legend, 0.36F * cell_.width, axes_.plot.box.height);
-    const bool gains = beside.isWhole && !legend_.isWhole;
-    const float least = gains ? 0.45F : 0.55F;  // of the width, for the frame
-    const bool spare = axes_.plot.box.width - beside.width - gap > least * cell_.width;
-    if (!gains && inside <= kHidden) return;
-    if (!spare && inside <= 0.25F) return;
-    place(beside.width + gap);
-    legend_ = beside;
-    legendBox_ = {cell_.right() - beside.width, axes_.plot.box.y, beside.width, beside.height};
+  static bool isOver(const Box& part, const Box& whole) {
+    return part.right() <= whole.right() && part.y >= whole.y;
   }
 
-  /// Everything, with so many pixels kept free at the right.
-  void place(float right) {
-    Box& box = axes_.plot.box;
-    box.x = std::round(cell_.x + std::max(left_, leftOfAxes(axes_, sizes_)));
+  /// Where the marker is, from the bottom to the top.
+  std::vector<Place> markerLine() const {
+    const Box& box = axes_.box;
+    const float x = axes_.px(axisPlace(axes_.along.scale, diagram_.marker->x));
+    return {{x, box.y}, {x, box.bottom()}};
+  }
+
+  void addMarkerLine(DrawList& list) const {
+    const Box& box = axes_.box;
+    if (!diagram_.marker) return;
+    const std::vector<Place> line = markerLine();
+    if (!(line[0].x >= box.x && line[0].x <= box.right())) return;
+    DrawLayer layer;
+    addLine(layer, line, 1.2F * sizes_.unit, seriesColour(kMarkerColour, theme_));
+    list.layers.push_back(std::move(layer));
+  }
+
+  /// Why nothing is to be seen.
+  void addBlank(DrawList& list) const {
+    const Box& box = axes_.box;
+    const float size = sizes_.legend;
+    if (diagram_.blank.empty()) return;
+    const std::vector<std::string> lines =
+        wrapped(diagram_.blank.text, size, false, 0.9F * box.width);
+    float baseline = box.y + box.height / 2 - 0.7F * size * static_cast<float>(lines.size());
+    for (const std::string& line : lines) {
+      baseline += 1.4F * size;
+      addLabel(list, line, {box.x + box.width / 2, std::round(baseline)}, size, TextAnchor::Centre,
+               theme_.text);
+    }
+  }
+
+  /// With the legend inside the frame where it hides nothing and is whole, otherwise at the right
+  /// of the frame or above it where the frame can spare the room, otherwise where it hides least.
+  void arrange() {
+    constexpr float kLeastWidth = 0.55F, kLeastHeight = 0.6F;  // of the frame, what is left of it
+    constexpr float kMuch = 0.25F;                             // share of a legend's box
+    place(0, 0);
+    if (legend_.empty() || (hidden_ <= 0 && legend_.isWhole)) return;
+    const Box frame = axes_.box;
+    const float gap = std::round(10 * sizes_.unit);
+    const Legend beside =
+        legendFor(diagram_, styles_, sizes_.legend, 0.36F * cell_.width, frame.height);
+    const float least = beside.isWhole && !legend_.isWhole ? 0.45F : kLeastWidth;
+    const bool sparesWidth = !isAligned_ && frame.width - beside.width - gap > least * cell_.width;
+    const Legend over = legendOver(diagram_, styles_, sizes_.legend, frame.width);
+    const float rest = frame.height - over.height;
+    const bool sparesHeight =
+        over.isWhole && rest > std::max(kLeastHeight * frame.height, 5 * sizes_.tick);
+    const bool prefersOver = sparesHeight && !(sparesWidth && beside.isWhole);
+    if (prefersOver) {
+      place(0, over.height);
+      legend_ = over;
+      const float above = aboveFrame(diagram_, sizes_) + aboveAxes(axes_, sizes_);
+      legendBox_ = {axes_.box.x, top_ - above, over.width, over.height};
+    } else if (sparesWidth || (!isAligned_ && hidden_ > kMuch)) {
+      place(beside.width + gap, 0);
+      legend_ = beside;
+      legendBox_ = {cell_.right() - beside.width, axes_.box.y, beside.width, beside.height};
+    }
+  }
+
+  /// Everything, with so many pixels kept free at the right, and above the frame.
+  void place(float right, float above) {
+    Box& box = axes_.box;
+    box.y = top_ + above;
+    box.height = std::max(1.0F, bottom_ - box.y);
+    axes_.up = tickedUp(diagram_.y, rangeUp(diagram_, along_), box.height, sizes_);
+    box.x = std::round(std::max(left_, cell_.x + leftOfAxes(axes_, sizes_)));
     const auto fit = [&](float overhang) {
-      box.width = std::max(1.0F, std::floor(cell_.right() - right - overhang - box.x));
-      axes_.plot.along = diagramAxisAlong(diagram_.x, along_, box.width, sizes_);
+      const float end = right_ > 0 ? right_ : cell_.right() - right - overhang;
+      box.width = std::max(1.0F, std::floor(end - box.x));
+      axes_.along = tickedAlong(diagram_.x, along_, box.width, sizes_);
     };
     fit(sizes_.tick);
     fit(overhang());
@@ -116,10 +164,11 @@ class Panel {
     legend_ = legendFor(diagram_, styles_, sizes_.legend, 0.7F * box.width, 0.7F * box.height);
     OccupancyGrid series(box, 4 * sizes_.unit);
     coverSeries(series, diagram_, styles_, axes_);
+    if (diagram_.marker) series.addLine(markerLine(), 1);
     OccupancyGrid map = series;
     labels_ = placeLabels(diagram_, axes_, map, sizes_);
     placeLegend(map);
-    if (hidden_ <= kHidden || labels_.empty()) return;
+    if (hidden_ <= 0 || labels_.empty()) return;
     // Labels can give way to the legend.
     const Panel before = *this;
     placeLegend(series);
@@ -141,10 +190,10 @@ class Panel {
 
   /// Of the last label beyond the frame.
   float overhang() const {
-    const Box& box = axes_.plot.box;
+    const Box& box = axes_.box;
     float most = 2 * sizes_.unit;
-    for (const PlotTick& tick : axes_.plot.along.ticks)
-      most = std::max(most, axes_.plot.px(tick.value) + textWidth(tick.label, sizes_.tick) / 2 -
+    for (const AxisTick& tick : axes_.along.ticks)
+      most = std::max(most, axes_.px(tick.value) + textWidth(tick.label, sizes_.tick) / 2 -
                                 box.right() + 2 * sizes_.unit);
     return most;
   }
@@ -158,9 +207,12 @@ class Panel {
   std::vector<SeriesStyle> styles_;
   std::vector<PlacedLabel> labels_;
   Legend legend_;
-  float left_ = 0;    // at least so many pixels left of the frame
-  Box legendBox_;     // no width: not shown
-  float hidden_ = 0;  // share of the legend's box that hides something
+  bool isAligned_;              // with the frames of other diagrams, or of a picture above
+  float top_ = 0, bottom_ = 1;  // of the frame where no legend is above it
+  float left_ = 0;              // where the frame begins at least
+  float right_ = 0;             // where the frame ends; 0: by itself
+  Box legendBox_;               // no width: not shown
+  float hidden_ = 0;            // share of the legend's box that hides something
 };
 
 /// Above the frames: titles and names of regions, the same height for all of the sheet, and some
@@ -191,16 +243,47 @@ std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sh
   const float above = aboveFrames(sheet, titlesAbove, sizes);
   std::vector<Panel> panels;
   const bool isCommon = hasCommonAxis(sheet);
+  const bool isStack = gridFor(sheet).columns == 1 && sheet.diagrams.size() > 1;
+  const bool isAligned = !sheet.diagrams.empty() && (isStack || options.above);
   for (std::size_t i = 0; i < sheet.diagrams.size(); ++i)
     panels.emplace_back(sheet.diagrams[i], cells[i], above,
-                        !isCommon || i + 1 == sheet.diagrams.size(), titlesAbove, sizes,
+                        !isCommon || i + 1 == sheet.diagrams.size(), titlesAbove, isAligned, sizes,
                         options.theme);
-  if (sheet.sharesAxis) {
-    float left = 0;
-    for (const Panel& panel : panels) left = std::max(left, panel.left());
-    for (Panel& panel : panels) panel.alignTo(left);
+  if (isAligned) {
+    float left = 0, right = static_cast<float>(options.width);
+    for (const Panel& panel : panels) {
+      left = std::max(left, panel.frame().x);
+      right = std::min(right, panel.frame().right());
+    }
+    if (options.above) left = std::max(left, options.above->left);
+    if (options.above && options.above->right > 0) right = options.above->right;
+    for (Panel& panel : panels) panel.alignTo(left, right);
   }
   return panels;
+}
+
+/// In the language in use, with markers as series: the way that one came, and a ring around its
+/// dot, which may stand in the middle of that way.
+DiagramSheet prepared(const DiagramSheet& english) {
+  DiagramSheet sheet = translated(english);
+  for (Diagram& diagram : sheet.diagrams) {
+    if (!diagram.marker) continue;
+    const DiagramMarker& marker = *diagram.marker;
+    DiagramSeries trace, dot;
+    trace.colour = dot.colour = kMarkerColour;
+    trace.points = marker.trace;
+    dot.name = marker.name;
+    dot.mark = SeriesMark::Circle;
+    dot.stroke = SeriesStroke::None;
+    dot.points = {{marker.x, marker.y}};
+    DiagramSeries ring = dot;
+    ring.name.clear();
+    ring.mark = SeriesMark::Ring;
+    if (!marker.label.empty()) diagram.labels.push_back({marker.label, marker.x, marker.y});
+    for (DiagramSeries* series : {&trace, &ring, &dot})
+      if (!series->points.empty()) diagram.series.push_back(std::move(*series));
+  }
+  return sheet;
 }
 
 /// The panels in their places; heading and note are put on `list`. Titles of the axes up stand
@@ -230,7 +313,7 @@ DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
 
 int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
   constexpr int kHighest = 20000;
-  const DiagramSheet sheet = translated(english);
+  const DiagramSheet sheet = prepared(english);
   DiagramOptions options = asked;
   for (; options.height <= kHighest; options.height += 10) {
     DrawList list = emptyList(options);
@@ -241,7 +324,7 @@ int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
 }
 
 float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
-  const DiagramSheet sheet = translated(english);
+  const DiagramSheet sheet = prepared(english);
   DrawList list = emptyList(options);
   float lowest = std::numeric_limits<float>::infinity();
   for (const Panel& panel : panelsOf(sheet, options, list))
@@ -249,8 +332,23 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   return lowest / sizesFor(sheet, options).tick;
 }
 
+DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options) {
+  constexpr float kGood = 3;  // heights of a number
+  if (sheet.diagrams.size() > 1 && lowestFrame(sheet, options) < kGood) sheet.diagrams.pop_back();
+  if (lowestFrame(sheet, options) < kGood) sheet.note = {};
+  return sheet;
+}
+
+float leftOfFrames(const DiagramSheet& english, const DiagramOptions& options) {
+  const DiagramSheet sheet = prepared(english);
+  DrawList list = emptyList(options);
+  float left = 0;
+  for (const Panel& panel : panelsOf(sheet, options, list)) left = std::max(left, panel.frame().x);
+  return left;
+}
+
 DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {
-  const DiagramSheet sheet = translated(english);
+  const DiagramSheet sheet = prepared(english);
   DiagramOptions options = asked;
   options.width = std::max(options.width, 1);
   options.height = std::max(options.height, 1);

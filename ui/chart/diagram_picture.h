@@ -3,11 +3,20 @@
 // functions of their arguments; the same picture on the screen, in PNG, SVG and PDF. Any thread.
 #pragma once
 
+#include <optional>
+
 #include "core/chart/diagram.h"
-#include "ui/draw/theme.h"
 #include "ui/draw/draw_list.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
+
+/// The frame of a picture that stands above: diagrams below it have the same edges, and letters of
+/// its unit. Pixels; 0: as the diagrams need by themselves.
+struct FrameAbove {
+  float left = 0, right = 0;
+  float unit = 0;
+};
 
 struct DiagramOptions {
   int width = 1200, height = 800;  // pixels
@@ -15,6 +24,7 @@ struct DiagramOptions {
   Theme theme = lightTheme();
   float leastText =
       0;  // texts keep this size (1: usual) where a low picture would make them smaller
+  std::optional<FrameAbove> above{};
 };
 
 /// A size fit for print: 2400 x 1600 pixels at scale 2 for one diagram, wider where there are
@@ -28,6 +38,13 @@ int heightForAll(const DiagramSheet& sheet, const DiagramOptions& options);
 /// The height of the lowest frame of all, in heights of the numbers beside it; 0 where a frame has
 /// no room and would be left out.
 float lowestFrame(const DiagramSheet& sheet, const DiagramOptions& options);
+
+/// The sheet without its last diagram, then without its note, where they would leave the others
+/// too low to be read with ease.
+DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options);
+
+/// Pixels, where the leftmost frame begins.
+float leftOfFrames(const DiagramSheet& sheet, const DiagramOptions& options);
 
 /// Every text on the picture and none over another, from 320 x 200 pixels on; what finds no place
 /// is shortened, then left out, units and powers of ten last. Never throws for what a sheet holds.

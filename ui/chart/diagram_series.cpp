@@ -5,7 +5,6 @@
 
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/marks.h"
-#include "ui/contact/smooth_line.h"
 #include "ui/draw/stroke_pattern.h"
 #include "ui/draw/theme.h"
 
@@ -18,6 +17,7 @@ constexpr float kMark = 7.2F, kSmallestMark = 3.6F, kRim = 0.8F;
 // In line widths.
 constexpr float kDash = 3.6F, kDashGap = 2.6F, kDotGap = 2.3F;
 constexpr float kBandAlpha = 0.2F;
+constexpr float kFaded = 0.3F;  // of its colour, what is left of a faded series
 
 bool isFinite(const Place& p) {
   return std::isfinite(p.x) && std::isfinite(p.y);
@@ -58,8 +58,8 @@ std::vector<Polyline> runsOf(const std::vector<Place>& places, const Box& box) {
 /// The curve of a series inside the frame.
 std::vector<Polyline> curveOf(const DiagramSeries& series, const DiagramAxes& axes) {
   std::vector<Polyline> parts;
-  for (const Polyline& run : runsOf(placesOf(series, axes), axes.plot.box))
-    for (Polyline& part : clippedTo(axes.plot.box, run)) parts.push_back(std::move(part));
+  for (const Polyline& run : runsOf(placesOf(series, axes), axes.box))
+    for (Polyline& part : clippedTo(axes.box, run)) parts.push_back(std::move(part));
   return parts;
 }
 
@@ -72,7 +72,7 @@ struct Bar {
 Bar barOf(const DiagramPoint& point, const DiagramAxes& axes) {
   const Place low = axes.place(point.x, point.low), high = axes.place(point.x, point.high);
   const bool toZero = !isFinite(low) && std::isfinite(point.low);
-  const float bottom = axes.plot.box.bottom() + 10;
+  const float bottom = axes.box.bottom() + 10;
   return {high.x, toZero ? bottom : low.y, high.y, isFinite(low), isFinite(high)};
 }
 
@@ -80,11 +80,30 @@ bool isDrawable(const Bar& bar) {
   return bar.highShown && std::isfinite(bar.low) && std::isfinite(bar.x);
 }
 
+/// Where points crowd, one bar for each column of pixels, around all that are there.
+std::vector<Bar> thinnedBars(const DiagramSeries& series, const DiagramAxes& axes) {
+  const bool isCrowded = static_cast<float>(series.points.size()) > 2 * axes.box.width;
+  std::vector<Bar> bars;
+  for (const DiagramPoint& point : series.points) {
+    const Bar bar = barOf(point, axes);
+    const bool isJoined = isCrowded && !bars.empty() && isDrawable(bar) &&
+                          isDrawable(bars.back()) && std::floor(bar.x) == std::floor(bars.back().x);
+    if (!isJoined) {
+      bars.push_back(bar);
+      continue;
+    }
+    bars.back().low = std::max(bars.back().low, bar.low);
+    bars.back().high = std::min(bars.back().high, bar.high);
+  }
+  return bars;
+}
+
 void addBand(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& style,
              const DiagramAxes& axes) {
   const Rgba fill = withAlpha(style.colour, kBandAlpha);
-  for (std::size_t i = 0; i + 1 < series.points.size(); ++i) {
-    const Bar a = barOf(series.points[i], axes), b = barOf(series.points[i + 1], axes);
+  const std::vector<Bar> bars = thinnedBars(series, axes);
+  for (std::size_t i = 0; i + 1 < bars.size(); ++i) {
+    const Bar &a = bars[i], &b = bars[i + 1];
     if (!isDrawable(a) || !isDrawable(b)) continue;
     addQuad(layer, {a.x, a.high, fill}, {b.x, b.high, fill}, {b.x, b.low, fill},
             {a.x, a.low, fill});
@@ -93,7 +112,7 @@ void addBand(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& s
 
 void addBars(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& style,
              const DiagramAxes& axes, float unit) {
-  const Box& box = axes.plot.box;
+  const Box& box = axes.box;
   const float width = kBar * unit, cap = std::max(2.2F * unit, 0.5F * style.markSize);
   for (const DiagramPoint& point : series.points) {
     const Bar bar = barOf(point, axes);
@@ -109,7 +128,7 @@ void addBars(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& s
 
 void addCurve(DrawList& list, const DiagramSeries& series, const SeriesStyle& style,
               const DiagramAxes& axes, float unit, const Theme& theme) {
-  const Box& box = axes.plot.box;
+  const Box& box = axes.box;
   DrawLayer lines, rims, marks;
   lines.clip = {box.x, box.y, box.width, box.height};
   if (style.hasBars) addBars(lines, series, style, axes, unit);
@@ -128,6 +147,24 @@ void addCurve(DrawList& list, const DiagramSeries& series, const SeriesStyle& st
 
 }  // namespace
 
+std::vector<Place> thinned(const std::vector<Place>& places) {
+  std::vector<Place> kept;
+  if (places.empty()) return kept;
+  kept.push_back(places.front());
+  for (std::size_t first = 1, end = first; first + 1 < places.size(); first = end) {
+    const float column = std::floor(places[first].x);
+    std::size_t low = first, high = first;
+    for (end = first; end + 1 < places.size() && std::floor(places[end].x) == column; ++end) {
+      if (places[end].y < places[low].y) low = end;
+      if (places[end].y > places[high].y) high = end;
+    }
+    kept.push_back(places[std::min(low, high)]);
+    if (low != high) kept.push_back(places[std::max(low, high)]);
+  }
+  if (places.size() > 1) kept.push_back(places.back());
+  return kept;
+}
+
 std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& sizes,
                                   const Theme& theme, float pixels) {
   std::vector<SeriesStyle> styles;
@@ -141,8 +178,12 @@ std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& si
       style.colour = rampColour(series.ramp, theme);
     else
       style.colour = seriesColour(series.colour >= 0 ? series.colour : next++, theme);
+    if (series.isFaded) style.colour = mix(theme.background, style.colour, kFaded);
     style.width = (series.isTheory ? kTheory : onRamp ? kRampCurve : kCurve) * sizes.unit;
     style.stroke = series.stroke;
+    // Series that share a colour differ in their stroke.
+    if (next > kDistinctColours && series.colour < 0 && style.stroke == SeriesStroke::Solid)
+      style.stroke = SeriesStroke::Dashed;
     style.mark = series.mark;
     const float apart = pixels / static_cast<float>(series.points.size() + 1);
     style.markSize = std::clamp(0.55F * apart, kSmallestMark * sizes.unit, kMark * sizes.unit);
@@ -176,7 +217,7 @@ void addStroke(DrawLayer& layer, const std::vector<Place>& places, const SeriesS
 
 void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
                const DiagramAxes& axes, const DiagramSizes& sizes, const Theme& theme) {
-  const Box& box = axes.plot.box;
+  const Box& box = axes.box;
   DrawLayer bands;
   bands.clip = {box.x, box.y, box.width, box.height};
   for (std::size_t i = 0; i < diagram.series.size(); ++i)

@@ -22,6 +22,9 @@ struct SeriesStyle {
 std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& sizes,
                                   const Theme& theme, float pixels);
 
+/// The lowest and the highest of each pixel column, in their order; both ends are kept. x ascends.
+std::vector<Place> thinned(const std::vector<Place>& places);
+
 /// A line in a series' stroke.
 void addStroke(DrawLayer& layer, const std::vector<Place>& places, const SeriesStyle& style);
 

@@ -5,7 +5,7 @@
 
 #include "ui/contact/narrow_contact.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/plot_axes.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/words.h"
 
 namespace asperity {
@@ -187,7 +187,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   if (!layout.axisTitles) nameUnit(layout.heightTicks);
   const float left = widestLabel(layout.heightTicks, s.small) + 9 * u + pad +
                      (layout.axisTitles ? s.small * 1.6F : 0);
-  layout.plot.x = std::round(left);
+  layout.plot.x = std::round(std::max(left, options.leastLeft));
   layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);
   layout.xTicks = roomyTicks(layout.view.left, layout.view.left + layout.view.width,
                              layout.plot.width, s.small, "m");

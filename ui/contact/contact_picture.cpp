@@ -30,6 +30,10 @@ Clip contactPlotArea(const Frame& frame, const ContactPictureOptions& asked) {
   return {plot.x, plot.y, plot.width, plot.height};
 }
 
+float contactUnit(const ContactPictureOptions& options) {
+  return sizesFor(tidy(options)).unit;
+}
+
 DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) {
   const ContactPictureOptions options = tidy(asked);
   DrawList list;

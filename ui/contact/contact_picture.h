@@ -48,6 +48,7 @@ struct ContactPictureOptions {
   ContactView view;
   bool title = true;  // scene title and readings above the axes
   ContactOverlay overlay = ContactOverlay::Pressure;
+  float leastLeft = 0;          // pixels, from the edge to the axes, as of a diagram below
   std::optional<double> probe;  // m: a crosshair there, and what is to be read at that element
   std::optional<Magnifier> magnifier;
 };
@@ -63,6 +64,8 @@ ContactView resolvedView(const Frame& frame, const ContactView& view);
 
 /// Where composeContact puts the axes' rectangle: the view's left, width, bottom and top fill it.
 Clip contactPlotArea(const Frame& frame, const ContactPictureOptions& options);
+/// Pixels, of line widths and distances in it; its small texts are 12 of them high.
+float contactUnit(const ContactPictureOptions& options);
 
 /// A reading above the axes: where it stands (pixels), what it is called, and a sentence on it. A
 /// title that does not fit its line is the first, with all of it for the sentence.

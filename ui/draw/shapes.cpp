@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "ui/draw/fonts.h"
 
@@ -116,6 +117,24 @@ float runWidth(const TextRun& run, float size) {
   return text + 2 * sideRoom(run, size);
 }
 
+/// The subscript of a normal force is a capital, which Unicode does not have: a lowered N for the
+/// small one that stands in texts.
+TextRuns withLoweredN(const TextRuns& runs) {
+  constexpr std::string_view kSmall = "\u2099";
+  TextRuns split;
+  for (const TextRun& run : runs) {
+    std::size_t from = 0;
+    for (std::size_t at = run.utf8.find(kSmall); at != std::string::npos;
+         at = run.utf8.find(kSmall, from)) {
+      if (at > from) split.push_back({run.utf8.substr(from, at - from), run.bold, run.lowered});
+      split.push_back({"N", run.bold, true});
+      from = at + kSmall.size();
+    }
+    if (from < run.utf8.size()) split.push_back({run.utf8.substr(from), run.bold, run.lowered});
+  }
+  return split;
+}
+
 }  // namespace
 
 void addQuad(DrawLayer& layer, const DrawVertex& a, const DrawVertex& b, const DrawVertex& c,
@@ -162,6 +181,14 @@ void addArrow(DrawLayer& layer, Place from, Place to, float head, float width, c
 void addLabel(DrawList& list, std::string utf8, Place at, float size, TextAnchor anchor,
               const Rgba& colour, float angle) {
   if (utf8.empty()) return;
+  const TextRuns runs = withLoweredN({{utf8}});
+  if (runs.size() > 1 && angle == 0) {
+    const float width = textWidth(runs, size);
+    if (anchor == TextAnchor::Centre) at.x -= width / 2;
+    if (anchor == TextAnchor::Right) at.x -= width;
+    addText(list, runs, at, size, colour);
+    return;
+  }
   DrawText text;
   text.utf8 = std::move(utf8);
   text.x = at.x;
@@ -181,7 +208,7 @@ float textWidth(const TextRuns& runs, float size) {
 
 float addText(DrawList& list, const TextRuns& runs, Place baseline, float size,
               const Rgba& colour) {
-  for (const TextRun& run : runs) {
+  for (const TextRun& run : withLoweredN(runs)) {
     DrawText text;
     text.utf8 = run.utf8;
     text.x = baseline.x + sideRoom(run, size);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "ui/draw/fonts.h"
 #include "ui/language/language.h"
 
 namespace asperity {
@@ -50,6 +51,43 @@ double nextOf(std::initializer_list<double> factors, double value) {
   for (const double factor : factors)
     if (factor * power >= value * (1 - 1e-9)) return factor * power;
   return 10 * power;
+}
+
+constexpr double kRounding = 1e-9;    // of a decade: a tick at the very end belongs to the axis
+constexpr double kMostDecades = 700;  // a double holds no more
+
+/// The multiples of every decade inside [from, to].
+std::vector<LogTick> multiples(double from, double to, const std::vector<int>& factors) {
+  std::vector<LogTick> ticks;
+  const int last = static_cast<int>(std::floor(to + kRounding));
+  for (int exponent = static_cast<int>(std::floor(from)); exponent <= last; ++exponent)
+    for (const int factor : factors) {
+      const double decade = exponent + std::log10(factor);
+      if (decade < from - kRounding || decade > to + kRounding) continue;
+      const std::string power = powerOfTen(exponent);
+      ticks.push_back({decade, factor == 1 ? power : std::to_string(factor) + "×" + power});
+    }
+  return ticks;
+}
+
+std::vector<LogTick> decades(double from, double to, int most) {
+  std::vector<LogTick> ticks;
+  const int first = static_cast<int>(std::ceil(from - kRounding));
+  const int last = static_cast<int>(std::floor(to + kRounding));
+  int step = 1;  // the multiples of it are the ticks
+  const auto count = [&] {
+    return std::floor(static_cast<double>(last) / step) -
+           std::ceil(static_cast<double>(first) / step) + 1;
+  };
+  while (count() > most) ++step;
+  for (int exponent = first; exponent <= last; ++exponent)
+    if (exponent % step == 0)
+      ticks.push_back({static_cast<double>(exponent), powerOfTen(exponent)});
+  return ticks;
+}
+
+int tickCount(float pixels, float each) {
+  return std::clamp(static_cast<int>(pixels / each), 2, 12);
 }
 
 }  // namespace
@@ -100,6 +138,71 @@ std::vector<double> minorTicks(const AxisTicks& axis, double from, double to) {
   const auto above = static_cast<int>((to - axis.ticks.front().value + slack) / part);
   for (int k = -below; k <= above; ++k)
     if (k % parts != 0) minor.push_back(axis.ticks.front().value + k * part);
+  return minor;
+}
+
+AxisTicks roomyTicks(double from, double to, float pixels, float size, std::string_view unit) {
+  for (int most = tickCount(pixels, size * 4); most > 1; --most) {
+    AxisTicks axis = linearTicks(from, to, most, unit);
+    if (axis.ticks.size() < 2) return axis;
+    float widest = 0;
+    for (const Tick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
+    const double share = (axis.ticks[1].value - axis.ticks[0].value) / (to - from);
+    if (widest + size < share * pixels) return axis;
+  }
+  return linearTicks(from, to, 1, unit);
+}
+
+AxisTicks ticksUp(double from, double to, float pixels, float each, float size,
+                  std::string_view unit) {
+  int most = tickCount(pixels, each);
+  AxisTicks axis = linearTicks(from, to, most, unit);
+  // In steps of 1, 2 and 5 the next more are up to five times as many.
+  constexpr int kMost = 12;
+  while (axis.ticks.size() < 2 && most < kMost) {
+    AxisTicks closer = linearTicks(from, to, ++most, unit);
+    if (closer.ticks.size() < 2) continue;
+    const double apart = (closer.ticks[1].value - closer.ticks[0].value) / (to - from);
+    if (apart * static_cast<double>(pixels) < 1.1 * static_cast<double>(size)) break;
+    axis = std::move(closer);
+  }
+  return axis;
+}
+
+std::vector<LogTick> logTicks(double from, double to, int most) {
+  if (!(from < to) || !(std::abs(from) < kMostDecades) || !(std::abs(to) < kMostDecades) ||
+      most < 1)
+    return {};
+  std::vector<LogTick> ticks = decades(from, to, most);
+  if (ticks.size() > 1 || most < 2) return ticks;
+  // Multiples that give a scale and have room, or else the outermost of them.
+  const std::vector<int> choices[] = {{1, 2, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9}, {1, 3}, {1, 5}};
+  for (const std::vector<int>& factors : choices) {
+    std::vector<LogTick> finer = multiples(from, to, factors);
+    if (finer.size() > 1 && static_cast<int>(finer.size()) <= most) return finer;
+  }
+  const std::vector<LogTick> coarse = multiples(from, to, {1, 2, 5});
+  if (coarse.size() > 1) return {coarse.front(), coarse.back()};
+  return ticks;
+}
+
+std::vector<double> minorLogTicks(double from, double to, const std::vector<LogTick>& ticks,
+                                  double decadePixels, double apart) {
+  std::vector<double> minor;
+  if (!(from < to) || !(std::abs(from) < kMostDecades) || !(std::abs(to) < kMostDecades))
+    return minor;
+  std::vector<int> factors{1};
+  if (decadePixels >= 12 * apart)
+    factors = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  else if (decadePixels >= 5 * apart)
+    factors = {1, 2, 5};
+  else if (decadePixels < apart)
+    return minor;
+  for (const LogTick& place : multiples(from, to, factors))
+    if (std::none_of(ticks.begin(), ticks.end(), [&](const LogTick& tick) {
+          return std::abs(tick.decade - place.decade) < kRounding;
+        }))
+      minor.push_back(place.decade);
   return minor;
 }
 

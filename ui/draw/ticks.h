@@ -1,5 +1,5 @@
-// Numbers for people: round places on a linear axis, values with a prefixed unit. Pure; any thread.
-// Texts are UTF-8 with a true minus, micro and multiplication sign.
+// Numbers for people: round places on linear and logarithmic axes, values with a prefixed unit.
+// Pure; any thread. Texts are UTF-8 with a true minus, micro and multiplication sign.
 #pragma once
 
 #include <string>
@@ -36,6 +36,30 @@ AxisTicks linearTicks(double from, double to, int most, std::string_view unit);
 /// The places between the ticks that split a step of 1, 2, 5 into 5, 4, 5; ascending, in [from,
 /// to].
 std::vector<double> minorTicks(const AxisTicks& axis, double from, double to);
+
+/// Ticks whose labels, written side by side in fonts of `size`, fit `pixels`.
+AxisTicks roomyTicks(double from, double to, float pixels, float size, std::string_view unit);
+
+/// Ticks upwards, `each` pixels for one of them; a low axis has closer ones as far as labels in
+/// fonts of `size` have room, because a single tick says nothing of the scale.
+AxisTicks ticksUp(double from, double to, float pixels, float each, float size,
+                  std::string_view unit);
+
+struct LogTick {
+  double decade = 0;  // decimal logarithm of the value
+  std::string label;  // "10⁻³", "2×10³"
+};
+
+/// Ticks between the decimal logarithms `from` and `to`, ascending, at most `most`: decades,
+/// thinned where they are many; where there are fewer than two, as many multiples of them as there
+/// may be. None where from >= to, either is not finite, or most < 1.
+std::vector<LogTick> logTicks(double from, double to, int most);
+
+/// Decimal logarithms of the places between the ticks: 2, 3, ..., 9 times every decade, or 2 and 5
+/// times where `decadePixels` is below twelve times `apart`, or the decades alone where there is no
+/// room for those. Ascending, none at a tick.
+std::vector<double> minorLogTicks(double from, double to, const std::vector<LogTick>& ticks,
+                                  double decadePixels, double apart);
 
 /// printedNumber() and printedQuantity() in the language in use.
 std::string shortNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop);

@@ -86,14 +86,20 @@ QString sceneText(std::string_view text) {
 
 DiagramSheet translated(DiagramSheet sheet) {
   const auto translate = [](Message& text) { text = Message::name(translated(text)); };
-  for (Message* text : {&sheet.title, &sheet.subtitle, &sheet.note}) translate(*text);
+  for (Message* text : {&sheet.title, &sheet.subtitle, &sheet.note, &sheet.status})
+    translate(*text);
   for (Diagram& diagram : sheet.diagrams) {
-    translate(diagram.title);
-    for (DiagramAxis* axis : {&diagram.x, &diagram.y}) translate(axis->title);
+    for (Message* text : {&diagram.title, &diagram.x.title, &diagram.y.title, &diagram.blank})
+      translate(*text);
     for (DiagramSeries& series : diagram.series) translate(series.name);
-    for (DiagramSpan& span : diagram.spans) translate(span.label);
+    for (DiagramSpan& span : diagram.spans) {
+      translate(span.label);
+      for (Message& note : span.notes) translate(note);
+    }
     for (DiagramSpan& shade : diagram.shades) translate(shade.label);
     for (DiagramLabel& label : diagram.labels) translate(label.text);
+    if (diagram.marker)
+      for (Message* text : {&diagram.marker->name, &diagram.marker->label}) translate(*text);
     if (diagram.ramp)
       for (Message* text : {&diagram.ramp->title, &diagram.ramp->from, &diagram.ramp->to})
         translate(*text);

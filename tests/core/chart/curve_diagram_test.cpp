@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "core/friction/ensemble.h"
 #include "core/surface/line_source.h"
@@ -27,6 +28,7 @@ TEST(CurveDiagram, ShadesAndNamesTheRegions) {
   ASSERT_EQ(spans.size(), 4U);
   EXPECT_EQ(spans[0].label, "I linear");
   EXPECT_EQ(spans[3].label, "IV decrease");
+  EXPECT_EQ(spans[1].shortLabel, "II");
   EXPECT_NE(sheet.note.find("read from the curve"), sheet.note.npos);
 }
 
@@ -44,6 +46,62 @@ TEST(CurveDiagram, PinnedCurvesHaveMarksAndColoursOfTheirOwn) {
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_FALSE(series[i].colour == series[j].colour && series[i].mark == series[j].mark)
           << i << " and " << j << " look alike";
+}
+
+/// The first colour is the present curve's alone.
+TEST(CurveDiagram, EightCurvesHaveEightColours) {
+  std::set<int> colours{0};
+  for (int place = 0; place < 7; ++place) colours.insert(colourOfPin(place));
+  EXPECT_EQ(colours.size(), 8U);
+}
+
+/// However few velocities the sweep has: exactly Eq. (11) at every point, and no corners.
+TEST(CurveDiagram, TheLawIsSampledFinely) {
+  Scene scene = smallScene();
+  scene.sweep = {1e-4, 1e2, 4};
+  const std::vector<CurvePoint> points = frictionCurve(scene).points;
+  const auto series = curveSheet(scene, points).diagrams.front().series;
+  ASSERT_EQ(series.front().name, "Eq. (11)");
+  const std::vector<DiagramPoint>& law = series.front().points;
+  EXPECT_GT(law.size(), 100U);
+  Scene fine = scene;
+  fine.sweep.points = static_cast<std::int64_t>(law.size());
+  const std::vector<CurvePoint> exact = frictionCurve(fine).points;
+  for (std::size_t i = 0; i < law.size(); ++i) {
+    EXPECT_NEAR(law[i].x / exact[i].velocity, 1, 1e-12);
+    EXPECT_NEAR(law[i].y / exact[i].muLaw, 1, 1e-9);
+  }
+}
+
+/// A scene whose lines differ in their slopes has another factor at each velocity.
+TEST(CurveDiagram, DimensionlessPointsAreThoseOfTheTable) {
+  Scene scene = smallScene();
+  scene.surface.summitCorrelation = 2;
+  CurveSet set;
+  set.present = curveOf(scene);
+  set.axes = CurveAxes::Dimensionless;
+  const DiagramSeries mean = curveSheet(set).diagrams.front().series.back();
+  ASSERT_EQ(mean.points.size(), set.present.points.size());
+  for (std::size_t i = 0; i < mean.points.size(); ++i) {
+    EXPECT_EQ(mean.points[i].x, set.present.points[i].dimensionlessVelocity);
+    EXPECT_EQ(mean.points[i].y, set.present.points[i].normalizedMu);
+  }
+}
+
+/// What lies beyond the axis stands at its end.
+TEST(CurveDiagram, ADifferenceBeyondItsAxisIsATriangle) {
+  CurveSet set;
+  set.present = curveOf(smallScene());
+  set.difference = CurveDifference{nullptr, {Scheme::Linear, 2, 3}, {}, 6, 6};
+  set.difference->points = {{1e-3, 1, 0.1, 0.5, 0.1}, {1e-2, 1, 0.1, 7, 0.1}};
+  const Diagram below = curveSheet(set).diagrams[1];
+  EXPECT_EQ(below.y.to, 200);
+  ASSERT_EQ(below.series.size(), 3U);
+  EXPECT_EQ(below.series[1].points.size(), 2U);
+  ASSERT_EQ(below.series[2].points.size(), 1U);
+  EXPECT_EQ(below.series[2].mark, SeriesMark::Triangle);
+  EXPECT_EQ(below.series[2].points[0].y, 200);
+  EXPECT_EQ(below.series[2].points[0].row, 1);
 }
 
 TEST(CurveDiagram, DimensionlessAxesAreThoseOfEq13) {
@@ -89,8 +147,8 @@ TEST(CurveDiagram, ADifferenceStandsBelowOverTheSameAxis) {
   EXPECT_EQ(below.x.to, above.x.to);
   EXPECT_GT(above.x.to, scene.sweep.velocityTo);
   EXPECT_EQ(below.y.unit, "%");
-  EXPECT_EQ(below.series.back().points.size(), set.difference->points.size());
-  const DiagramPoint& drawn = below.series.back().points[2];
+  EXPECT_EQ(below.series[1].points.size(), set.difference->points.size());
+  const DiagramPoint& drawn = below.series[1].points[2];
   const DifferencePoint& computed = set.difference->points[2];
   EXPECT_NEAR(drawn.y, 100 * computed.relative, 1e-12);
   EXPECT_NEAR(drawn.high - drawn.y, 100 * computed.standardError, 1e-9);

@@ -37,17 +37,35 @@ TEST(CurveSet, FactorsLeadToTheAxes) {
   EXPECT_TRUE(std::isnan(factorsOf({}, CurveAxes::Dimensionless).velocity));
 }
 
+constexpr const char* kColumnsOfACurve =
+    "series,velocity,mu,mu_standard_error,mu_law,contact_fraction,rms_slope_contact,indentation,"
+    "normalized_mu,dimensionless_velocity,dimensionless_force,realizations";
+
+/// Series are called what they are; no column of a curve is missing.
 TEST(CurveSet, TheTableHasOneRowForEachPointOfEachSeries) {
   CurveSet set;
   set.present = {"", {}, {point(1, 0.5), point(2, 1)}};
+  set.present.scene.title = "Soft, slow";
   set.present.points[0].muLaw = 0.25;
   set.present.points[1].realizations = 0;  // not known yet
   set.pinned = {{"G = 20 MPa, h = 5 \u00B5m", {}, {point(1, 2)}}};
   EXPECT_THAT(linesOf(curveSetCsv(set)),
-              testing::ElementsAre("series,velocity,mu,mu_standard_error,dimensionless_velocity,"
-                                   "normalized_mu,realizations",
-                                   "present,1,0.5,0.0625,4,1,3", "Eq. (11),1,0.25,,4,0.5,",
-                                   "\"pinned 1: G = 20 MPa, h = 5 \u00B5m\",1,2,0.25,4,4,3"));
+              testing::ElementsAre(kColumnsOfACurve, "\"Soft, slow\",1,0.5,0.0625,0.25,0,,0,1,4,,3",
+                                   "Eq. (11),1,0.25,,,,,,0.5,4,,",
+                                   "\"G = 20 MPa, h = 5 \u00B5m\",1,2,0.25,,0,,0,4,4,,3"));
+}
+
+/// A further column is there where one of the curves needs it.
+TEST(CurveSet, FurtherColumnsAreThoseOfAllCurves) {
+  CurveSet set;
+  set.present = {"", {}, {point(1, 0.5)}};
+  set.pinned = {{"local friction = 0.1", {}, {point(1, 2)}}};
+  set.pinned[0].points[0].muInterface = 0.125;
+  const std::vector<std::string> lines = linesOf(curveSetCsv(set));
+  EXPECT_THAT(lines[0], testing::StartsWith(kColumnsOfACurve));
+  EXPECT_THAT(lines[0], testing::EndsWith(",realizations,mu_interface,mu_total"));
+  EXPECT_THAT(lines[1], testing::EndsWith(",3,,"));
+  EXPECT_THAT(lines.back(), testing::EndsWith(",3,0.125,2.125"));
 }
 
 TEST(CurveSet, ADifferenceHasColumnsOfItsOwn) {
@@ -59,8 +77,8 @@ TEST(CurveSet, ADifferenceHasColumnsOfItsOwn) {
       linesOf(curveSetCsv(set)),
       testing::ElementsAre(
           testing::EndsWith("realizations,relative_difference,relative_difference_standard_error"),
-          "present,1,0.5,0.0625,4,1,3,,",
-          "\"compared: linear x2, 3 lines\",1,0.75,0.125,4,1.5,3,0.5,0.25"));
+          "this scene,1,0.5,0.0625,,0,,0,1,4,,3,,",
+          "\"linear x2, 3 lines\",1,0.75,0.125,,,,,1.5,4,,3,0.5,0.25"));
 }
 
 TEST(CurveSet, PinsOfDifferentPlacesHaveDifferentColours) {

@@ -1,5 +1,5 @@
 // Where few summits carry the load: the border by hand, and where it says nothing.
-#include "core/chart/few_summits.h"
+#include "core/chart/curve_regions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Strips over time do not magnify the ripple of the march.
-#include "core/run/minimum_span.h"
+#include "core/run/transient_diagram.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "tests/ui/chart/sample_sheets.h"
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_picture.h"
-#include "ui/draw/log_ticks.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {

@@ -6,14 +6,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/curve_diagram.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/steady_frames.h"
 #include "core/run/transient_diagram.h"
 #include "tests/ui/chart/sample_sheets.h"
 #include "tests/ui/contact/tidy_texts.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/shapes.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
-#include "ui/chart/diagram_picture.h"
 
 namespace asperity {
 namespace {
@@ -92,6 +95,89 @@ TEST(DiagramTexts, ShadesAreNamedWhereTheyHaveRoom) {
   EXPECT_FALSE(says(narrow, "few summits carry the load"));
   EXPECT_NE(allTexts(narrow).find("few"), std::string::npos) << "in lines";
   EXPECT_EQ(allTexts(shown(900)).find("few"), std::string::npos);
+}
+
+/// Names of regions are written out or by their number, never cut.
+TEST(DiagramTexts, RegionsAreNamedWholeOrByNumber) {
+  DiagramSheet sheet = sheetOf({{1e-5, 1e-3}, {1e-2, 1}, {1e3, 1}});
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.x = {"v", "m/s", AxisScale::Logarithmic, 1e-5, 1e3};
+  diagram.spans = {{1e-5, 1e-2, "I linear", "I"}, {1e-2, 4e-2, "II transition", "II"}};
+  for (const int width : {320, 400, 500, 700, 1000, 2000}) {
+    const std::string texts = allTexts(composeDiagrams(sheet, {width, 300, 1, lightTheme()}));
+    EXPECT_EQ(texts.find("\u2026"), texts.npos) << texts;
+  }
+  EXPECT_TRUE(says(composeDiagrams(sheet, {700, 300, 1, lightTheme()}), "II"));
+  EXPECT_TRUE(says(composeDiagrams(sheet, {3000, 500, 1, lightTheme()}), "II transition"));
+}
+
+/// Of a text: the pixels that it covers, without its tails.
+Box coveredBy(const DrawText& text) {
+  const float width = textWidth(text.utf8, text.size, text.bold);
+  const float left = text.anchor == TextAnchor::Left     ? text.x
+                     : text.anchor == TextAnchor::Centre ? text.x - width / 2
+                                                         : text.x - width;
+  return {left, text.y - 0.7F * text.size, width, 0.7F * text.size};
+}
+
+/// Whether a curve (a line inside a frame) passes through the box.
+bool isCrossed(const DrawList& list, const Box& box) {
+  constexpr int kSteps = 200;
+  for (const DrawLayer& layer : list.layers)
+    for (const DrawLine& line : layer.lines)
+      for (std::size_t i = 1; layer.clip.width > 0 && i < line.vertices.size(); ++i)
+        for (int k = 0; k <= kSteps; ++k) {
+          const float part = static_cast<float>(k) / kSteps;
+          const float x = std::lerp(line.vertices[i - 1].x, line.vertices[i].x, part);
+          const float y = std::lerp(line.vertices[i - 1].y, line.vertices[i].y, part);
+          if (x > box.x && x < box.right() && y > box.y && y < box.bottom()) return true;
+        }
+  return false;
+}
+
+/// A journal's column at 300 dpi, in the language with the longer words: nothing is shortened, and
+/// neither the legend nor the label of the tint lies over a curve.
+TEST(DiagramTexts, LegendAndLabelsHideNoCurve) {
+  Scene scene;
+  scene.title = "Figure 2";
+  std::vector<CurvePoint> points;
+  for (int i = 0; i < 41; ++i) {
+    CurvePoint point;
+    point.velocity = 1e-5 * std::pow(10, 0.2 * i);
+    const double vbar = 2.83 * point.velocity;
+    point.dimensionlessVelocity = vbar;
+    point.mu = 2.8e-3 * vbar / std::hypot(vbar, 1.0) / (1 + 5e-4 * point.velocity);
+    point.normalizedMu = point.mu / 2e-3;
+    point.muStandardError = 0.02 * point.mu;
+    point.muLaw = 3e-3 * vbar / std::hypot(vbar, 1.3);
+    point.realizations = 200;
+    points.push_back(point);
+  }
+  DiagramSheet sheet = curveSheet(scene, points);
+  sheet.diagrams[0].marker = DiagramMarker{"this line, now", "v = 1 m/s", 1, 2.6e-3};
+  ASSERT_EQ(sheet.diagrams[0].shades.size(), 1U);
+  for (const char* code : {"en", "de"})
+    for (const Size& size : {Size{1016, 760, 3.125F}, {1200, 800, 1}, {640, 480, 1}}) {
+      useLanguage(code);
+      const DrawList list =
+          composeDiagrams(sheet, {size.width, size.height, size.scale, printTheme()});
+      const DiagramSheet german = translated(sheet);
+      std::vector<std::string> names{german.diagrams[0].marker->name,
+                                     german.diagrams[0].marker->label,
+                                     german.diagrams[0].shades[0].label};
+      for (const DiagramSeries& series : german.diagrams[0].series) names.push_back(series.name);
+      int found = 0;
+      for (const DrawText& text : list.texts)
+        for (const std::string& name : names)
+          if (name.find(text.utf8) != name.npos && text.utf8.size() > 3) {
+            ++found;
+            EXPECT_FALSE(isCrossed(list, coveredBy(text))) << text.utf8 << size.width << code;
+          }
+      EXPECT_GE(found, 3) << allTexts(list);
+      EXPECT_EQ(allTexts(list).find("\u2026"), std::string::npos) << allTexts(list);
+      expectTidy(list, code);
+    }
+  useLanguage("en");
 }
 
 /// As in the window's low views, where names would not fit into the frame.
@@ -227,10 +313,11 @@ TEST(DiagramTexts, OfStripsKeepUnitsAndPowersOfTenAtAnySize) {
       for (const int width : {300, 320, 420, 500, 640, 1016, 1280})
         for (const int height : {150, 161, 184, 240, 331, 460, 700})
           for (const float text : {0.5F, 0.6F, 0.8F}) {
-            const DiagramSheet sheet = transientSheet(scene, samples, 4e-6, 0.02);
-            DiagramOptions options{static_cast<int>(static_cast<float>(width) * scale),
-                                   static_cast<int>(static_cast<float>(height) * scale), scale,
-                                   lightTheme(), text};
+            const DiagramOptions options{static_cast<int>(static_cast<float>(width) * scale),
+                                         static_cast<int>(static_cast<float>(height) * scale),
+                                         scale, lightTheme(), text};
+            const DiagramSheet sheet =
+                withoutCrowding(transientSheet(scene, samples, 4e-6, 0.02), options);
             if (lowestFrame(sheet, options) < 2) continue;
             ++shown;
             const DrawList list = composeDiagrams(sheet, options);

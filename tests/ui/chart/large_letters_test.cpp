@@ -9,24 +9,26 @@
 #include <memory>
 #include <vector>
 
+#include "core/chart/curve_diagram.h"
+#include "core/run/transient_diagram.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/chart/plot_marks.h"
-#include "ui/chart/plot_view.h"
-#include "ui/chart/transient_strips.h"
+#include "ui/chart/chart_view.h"
 
 namespace asperity {
 namespace {
 
 constexpr double kScales[] = {1.0, 1.5, 2.4, 3.6};
 
-PlotColours colours() {
-  PlotColours colours;
-  colours.background = Qt::white;
-  colours.text = colours.faintText = Qt::black;
-  colours.grid = colours.fineGrid = colours.span = Qt::white;
-  colours.axis = colours.line = colours.marker = Qt::white;
-  colours.points = Qt::blue;
-  return colours;
+/// All but texts and the data, which are blue, is white.
+Theme theme() {
+  Theme theme = printTheme();
+  theme.axis = theme.grid = theme.highlight = theme.background;
+  return theme;
+}
+
+/// Whether a pixel is of the first colour of the palette, or nearly.
+bool isBlue(const QColor& pixel) {
+  return pixel.blue() - pixel.red() > 100 && pixel.blue() > 120;
 }
 
 QFont letters(double scale) {
@@ -56,8 +58,27 @@ double blueArea(const QImage& image) {
   return blue;
 }
 
+Scene stepScene() {
+  Scene scene;
+  scene.sliding.kind = SlidingKind::Step;
+  scene.sliding.duration = 0.012;
+  return scene;
+}
+
+/// The strips of a motion as a picture, so many pixels wide and high at a scale of 1.
+QImage stripsOf(const std::vector<TransientSample>& samples, double scale, int width) {
+  ChartView strips;
+  strips.setFont(letters(scale));
+  strips.setTheme(theme());
+  strips.resize(static_cast<int>(width * scale), static_cast<int>(240 * scale));
+  strips.setSheet(transientSheet(stepScene(), samples));
+  strips.show();
+  QTest::qWait(1);  // the layout is made with the first events
+  return strips.grab().toImage();
+}
+
 TEST(LargeLetters, OfStripsAreWhole) {
-  auto samples = std::make_shared<std::vector<TransientSample>>();
+  std::vector<TransientSample> samples;
   for (int i = 0; i <= 100; ++i) {
     TransientSample sample;
     sample.time = 1.2e-4 * i;
@@ -65,49 +86,35 @@ TEST(LargeLetters, OfStripsAreWhole) {
     sample.indentation = 308e-9 + 3e-9 * std::sin(0.1 * i);
     sample.contactLength = 75e-6 + 7e-6 * std::sin(0.3 * i);
     sample.predictedRate = 5230;
-    samples->push_back(sample);
+    samples.push_back(sample);
   }
-  Sliding sliding;
-  sliding.duration = 0.012;
-  for (const double scale : kScales) {
-    TransientStrips strips;
-    strips.setFont(letters(scale));
-    strips.setColours(colours());
-    strips.resize(static_cast<int>(800 * scale), static_cast<int>(240 * scale));
-    strips.show(sliding, samples);
-    EXPECT_EQ(cutPixels(strips.grab().toImage()), 0) << scale;
-  }
+  for (const double scale : kScales)
+    EXPECT_EQ(cutPixels(stripsOf(samples, scale, 800)), 0) << scale;
 }
 
 /// A curve that ends in either corner of its strip is painted in every column: nothing lies over
 /// it.
 TEST(LargeLetters, NamesOfStripsHideNothingOfTheCurves) {
-  Sliding sliding;
-  sliding.duration = 0.012;
   for (const double slope : {1.0, -1.0})
     for (const double scale : {1.0, 2.4})
       for (const int width : {500, 800}) {
-        const auto samples = std::make_shared<std::vector<TransientSample>>();
+        std::vector<TransientSample> samples;
         for (int i = 0; i <= 100; ++i) {
           TransientSample sample;
           sample.time = 1.2e-4 * i;
-          for (double* value : {&sample.mu, &sample.indentation, &sample.contactLength})
+          for (double* value :
+               {&sample.velocity, &sample.mu, &sample.indentation, &sample.contactLength})
             *value = 1e-3 * (2 + slope * i / 100);
-          samples->push_back(sample);
+          samples.push_back(sample);
         }
-        TransientStrips strips;
-        strips.setFont(letters(scale));
-        strips.setColours(colours());
-        strips.resize(static_cast<int>(width * scale), static_cast<int>(240 * scale));
-        strips.show(sliding, samples);
-        const QImage image = strips.grab().toImage();
-        std::vector<int> curves;  // of each column that has one: how many of the three
+        const QImage image = stripsOf(samples, scale, width);
+        std::vector<int> curves;  // of each column that has one: how many of the four
         for (int x = 0; x < image.width(); ++x) {
           int runs = 0;
           bool was = false;
           for (int y = 0; y < image.height(); ++y) {
             const QColor pixel = image.pixelColor(x, y);
-            const bool is = pixel.blue() - pixel.red() > 150;
+            const bool is = isBlue(pixel);
             runs += is && !was ? 1 : 0;
             was = is;
           }
@@ -115,24 +122,32 @@ TEST(LargeLetters, NamesOfStripsHideNothingOfTheCurves) {
         }
         ASSERT_GT(curves.size(), 0.5 * width * scale);
         const auto inner = std::ranges::subrange(curves.begin() + 3, curves.end() - 3);
-        EXPECT_TRUE(std::ranges::all_of(inner, [](int runs) { return runs == 3; }))
+        EXPECT_TRUE(std::ranges::all_of(inner, [](int runs) { return runs == 4; }))
             << slope << ' ' << scale << ' ' << width;
       }
 }
 
 TEST(LargeLetters, OfTheChartAreWholeAndItsMarksGrowWithThem) {
-  Plot plot;
-  plot.x = {QStringLiteral("x"), {}, {-4, 3}};
-  plot.y = {QStringLiteral("y"), {}, {-6, -2}};
-  plot.series = {{QString(), PlotStyle::Points, false, {{1, 1e-4}}}};
-  plot.series[0].id = kPresentCurve;
+  DiagramSeries point;
+  point.name = " ";
+  point.mark = SeriesMark::Circle;
+  point.stroke = SeriesStroke::None;
+  point.colour = 0;
+  point.id = kPresentCurve;
+  point.points = {{1, 1e-4}};
+  Diagram diagram;
+  diagram.x = {"x", "", AxisScale::Logarithmic, 1e-4, 1e3};
+  diagram.y = {"y", "", AxisScale::Logarithmic, 1e-6, 1e-2};
+  diagram.series = {point};
+  DiagramSheet sheet;
+  sheet.diagrams = {diagram};
   double first = 0;
   for (const double scale : kScales) {
-    const std::unique_ptr<PlotView> view(makePlotView());
+    const auto view = std::make_unique<ChartView>();
     view->setFont(letters(scale));
-    view->setColours(colours());
+    view->setTheme(theme());
     view->resize(static_cast<int>(800 * scale), static_cast<int>(300 * scale));
-    view->setPlot(plot);
+    view->setSheet(sheet);
     view->show();
     QTest::qWait(1);  // the layout is made with the first events
     const QImage image = view->grab().toImage();

@@ -6,7 +6,7 @@
 
 #include "core/friction/ensemble.h"
 #include "tests/core/small_scene.h"
-#include "ui/chart/friction_plot.h"
+#include "ui/chart/friction_chart.h"
 
 namespace asperity {
 namespace {
@@ -26,10 +26,11 @@ CurveUpdate curveOf(const Scene& scene) {
   return update;
 }
 
-const PlotSeries* seriesOf(const Plot& plot, int id) {
-  for (const PlotSeries& series : plot.series)
-    if (series.id == id) return &series;
-  return nullptr;
+std::optional<DiagramSeries> seriesOf(const DiagramSheet& sheet, int id) {
+  for (const Diagram& diagram : sheet.diagrams)
+    for (const DiagramSeries& series : diagram.series)
+      if (series.id == id) return series;
+  return std::nullopt;
 }
 
 class PinnedCurves : public testing::Test {
@@ -44,18 +45,18 @@ class PinnedCurves : public testing::Test {
     return scene;
   }
 
-  FrictionPlot diagram_;
+  FrictionChart diagram_;
 };
 
 TEST_F(PinnedCurves, StayWhileTheSceneChanges) {
   EXPECT_EQ(diagram_.pin(), 0) << "nothing to pin yet";
   show(smallScene());
-  const auto before = seriesOf(diagram_.plot(), kPresentCurve)->points;
+  const auto before = seriesOf(diagram_.sheet(), kPresentCurve)->points;
   const int id = diagram_.pin();
   ASSERT_GT(id, 0);
   EXPECT_EQ(diagram_.pin(), 0) << "it is kept already";
   show(stiff());
-  const Plot plot = diagram_.plot();
+  const DiagramSheet plot = diagram_.sheet();
   ASSERT_TRUE(seriesOf(plot, id));
   EXPECT_EQ(seriesOf(plot, id)->points, before);
   EXPECT_NE(seriesOf(plot, kPresentCurve)->points, before);
@@ -64,9 +65,9 @@ TEST_F(PinnedCurves, StayWhileTheSceneChanges) {
 TEST_F(PinnedCurves, AreNamedByWhatDiffers) {
   show(smallScene());
   const int id = diagram_.pin();
-  EXPECT_EQ(seriesOf(diagram_.plot(), id)->name, QStringLiteral("same parameters"));
+  EXPECT_EQ(seriesOf(diagram_.sheet(), id)->name, "same parameters");
   diagram_.expect(stiff());
-  EXPECT_EQ(seriesOf(diagram_.plot(), id)->name, QStringLiteral("G = 10 MPa"));
+  EXPECT_EQ(seriesOf(diagram_.sheet(), id)->name, "G = 10 MPa");
 }
 
 TEST_F(PinnedCurves, ACurveInTheMakingSaysHowFarItWas) {
@@ -77,8 +78,7 @@ TEST_F(PinnedCurves, ACurveInTheMakingSaysHowFarItWas) {
   diagram_.expect(smallScene());
   diagram_.take(part);
   const int id = diagram_.pin();
-  EXPECT_EQ(seriesOf(diagram_.plot(), id)->name,
-            QStringLiteral("same parameters (1 of 200 lines)"));
+  EXPECT_EQ(seriesOf(diagram_.sheet(), id)->name, "same parameters, 1 of 200 lines");
   diagram_.take(curveOf(smallScene()));
   EXPECT_GT(diagram_.pin(), id) << "with more lines it is another curve";
 }
@@ -87,9 +87,9 @@ TEST_F(PinnedCurves, AreNeverFaded) {
   show(smallScene());
   const int id = diagram_.pin();
   diagram_.expect(stiff());
-  const Plot plot = diagram_.plot();
-  EXPECT_TRUE(seriesOf(plot, kPresentCurve)->faded);
-  EXPECT_FALSE(seriesOf(plot, id)->faded);
+  const DiagramSheet plot = diagram_.sheet();
+  EXPECT_TRUE(seriesOf(plot, kPresentCurve)->isFaded);
+  EXPECT_FALSE(seriesOf(plot, id)->isFaded);
 }
 
 TEST_F(PinnedCurves, KeepTheirColourWhenOthersGo) {
@@ -100,18 +100,18 @@ TEST_F(PinnedCurves, KeepTheirColourWhenOthersGo) {
     show(scene);
     ids.push_back(diagram_.pin());
   }
-  const auto placeOf = [&](int id) { return seriesOf(diagram_.plot(), id)->place; };
-  EXPECT_THAT((std::vector{placeOf(ids[0]), placeOf(ids[1]), placeOf(ids[2])}),
-              ElementsAre(0, 1, 2));
+  const auto colourOf = [&](int id) { return seriesOf(diagram_.sheet(), id)->colour; };
+  EXPECT_THAT((std::vector{colourOf(ids[0]), colourOf(ids[1]), colourOf(ids[2])}),
+              ElementsAre(colourOfPin(0), colourOfPin(1), colourOfPin(2)));
   diagram_.unpin(ids[1]);
-  const Plot without = diagram_.plot();
-  EXPECT_EQ(seriesOf(without, ids[1]), nullptr);
-  EXPECT_EQ(placeOf(ids[2]), 2);
+  const DiagramSheet without = diagram_.sheet();
+  EXPECT_FALSE(seriesOf(without, ids[1]));
+  EXPECT_EQ(colourOf(ids[2]), colourOfPin(2));
   Scene next = smallScene();
   next.elastomer.shearModulus *= 5;
   show(next);
   const int again = diagram_.pin();
-  EXPECT_EQ(placeOf(again), 1) << "the free place";
+  EXPECT_EQ(colourOf(again), colourOfPin(1)) << "the free place";
   EXPECT_GT(again, ids[2]) << "numbers are not used again";
   diagram_.unpinAll();
   EXPECT_TRUE(diagram_.pinned().empty());
@@ -123,14 +123,14 @@ TEST_F(PinnedCurves, TheRangeCoversThem) {
   show(high);
   const int id = diagram_.pin();
   show(smallScene());
-  const DecadeRange range = diagram_.plot().y.range;
-  const PlotSeries pinned = *seriesOf(diagram_.plot(), id);
-  for (const PlotPoint& point : pinned.points) {
-    EXPECT_LT(std::log10(point.y), range.to);
-    EXPECT_GT(std::log10(point.y), range.from);
+  const DiagramAxis axis = diagram_.sheet().diagrams[0].y;
+  const DiagramSeries pinned = *seriesOf(diagram_.sheet(), id);
+  for (const DiagramPoint& point : pinned.points) {
+    EXPECT_LT(point.y, axis.to);
+    EXPECT_GT(point.y, axis.from);
   }
   diagram_.unpinAll();
-  EXPECT_LT(diagram_.plot().y.range.to, range.to) << "and shrinks without them";
+  EXPECT_LT(diagram_.sheet().diagrams[0].y.to, axis.to) << "and shrinks without them";
 }
 
 TEST_F(PinnedCurves, ReadingsTellTheCurveAndThePoint) {
@@ -148,8 +148,8 @@ TEST_F(PinnedCurves, ReadingsTellTheCurveAndThePoint) {
 TEST_F(PinnedCurves, APointHasExactlyItsVelocity) {
   show(smallScene());
   const std::vector<double> velocities = sweepVelocities(smallScene().sweep);
-  const PlotSeries series = *seriesOf(diagram_.plot(), kPresentCurve);
-  for (const PlotPoint& point : series.points)
+  const DiagramSeries series = *seriesOf(diagram_.sheet(), kPresentCurve);
+  for (const DiagramPoint& point : series.points)
     EXPECT_EQ(diagram_.velocityOf(kPresentCurve, point.row),
               velocities[static_cast<std::size_t>(point.row)]);
   EXPECT_EQ(diagram_.velocityOf(kPresentCurve, 99), std::nullopt);
@@ -162,18 +162,18 @@ TEST_F(PinnedCurves, DimensionlessAxesScaleEveryCurveByItsOwn) {
   const int id = diagram_.pin();
   show(smallScene());
   diagram_.setAxes(CurveAxes::Dimensionless);
-  const Plot plot = diagram_.plot();
+  const DiagramSheet plot = diagram_.sheet();
   const double ratio = seriesOf(plot, id)->points[3].x / seriesOf(plot, kPresentCurve)->points[3].x;
   EXPECT_NEAR(ratio, 100, 1e-9);
   const CurveUpdate curve = curveOf(smallScene());
-  const PlotSeries present = *seriesOf(plot, kPresentCurve);
-  for (const PlotPoint& point : present.points) {
+  const DiagramSeries present = *seriesOf(plot, kPresentCurve);
+  for (const DiagramPoint& point : present.points) {
     const CurvePoint& row = curve.points[static_cast<std::size_t>(point.row)];
     EXPECT_NEAR(point.y / row.normalizedMu, 1, 1e-12);
     EXPECT_NEAR(point.x / row.dimensionlessVelocity, 1, 1e-12);
   }
-  EXPECT_EQ(plot.spans.front().from, seriesOf(plot, kPresentCurve)->points.front().x);
-  EXPECT_TRUE(plot.x.title.contains("∇z"));
+  EXPECT_NEAR(plot.diagrams[0].spans.front().from / present.points.front().x, 1, 1e-12);
+  EXPECT_NE(plot.diagrams[0].x.title.find("∇z"), std::string::npos);
 }
 
 TEST_F(PinnedCurves, TheMarkerFollowsTheAxesAndBack) {
@@ -199,27 +199,29 @@ TEST_F(PinnedCurves, WithoutARelaxationTimeAxesSayWhyTheyAreEmpty) {
   solid.sweep.points = 5;
   show(solid);
   diagram_.setAxes(CurveAxes::Dimensionless);
-  EXPECT_TRUE(diagram_.plot().blank.contains("one relaxation time"));
-  EXPECT_TRUE(seriesOf(diagram_.plot(), kPresentCurve)->points.empty());
+  const Diagram diagram = diagram_.sheet().diagrams[0];
+  EXPECT_NE(diagram.blank.find("one relaxation time"), std::string::npos);
+  const DiagramSeries present = *seriesOf(diagram_.sheet(), kPresentCurve);
+  for (const DiagramPoint& point : present.points) EXPECT_FALSE(hasPlace(diagram, point));
 }
 
 TEST_F(PinnedCurves, ADifferenceStandsInTheStripWhileItIsOfThisCurve) {
   show(smallScene());
   const CurveSetting setting{Scheme::Linear, 1, 2};
   diagram_.showDifference(curveDifference(smallScene(), setting));
-  Plot plot = diagram_.plot();
-  ASSERT_TRUE(plot.strip);
-  EXPECT_FALSE(plot.strip->faded);
-  EXPECT_EQ(plot.strip->points.size(), 21U);
-  EXPECT_LT(plot.strip->from, 0);
-  EXPECT_GT(plot.strip->to, 0);
-  EXPECT_TRUE(plot.strip->name.contains("linear x1, 2 lines"));
-  EXPECT_TRUE(diagram_.describe(kStripCurve, 3).contains("difference"));
+  const DiagramSeries strip = *seriesOf(diagram_.sheet(), kDifferenceCurve);
+  EXPECT_FALSE(strip.isFaded);
+  EXPECT_EQ(strip.points.size(), 21U);
+  const DiagramAxis axis = diagram_.sheet().diagrams[1].y;
+  EXPECT_LT(axis.from, 0);
+  EXPECT_GT(axis.to, 0);
+  EXPECT_TRUE(strip.name.starts_with("linear x1, 2 lines"));
+  EXPECT_TRUE(diagram_.describe(kDifferenceCurve, 3).contains("difference"));
   diagram_.expect(stiff());
-  EXPECT_TRUE(diagram_.plot().strip->faded);
+  EXPECT_TRUE(seriesOf(diagram_.sheet(), kDifferenceCurve)->isFaded);
   EXPECT_EQ(diagram_.shown({})->pinned.size(), 0U);
   diagram_.showDifference(std::nullopt);
-  EXPECT_FALSE(diagram_.plot().strip);
+  EXPECT_EQ(diagram_.sheet().diagrams.size(), 1U);
 }
 
 TEST_F(PinnedCurves, WhatIsShownCanBeWritten) {
@@ -227,7 +229,7 @@ TEST_F(PinnedCurves, WhatIsShownCanBeWritten) {
   show(smallScene());
   diagram_.pin();
   show(stiff());
-  const CurveSet set = *diagram_.shown(PlotWindow{{-3, 2}, {-5, -1}});
+  const CurveSet set = *diagram_.shown(ChartWindow{{-3, 2}, {-5, -1}});
   EXPECT_EQ(set.present.scene, stiff());
   ASSERT_EQ(set.pinned.size(), 1U);
   EXPECT_EQ(set.pinned[0].name, "G = 10 MPa");

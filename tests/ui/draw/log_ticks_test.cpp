@@ -1,4 +1,4 @@
-#include "ui/draw/log_ticks.h"
+#include "ui/draw/ticks.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,18 @@ TEST(LogTicks, ThinnedToRoundExponents) {
 TEST(LogTicks, MultiplesWhereDecadesAreFew) {
   EXPECT_EQ(labels(2.2, 3.8, 10), "2×10² 5×10² 10³ 2×10³ 5×10³ ");
   EXPECT_EQ(labels(0.45, 0.65, 10), "3×10⁰ 4×10⁰ ");
-  EXPECT_EQ(labels(2.2, 3.8, 2), "10³ ");  // no room for more
+}
+
+/// One label alone says nothing of the scale.
+TEST(LogTicks, TwoWhereThereAreLessThanTwoDecades) {
+  EXPECT_EQ(labels(2.2, 3.8, 2), "2×10² 5×10³ ");
+  EXPECT_EQ(labels(0.1, 1.9, 4), "3×10⁰ 10¹ 3×10¹ ");
+  for (double from = -9; from < 9; from += 0.37)
+    for (double width = 0.8; width < 2.5; width *= 1.1)
+      for (const int most : {2, 3, 4, 5, 9}) {
+        const auto count = static_cast<int>(logTicks(from, from + width, most).size());
+        EXPECT_GE(count, 2) << from << " " << width << " " << most;
+      }
 }
 
 TEST(LogTicks, InsideAscendingAndNeverTooMany) {

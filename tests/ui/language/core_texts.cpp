@@ -53,11 +53,16 @@ std::vector<Scene> furtherScenes() {
 }
 
 void add(Texts& texts, const DiagramSheet& sheet) {
-  texts.insert({sheet.title, sheet.subtitle, sheet.note});
+  texts.insert({sheet.title, sheet.subtitle, sheet.note, sheet.status});
   for (const Diagram& diagram : sheet.diagrams) {
     texts.insert({diagram.title, diagram.x.title, diagram.y.title});
     for (const DiagramSeries& series : diagram.series) texts.insert(series.name);
-    for (const DiagramSpan& span : diagram.spans) texts.insert(span.label);
+    for (const DiagramSpan& span : diagram.spans) {
+      texts.insert(span.label);
+      texts.insert(span.notes.begin(), span.notes.end());
+    }
+    if (diagram.marker) texts.insert({diagram.marker->name, diagram.marker->label});
+    texts.insert(diagram.blank);
     for (const DiagramSpan& shade : diagram.shades) texts.insert(shade.label);
     for (const DiagramLabel& label : diagram.labels) texts.insert(label.text);
     if (diagram.ramp) texts.insert({diagram.ramp->title, diagram.ramp->from, diagram.ramp->to});

@@ -14,7 +14,7 @@
 #include <QTest>
 #include <cstdio>
 
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_view.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/main_window.h"
@@ -47,7 +47,10 @@ class Walk {
   }
   void complete() {
     (void)QTest::qWaitFor(
-        [&] { return !window_.session().friction().isStale() && plot().plot().progress >= 1; },
+        [&] {
+          return !window_.session().friction().isStale() &&
+                 window_.session().friction().progress() >= 1;
+        },
         20000);
   }
   void write(const char* name) {
@@ -66,15 +69,19 @@ class Walk {
     window_.findChild<QSpinBox*>("comparisonOversampling")->setValue(oversampling);
     window_.findChild<QCheckBox*>("comparisonWanted")->setChecked(true);
     (void)QTest::qWaitFor(
-        [&] { return plot().plot().strip && plot().plot().strip->note.isEmpty(); }, 20000);
+        [&] {
+          const auto& difference = window_.session().friction().difference();
+          return difference && difference->done == difference->total;
+        },
+        20000);
   }
   /// The pointer over a point of the plot's series.
   void hover(std::size_t series, std::size_t point) {
-    const PlotPoint& at = plot().plot().series[series].points[point];
+    const DiagramPoint& at = plot().sheet().diagrams[0].series[series].points[point];
     pointer(plot().positionOf(at.x, at.y));
   }
   void pointer(QPointF place) { QTest::mouseMove(&plot(), place.toPoint()); }
-  PlotView& plot() { return window_.plotView(); }
+  ChartView& plot() { return window_.plotView(); }
 
  private:
   MainWindow& window_;
@@ -84,9 +91,9 @@ class Walk {
 void walk(Walk& walk) {
   walk.complete();
   walk.save("1_regions");
-  walk.hover(1, walk.plot().plot().series[1].points.size() / 2);
+  walk.hover(1, walk.plot().sheet().diagrams[0].series[1].points.size() / 2);
   walk.save("2_reading");
-  const auto& span = walk.plot().plot().spans;
+  const auto& span = walk.plot().sheet().diagrams[0].spans;
   if (!span.empty()) {
     const double top = walk.plot().window().y.to;
     walk.pointer(walk.plot().positionOf(1.5 * span.back().from, std::pow(10, top)) - QPointF(0, 8));

@@ -21,7 +21,7 @@
 #include "core/scene/scene_file.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_view.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/exports.h"
 #include "ui/window/main/message_bar.h"

@@ -9,14 +9,15 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "ui/chart/plot_view.h"
+#include "core/chart/curve_diagram.h"
+#include "ui/chart/chart_view.h"
 #include "ui/window/main/session.h"
 
 namespace asperity {
 
 class FreshPaints : public QObject {
  public:
-  FreshPaints(Session& session, PlotView& view) : session_(session), view_(view) {
+  FreshPaints(Session& session, ChartView& view) : session_(session), view_(view) {
     for (QWidget* part : view.findChildren<QWidget*>()) part->installEventFilter(this);
   }
 
@@ -40,11 +41,11 @@ class FreshPaints : public QObject {
  protected:
   bool eventFilter(QObject*, QEvent* event) override {
     if (event->type() != QEvent::Paint) return false;
-    const Plot& plot = view_.plot();
-    if (plot.series.empty()) return false;
-    const bool fades = plot.series.back().faded;
-    for (const PlotSeries& series : plot.series)
-      if (!series.isPinned() && series.faded != fades) ++mixed;
+    const std::vector<DiagramSeries>& all = view_.sheet().diagrams[0].series;
+    if (all.empty()) return false;
+    const bool fades = all.back().isFaded;
+    for (const DiagramSeries& series : all)
+      if (series.id <= kPresentCurve && series.isFaded != fades) ++mixed;
     if (!session_.friction().isStale() && !fades && !isWhole_)
       // After this and all other painting of this turn.
       QMetaObject::invokeMethod(
@@ -61,7 +62,7 @@ class FreshPaints : public QObject {
   }
 
   Session& session_;
-  PlotView& view_;
+  ChartView& view_;
   bool isWhole_ = true;
   QEventLoop loop_;
   QElapsedTimer clock_;

@@ -17,7 +17,7 @@
 #include "tests/core/elastomers.h"
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/window_in.h"
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_view.h"
 #include "ui/panels/arms_editor.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/contact/contact_canvas.h"
@@ -96,7 +96,7 @@ TEST(LanguageSwitch, KeepsWhatIsInSight) {
   ASSERT_TRUE(window.waitForCurve());
   window->findChild<QAction*>("dimensionlessAxes")->trigger();
   window->plotView().zoom(0.5);
-  const PlotWindow zoomed = window->plotView().window();
+  const ChartWindow zoomed = window->plotView().window();
   window->canvas().zoom(3);
   for (const char* name : {"followLine", "magnify"}) window->findChild<QAction*>(name)->trigger();
   const ViewNavigation view = window->canvas().viewer().navigation();

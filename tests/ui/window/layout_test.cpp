@@ -154,7 +154,7 @@ TEST_F(LayoutTest, WhatEndsAPresentationIsAsItWasBefore) {
 /// Whatever was opened and needed room meanwhile.
 TEST_F(LayoutTest, APresentationGivesBackSizesToThePixel) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
-  ASSERT_TRUE(waitFor([&] { return session().plot().progress >= 1; }));
+  ASSERT_TRUE(waitFor([&] { return session().friction().progress() >= 1; }));
   window_.resize(1000, 640);
   QCoreApplication::processEvents();
   auto& splitter = control<QSplitter>("viewSplitter");

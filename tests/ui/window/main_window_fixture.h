@@ -14,6 +14,7 @@
 #include <QTimer>
 
 #include "tests/core/small_scene.h"
+#include "ui/chart/chart_view.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
@@ -56,6 +57,8 @@ class MainWindowTest : public testing::Test {
 
   Session& session() { return window_.session(); }
   const Frame* frame() { return session().frame().get(); }
+  /// The friction curve as it is shown.
+  const Diagram& chart() { return window_.plotView().sheet().diagrams.front(); }
 
   template <class Condition>
   bool waitFor(Condition condition) {

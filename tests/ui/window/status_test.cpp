@@ -112,8 +112,8 @@ TEST_F(StatusTest, ACurveToATargetIsFinished) {
     EXPECT_FALSE(control<QToolButton>("workStop").isVisible());
     ASSERT_TRUE(waitFor([&] { return fact("factRegime").startsWith("region"); }));
     const CurveUpdate& curve = *session().curve();
-    EXPECT_EQ(session().plot().note,
-              QStringLiteral("%1 of %1 realizations").arg(curve.realizationsTotal));
+    EXPECT_EQ(session().friction().sheet().status,
+              QStringLiteral("%1 of %1 realizations").arg(curve.realizationsTotal).toStdString());
     double squares = 0;
     for (const CurvePoint& point : curve.points)
       squares += std::pow(point.muStandardError / point.mu, 2);
@@ -298,22 +298,22 @@ TEST(StatusLine, WhatIsSaidIsSeenWholeOrInItsTooltip) {
 
 /// A line of 2^23 elements takes its time on any machine, and leaving it does not.
 TEST_F(StatusTest, WhatIsOfTheSceneBeforeSaysSo) {
-  ASSERT_TRUE(waitFor([this] { return session().plot().progress >= 1; }));
+  ASSERT_TRUE(waitFor([this] { return session().friction().progress() >= 1; }));
   ASSERT_TRUE(waitForFrame());
   auto& veil = control<QLabel>("contactVeil");
   EXPECT_FALSE(veil.isVisible());
-  const auto marker = [this] { return *session().plot().marker; };
-  EXPECT_FALSE(marker().faded);
+  const auto marker = [this] { return *session().friction().marker(); };
+  EXPECT_FALSE(marker().isFaded);
   Scene scene = session().scene();
   scene.surface.elements = 8388608;
   window_.document().edit(scene);
   ASSERT_TRUE(waitFor([&] { return veil.isVisible(); }));
   EXPECT_EQ(veil.size(), window_.canvas().size());
-  EXPECT_TRUE(marker().faded);
+  EXPECT_TRUE(marker().isFaded);
   EXPECT_EQ(marker().name, "before the change");
   action("undo").trigger();
   ASSERT_TRUE(waitFor([&] { return !veil.isVisible(); }));
-  EXPECT_FALSE(marker().faded);
+  EXPECT_FALSE(marker().isFaded);
 }
 
 TEST(StatusLine, WaitingCanBeLeft) {

@@ -30,7 +30,7 @@ class WindowIn {
 
   /// Runs until there are a frame and a curve to speak of.
   bool waitForCurve() {
-    return QTest::qWaitFor([this] { return window_->session().plot().progress >= 1; },
+    return QTest::qWaitFor([this] { return window_->session().friction().progress() >= 1; },
                            kWindowPatience);
   }
 

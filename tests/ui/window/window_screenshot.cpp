@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "core/scene/scene_file.h"
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/figures/figure_pages.h"
@@ -91,7 +91,7 @@ const char* complaint(MainWindow& window, const Wish& wish, int frames) {
   if (wish.message) return window.messages().isVisible() ? nullptr : "no message appeared";
   if (frames < 5) return "the contact is not animated";
   if (window.canvas().backendName().isEmpty()) return "nothing draws the contact";
-  if (window.plotView().plot().series.empty()) return "no curve has arrived";
+  if (window.plotView().sheet().diagrams[0].series.empty()) return "no curve has arrived";
   return nullptr;
 }
 

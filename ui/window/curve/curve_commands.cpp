@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
 #include "ui/window/curve/curve_files.h"
 #include "ui/window/main/picture_files.h"
@@ -21,12 +21,12 @@ constexpr double kZoom = 1.5;
 
 }  // namespace
 
-CurveCommands::CurveCommands(Session& session, PlotView& view, Export run, QObject* parent)
+CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObject* parent)
     : QObject(parent), session_(session), view_(view), run_(std::move(run)) {
-  pin_ = add("pinCurve", [this] { session_.editCurve([](FrictionPlot& plot) { plot.pin(); }); });
+  pin_ = add("pinCurve", [this] { session_.editCurve([](FrictionChart& plot) { plot.pin(); }); });
   pin_->setShortcut(Qt::Key_P);
   unpinAll_ =
-      add("unpinAll", [this] { session_.editCurve([](FrictionPlot& plot) { plot.unpinAll(); }); });
+      add("unpinAll", [this] { session_.editCurve([](FrictionChart& plot) { plot.unpinAll(); }); });
   unpinAll_->setShortcut(Qt::SHIFT | Qt::Key_P);
   dimensionless_ = add("dimensionlessAxes", [] {});
   dimensionless_->setCheckable(true);
@@ -39,7 +39,7 @@ CurveCommands::CurveCommands(Session& session, PlotView& view, Export run, QObje
   save_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
   copy_ = add("copyCurvePicture", [this] { copyPicture(); });
   connect(&session_, &Session::plotChanged, this, &CurveCommands::showState);
-  connect(&view_, &PlotView::zoomChanged, this, &CurveCommands::showState);
+  connect(&view_, &ChartView::zoomChanged, this, &CurveCommands::showState);
 }
 
 QAction* CurveCommands::add(const char* name, std::function<void()> run) {
@@ -86,7 +86,7 @@ void CurveCommands::fillUnpin() {
   unpin_->clear();
   for (const PinnedCurve& pinned : session_.friction().pinned()) {
     QAction* action = unpin_->addAction(session_.friction().nameOf(pinned), this, [this, pinned] {
-      session_.editCurve([&](FrictionPlot& plot) { plot.unpin(pinned.id); });
+      session_.editCurve([&](FrictionChart& plot) { plot.unpin(pinned.id); });
     });
     action->setObjectName(QStringLiteral("unpin:%1").arg(pinned.id));
   }
@@ -106,7 +106,7 @@ void CurveCommands::showState() {
 /// Ranges that were zoomed to belong to the other axes.
 void CurveCommands::setAxes(bool dimensionless) {
   view_.fit();
-  session_.editCurve([dimensionless](FrictionPlot& plot) {
+  session_.editCurve([dimensionless](FrictionChart& plot) {
     plot.setAxes(dimensionless ? CurveAxes::Dimensionless : CurveAxes::Physical);
   });
 }

@@ -13,7 +13,7 @@ class QMenu;
 
 namespace asperity {
 
-class PlotView;
+class ChartView;
 class Session;
 
 class CurveCommands : public QObject {
@@ -23,7 +23,7 @@ class CurveCommands : public QObject {
   /// Runs `work` beside the window, then `done` in it, or complains.
   using Export = std::function<void(std::function<void()> work, std::function<void()> done)>;
 
-  CurveCommands(Session& session, PlotView& view, Export run, QObject* parent);
+  CurveCommands(Session& session, ChartView& view, Export run, QObject* parent);
 
   /// Adds all commands to the menu, and most of them to the view's context menu; called once.
   void fill(QMenu& menu);
@@ -48,7 +48,7 @@ class CurveCommands : public QObject {
   void setAxes(bool dimensionless);
 
   Session& session_;
-  PlotView& view_;
+  ChartView& view_;
   Export run_;
   QAction *pin_, *unpinAll_, *dimensionless_, *nearer_, *farther_, *fit_, *save_, *copy_;
   QMenu* unpin_ = nullptr;

@@ -18,7 +18,7 @@ constexpr int kFade = 30;  // ms, for a new curve to come before the old one is 
 
 }  // namespace
 
-CurveDisplay::CurveDisplay(Session& session, PlotView& view, QObject* parent)
+CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
     : QObject(parent), session_(session), view_(view) {
   pause_.setSingleShot(true);
   connect(&pause_, &QTimer::timeout, this, [this] {
@@ -27,15 +27,15 @@ CurveDisplay::CurveDisplay(Session& session, PlotView& view, QObject* parent)
   connect(&session_, &Session::plotChanged, this, &CurveDisplay::showSoon);
   connect(&session_, &Session::markChanged, this, &CurveDisplay::showMarker);
   view_.setDescribe([this](int id, int row) { return session_.friction().describe(id, row); });
-  connect(&view_, &PlotView::markerMoved, this, [this](double x, bool finely) {
+  connect(&view_, &ChartView::markerMoved, this, [this](double x, bool finely) {
     const auto velocity = session_.friction().velocityAt(x);
     if (velocity) setVelocity(roundedToDigits(*velocity, finely ? kFineDigits : kDigits));
   });
-  connect(&view_, &PlotView::pointChosen, this, [this](int id, int row) {
+  connect(&view_, &ChartView::pointChosen, this, [this](int id, int row) {
     if (const auto velocity = session_.friction().velocityOf(id, row)) setVelocity(*velocity);
   });
-  connect(&view_, &PlotView::unpinWanted, this,
-          [this](int id) { session_.editCurve([id](FrictionPlot& plot) { plot.unpin(id); }); });
+  connect(&view_, &ChartView::unpinWanted, this,
+          [this](int id) { session_.editCurve([id](FrictionChart& plot) { plot.unpin(id); }); });
   keepTranslated(view_, [this] {
     session_.markAgain();
     show();
@@ -53,7 +53,7 @@ void CurveDisplay::showSoon() {
 
 void CurveDisplay::show() {
   isDue_ = false;
-  view_.setPlot(session_.plot());
+  view_.setSheet(session_.friction().sheet());
   pause_.start(kPause);
 }
 

@@ -8,7 +8,7 @@
 #include <QTimer>
 
 #include "core/scene/scene.h"
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_view.h"
 
 namespace asperity {
 
@@ -18,7 +18,7 @@ class CurveDisplay : public QObject {
   Q_OBJECT
 
  public:
-  CurveDisplay(Session& session, PlotView& view, QObject* parent);
+  CurveDisplay(Session& session, ChartView& view, QObject* parent);
 
  signals:
   /// The scene with another velocity, from the marker or from a point.
@@ -31,7 +31,7 @@ class CurveDisplay : public QObject {
   void setVelocity(double velocity);
 
   Session& session_;
-  PlotView& view_;
+  ChartView& view_;
   QTimer pause_;        // runs after the diagram was painted
   bool isDue_ = false;  // and something came meanwhile
   bool wasStale_ = false;

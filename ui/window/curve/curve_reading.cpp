@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/chart/curve_regions.h"
-#include "ui/chart/friction_series.h"
+#include "ui/chart/friction_chart.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 

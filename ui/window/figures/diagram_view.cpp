@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/input_error.h"
+#include "ui/chart/chart_panel.h"
 #include "ui/chart/diagram_picture.h"
-#include "ui/chart/plot_marks.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pixel_context.h"
 

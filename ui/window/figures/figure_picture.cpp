@@ -3,8 +3,8 @@
 #include <QEvent>
 #include <QPainter>
 
+#include "ui/chart/chart_panel.h"
 #include "ui/chart/figure_drawing.h"
-#include "ui/chart/plot_marks.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pixel_context.h"
 #include "ui/language/translated.h"

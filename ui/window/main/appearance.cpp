@@ -76,27 +76,6 @@ QPalette paletteOf(const Theme& theme) {
   return palette;
 }
 
-PlotColours plotColoursOf(const Theme& theme) {
-  const bool dark = isDark(theme);
-  PlotColours colours;
-  colours.background = colourOf(theme.background);
-  colours.text = colourOf(theme.text);
-  colours.faintText = colourOf(theme.faintText);
-  colours.grid = mixed(colours.background, colours.text, dark ? 0.19 : 0.14);
-  colours.fineGrid = mixed(colours.background, colours.grid, 0.55);
-  colours.axis = mixed(colours.background, colours.text, 0.5);
-  colours.points = accent(theme);
-  colours.line = dark ? QColor(0xb0, 0xb6, 0xbf) : QColor(0x6b, 0x72, 0x7c);
-  colours.span = mixed(colours.background, colours.text, dark ? 0.06 : 0.04);
-  colours.shade = colourOf(theme.highlight);
-  colours.shade.setAlphaF(0.1F);
-  colours.difference = colours.text;
-  for (std::size_t i = 0; i < colours.pinned.size(); ++i)
-    colours.pinned[i] = colourOf(seriesColour(colourOfPin(static_cast<int>(i)), theme));
-  colours.marker = dark ? QColor(0xff, 0x9f, 0x43) : QColor(0xd9, 0x5f, 0x02);
-  return colours;
-}
-
 double presentedScale(const QSizeF& screen) {
   constexpr double kLeast = 1.5;
   constexpr QSizeF kEnoughFor(1600, 900);

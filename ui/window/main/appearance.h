@@ -9,7 +9,6 @@
 #include <QSizeF>
 #include <QString>
 
-#include "ui/chart/plot_view.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/fonts.h"
 
@@ -57,7 +56,6 @@ bool isDark(const Theme& theme);
 /// Whether the desktop's own colours are dark, as found at the first call: before setPalette().
 bool systemIsDark();
 QPalette paletteOf(const Theme& theme);
-PlotColours plotColoursOf(const Theme& theme);
 
 /// How much larger all texts are in a presentation on a screen of this size in pixels: read from
 /// the back of a room, they keep their share of a large one.

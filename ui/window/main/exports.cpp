@@ -16,7 +16,7 @@
 
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_view.h"
 #include "ui/contact/contact_overlay.h"
 #include "ui/draw/stroke_pattern.h"
 #include "ui/language/language.h"

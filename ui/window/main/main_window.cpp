@@ -16,7 +16,8 @@
 #include <QToolButton>
 #include <QUrl>
 
-#include "ui/chart/plot_view.h"
+#include "core/run/transient_diagram.h"
+#include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
@@ -141,7 +142,7 @@ MainWindow::~MainWindow() {
   delete windowLayout_;
 }
 
-PlotView& MainWindow::plotView() {
+ChartView& MainWindow::plotView() {
   return tabs_->plot();
 }
 

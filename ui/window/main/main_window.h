@@ -28,7 +28,7 @@ class Exports;
 class FigurePages;
 class MessageBar;
 class ParameterPanel;
-class PlotView;
+class ChartView;
 class SceneDocument;
 class SceneTabs;
 class Session;
@@ -51,7 +51,7 @@ class MainWindow : public QMainWindow {
   ParameterPanel& panel() { return *panel_; }
   ContactCanvas& canvas() { return *canvas_; }
   SceneTabs& tabs() { return *tabs_; }  // under the contact
-  PlotView& plotView();
+  ChartView& plotView();
   CurveCommands& curveCommands() { return *curveCommands_; }
   FigurePages& figures() { return *figures_; }  // the views, or the paper's figures
   Exports& exports() { return *exports_; }

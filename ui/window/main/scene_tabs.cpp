@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "core/run/line_diagrams.h"
-#include "ui/chart/plot_view.h"
-#include "ui/chart/transient_strips.h"
+#include "core/run/transient_diagram.h"
+#include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/accuracy/plan_list.h"
@@ -43,8 +43,8 @@ double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(con
 SceneTabs::SceneTabs(Session& session, QWidget* parent)
     : QTabWidget(parent),
       session_(session),
-      plot_(makePlotView()),
-      strips_(new TransientStrips),
+      plot_(new ChartView),
+      strips_(new ChartView),
       spectrum_(new DiagramView),
       statistics_(new DiagramView),
       accuracy_(new AccuracyPanel),
@@ -53,9 +53,11 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   setDocumentMode(true);
   tabBar()->setFocusPolicy(Qt::NoFocus);  // Space is the run's
   tabBar()->setDrawBase(false);
-  plot_->setFocusPolicy(Qt::StrongFocus);
+  plot_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(kOnePlot);
+  strips_->setObjectName("transientStrips");
+  strips_->setFocusPolicy(Qt::NoFocus);
   spectrum_->setObjectName("spectrumView");
   statistics_->setObjectName("statisticsView");
   for (QWidget* page :
@@ -89,6 +91,7 @@ void SceneTabs::showTexts() {
       button->setAccessibleName(
           QCoreApplication::translate("QTabBar", QByteArray("Scroll ") + side));
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
+  strips_->setAccessibleName(tr("velocity, friction, indentation and contact length in time"));
   spectrum_->setAccessibleName(tr("spectrum of the rigid line"));
   statistics_->setAccessibleName(tr("pressures and slopes in contact"));
   const QString titles[] = {tr("Friction curve"), tr("Motion in time"), tr("Spectrum"),
@@ -151,7 +154,7 @@ void SceneTabs::showScene(const Scene& scene) {
   action.setVisible(moves);
   setTabVisible(kMotionTab, moves && action.isChecked());
   if (moves && !moved) setCurrentIndex(kMotionTab);
-  if (moves) strips_->show(scene.sliding, nullptr);
+  if (moves) strips_->setSheet(transientSheet(scene, {}));
   plan_->showScene(scene);
   spectrum_->show([scene] { return spectrumSheet(scene); });
   accuracy_->showScene(scene);
@@ -166,14 +169,13 @@ void SceneTabs::showScene(const Scene& scene) {
 
 void SceneTabs::showFrame(const Frame& frame) {
   if (frame.transient && frame.sceneNumber == session_.sceneNumber())
-    strips_->show(frame.scene->sliding, frame.transient, frame.spacing, frame.length);
+    strips_->setSheet(transientSheet(*frame.scene, *frame.transient, frame.spacing, frame.length));
   if (statistics_->isVisible())
     statistics_->show([shown = session_.frame()] { return statisticsSheet(*shown); });
 }
 
 void SceneTabs::setTheme(const Theme& theme) {
-  plot_->setColours(plotColoursOf(theme));
-  strips_->setColours(plotColoursOf(theme));
+  for (ChartView* view : {plot_, strips_}) view->setTheme(theme);
   for (DiagramView* view : {spectrum_, statistics_}) view->setTheme(theme);
   accuracy_->setTheme(theme);
 }

@@ -19,12 +19,11 @@ class QMenu;
 namespace asperity {
 
 class AccuracyPanel;
+class ChartView;
 class Commands;
 class DiagramView;
 class PlanList;
-class PlotView;
 class Session;
-class TransientStrips;
 
 class SceneTabs : public QTabWidget {
   Q_OBJECT
@@ -32,7 +31,7 @@ class SceneTabs : public QTabWidget {
  public:
   explicit SceneTabs(Session& session, QWidget* parent = nullptr);
 
-  PlotView& plot() { return *plot_; }
+  ChartView& plot() { return *plot_; }
   AccuracyPanel& accuracy() { return *accuracy_; }
 
   /// A key for each tab, which brings it to the front.
@@ -67,8 +66,7 @@ class SceneTabs : public QTabWidget {
   void showMeasuredCurve();
 
   Session& session_;
-  PlotView* plot_;
-  TransientStrips* strips_;
+  ChartView *plot_, *strips_;
   DiagramView *spectrum_, *statistics_;
   AccuracyPanel* accuracy_;
   PlanList* plan_;

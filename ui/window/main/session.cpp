@@ -60,7 +60,7 @@ RunnerOptions Session::withNews(RunnerOptions options) {
   return options;
 }
 
-void Session::editCurve(const std::function<void(FrictionPlot&)>& edit) {
+void Session::editCurve(const std::function<void(FrictionChart&)>& edit) {
   edit(friction_);
   emit plotChanged();
 }
@@ -182,10 +182,7 @@ void Session::takeFrame() {
   const bool marked = sameMark(frame_.get(), *newest);
   frame_ = std::move(newest);
   if (!marked) {
-    const Plot before = friction_.plot();
-    friction_.mark(*frame_);
-    const Plot now = friction_.plot();
-    if (before.x == now.x && before.y == now.y)
+    if (friction_.mark(*frame_))
       emit markChanged();
     else
       emit plotChanged();

@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "core/run/runner.h"
-#include "ui/chart/friction_plot.h"
+#include "ui/chart/friction_chart.h"
 
 namespace asperity {
 
@@ -62,11 +62,9 @@ class Session : public QObject {
   void poll();
 
   std::shared_ptr<const Frame> frame() const { return frame_; }
-  Plot plot() const { return friction_.plot(); }
-
-  const FrictionPlot& friction() const { return friction_; }
+  const FrictionChart& friction() const { return friction_; }
   /// Changes what the diagram shows beside the present curve: pins, axes, a difference.
-  void editCurve(const std::function<void(FrictionPlot&)>& edit);
+  void editCurve(const std::function<void(FrictionChart&)>& edit);
 
   /// Makes the texts of the diagram's marker anew, in another language.
   void markAgain();
@@ -105,7 +103,7 @@ class Session : public QObject {
   std::uint64_t brokenNumber_ = 0;   // newest scene that the runner complained about
   QString trouble_;                  // said of that scene's frames
   std::shared_ptr<const Frame> frame_;
-  FrictionPlot friction_;
+  FrictionChart friction_;
   std::optional<CurveUpdate> curve_;
   QElapsedTimer sceneTime_, curveTime_;  // since the scene came, and since its curve was begun
   bool isStopped_ = false;

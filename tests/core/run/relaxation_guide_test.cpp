@@ -1,5 +1,5 @@
 // The guide over the friction of a motion: the exponential with the rate that each sample predicts.
-#include "ui/chart/relaxation_guide.h"
+#include "core/run/transient_diagram.h"
 
 #include <gtest/gtest.h>
 
@@ -36,10 +36,10 @@ TEST(RelaxationGuide, LiesOnFrictionThatRelaxesAsPredicted) {
     const auto samples = relaxing(jump, 0.04);
     const auto guide = relaxationGuide(motion(kind), samples);
     ASSERT_GE(guide.size(), 199U);
-    EXPECT_GT(guide.front().time, jump);
-    for (const GuidePoint& point : guide) {
-      const double mu = 0.5 + 0.3 * std::exp(-kRate * (point.time - jump));
-      EXPECT_NEAR(point.mu, mu, 1e-8 * mu + 0.3 * std::exp(-kRate * 0.02)) << point.time;
+    EXPECT_GT(guide.front().x, jump);
+    for (const DiagramPoint& point : guide) {
+      const double mu = 0.5 + 0.3 * std::exp(-kRate * (point.x - jump));
+      EXPECT_NEAR(point.y, mu, 1e-8 * mu + 0.3 * std::exp(-kRate * 0.02)) << point.x;
     }
   }
 }

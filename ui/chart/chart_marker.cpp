@@ -1,11 +1,9 @@
-// The marker of a plot and the reading at the pointer.
+#include "ui/chart/chart_marker.h"
+
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
-
-#include "ui/chart/plot_items.h"
-#include "ui/chart/plot_marks.h"
 
 namespace asperity {
 
@@ -18,21 +16,20 @@ constexpr double kRing = 7.5;    // around a point that is read
 
 }  // namespace
 
-void MarkerItem::update(const PlotGeometry& geometry, const std::optional<PlotMarker>& marker,
-                        double lineX, const PlotColours& colours, const QFont& font) {
+void MarkerItem::update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
+                        double lineX, const ChartLook& look) {
   prepareGeometryChange();
   geometry_ = geometry;
   marker_ = marker;
-  colours_ = colours;
-  font_ = font;
+  look_ = look;
   bounds_ = label_ = QRectF();
   if (!marker_) return;
   layTrace();
-  if (!isPlottable(marker_->x, 1)) return;
+  if (!std::isfinite(geometry.xOf(marker_->x))) return;
   lineX_ = geometry.xOf(std::isfinite(lineX) ? lineX : marker_->x);
   const QRectF& area = geometry.area;
-  const QFontMetricsF metrics(font_);
-  const double width = metrics.horizontalAdvance(marker_->label);
+  const QFontMetricsF metrics(look_.font);
+  const double width = metrics.horizontalAdvance(QString::fromStdString(marker_->label));
   const double away = 8 * geometry.scale;
   const bool left = lineX_ + away + width > area.right();
   const QPointF baseline(left ? lineX_ - away - width : lineX_ + away, area.bottom() - away);
@@ -47,10 +44,10 @@ void MarkerItem::update(const PlotGeometry& geometry, const std::optional<PlotMa
 void MarkerItem::layTrace() {
   trace_.clear();
   bool draws = false;
-  for (const PlotPoint& point : marker_->trace) {
-    const bool hasPlace = isPlottable(point.x, point.y);
+  for (const DiagramPoint& point : marker_->trace) {
+    const QPointF at = geometry_.at(point.x, point.y);
+    const bool hasPlace = std::isfinite(at.x()) && std::isfinite(at.y());
     if (hasPlace) {
-      const QPointF at(geometry_.xOf(point.x), geometry_.yOf(point.y));
       draws ? trace_.lineTo(at) : trace_.moveTo(at);
     }
     draws = hasPlace;
@@ -62,22 +59,21 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   const QRectF& area = geometry_.area;
   if (bounds_.isEmpty()) return;
   painter->setRenderHint(QPainter::Antialiasing);
-  painter->setOpacity(marker_->faded ? kFadedOpacity : 1);
+  painter->setOpacity(marker_->isFaded ? kFadedOpacity : 1);
   paintTrace(*painter);
   if (label_.isEmpty() || lineX_ < area.left() - 1 || lineX_ > area.right() + 1) return;
-  painter->setFont(font_);
+  painter->setFont(look_.font);
   const double sharp = std::floor(lineX_) + 0.5;  // covers whole pixels
-  painter->setPen(QPen(colours_.marker, 1.5 * geometry_.scale));
+  painter->setPen(QPen(look_.marker(), 1.5 * geometry_.scale));
   painter->drawLine(QPointF(sharp, area.top()), QPointF(sharp, area.bottom()));
-  QColor halo = colours_.background;
+  QColor halo = look_.background();
   halo.setAlphaF(0.85F);
   painter->fillRect(label_, halo);
-  painter->drawText(label_, Qt::AlignCenter, marker_->label);
+  painter->drawText(label_, Qt::AlignCenter, QString::fromStdString(marker_->label));
 
-  if (!isPlottable(marker_->x, marker_->y)) return;
-  painter->setPen(QPen(colours_.background, 2));
-  painter->setBrush(colours_.marker);
-  const QPointF dot(geometry_.xOf(marker_->x), geometry_.yOf(marker_->y));
+  painter->setPen(QPen(look_.background(), 2));
+  painter->setBrush(look_.marker());
+  const QPointF dot = geometry_.at(marker_->x, marker_->y);
   if (area.adjusted(-1, -1, 1, 1).contains(dot)) {
     const double radius = kDot * geometry_.scale;
     painter->drawEllipse(dot, radius, radius);
@@ -86,7 +82,7 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
 
 void MarkerItem::paintTrace(QPainter& painter) const {
   if (trace_.isEmpty()) return;
-  QColor colour = colours_.marker;
+  QColor colour = look_.marker();
   colour.setAlphaF(0.75F);
   painter.save();
   painter.setClipRect(geometry_.area);
@@ -98,20 +94,18 @@ void MarkerItem::paintTrace(QPainter& painter) const {
 
 /// Beside its place, on the side where there is room.
 void TipItem::show(const QString& text, QPointF place, bool ringed, const QRectF& room,
-                   const PlotColours& colours, const QFont& font) {
+                   const ChartLook& look) {
   prepareGeometryChange();
   text_ = text;
   place_ = place;
   isRinged_ = ringed;
-  colours_ = colours;
-  font_ = font;
-  const QFontMetricsF metrics(font_);
-  scale_ = markScale(font);
-  const double most = std::min(360.0 * scale_, room.width() - 4 * kTipPad);
+  look_ = look;
+  const QFontMetricsF metrics(look_.font);
+  const double most = std::min(360.0 * look_.scale(), room.width() - 4 * kTipPad);
   const QSizeF size =
       metrics.boundingRect(QRectF(0, 0, most, 1000), Qt::TextWordWrap, text).size() +
       QSizeF(2 * kTipPad, 2 * kTipPad);
-  const double away = kTipAway * scale_, ring = kRing * scale_ + 2;
+  const double away = kTipAway * look_.scale(), ring = kRing * look_.scale() + 2;
   const bool left = place.x() + away + size.width() > room.right();
   const double x = left ? place.x() - away - size.width() : place.x() + away;
   const double y = place.y() - size.height() / 2;
@@ -133,17 +127,17 @@ void TipItem::clear() {
 
 void TipItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   if (text_.isEmpty()) return;
-  painter->setFont(font_);
+  painter->setFont(look_.font);
   painter->setRenderHint(QPainter::Antialiasing);
   if (isRinged_) {
-    painter->setPen(QPen(colours_.text, 1.6 * scale_));
+    painter->setPen(QPen(look_.text(), 1.6 * look_.scale()));
     painter->setBrush(Qt::NoBrush);
-    painter->drawEllipse(place_, kRing * scale_, kRing * scale_);
+    painter->drawEllipse(place_, kRing * look_.scale(), kRing * look_.scale());
   }
-  painter->setPen(QPen(colours_.axis, 1));
-  painter->setBrush(colours_.background);
+  painter->setPen(QPen(look_.axis(), 1));
+  painter->setBrush(look_.background());
   painter->drawRoundedRect(box_, 5, 5);
-  painter->setPen(colours_.text);
+  painter->setPen(look_.text());
   painter->drawText(box_.adjusted(kTipPad, kTipPad, -kTipPad, -kTipPad),
                     Qt::AlignLeft | Qt::TextWordWrap, text_);
 }

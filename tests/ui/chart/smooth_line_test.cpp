@@ -1,4 +1,3 @@
-#include "ui/contact/smooth_line.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/run/line_diagrams.h"
 #include "core/surface/line.h"
+#include "ui/chart/diagram_series.h"
 
 namespace asperity {
 namespace {

@@ -4,9 +4,7 @@
 
 #include <cmath>
 
-#include "ui/chart/decade_range.h"
-#include "ui/chart/friction_plot.h"
-#include "ui/chart/tick_label.h"
+#include "ui/chart/friction_chart.h"
 
 namespace asperity {
 namespace {
@@ -42,46 +40,52 @@ Frame frame(const Scene& scene, double mu) {
   return made;
 }
 
-const PlotSeries& seriesOf(const Plot& plot, PlotStyle style) {
-  for (const PlotSeries& series : plot.series)
-    if (series.style == style) return series;
+Diagram diagramOf(const FrictionChart& chart) {
+  return chart.sheet().diagrams.front();
+}
+
+DiagramSeries seriesOf(const FrictionChart& chart, int id) {
+  for (const DiagramSeries& series : diagramOf(chart).series)
+    if (series.id == id) return series;
   throw std::runtime_error("no such series");
 }
 
-std::vector<double> velocitiesOf(const PlotSeries& series) {
+AxisRange decadesOf(const DiagramAxis& axis) {
+  return {std::log10(axis.from), std::log10(axis.to)};
+}
+AxisRange along(const FrictionChart& chart) {
+  return decadesOf(diagramOf(chart).x);
+}
+AxisRange up(const FrictionChart& chart) {
+  return decadesOf(diagramOf(chart).y);
+}
+
+/// Of the points that have a place on logarithmic axes.
+std::vector<double> velocitiesOf(const FrictionChart& chart) {
+  const Diagram diagram = diagramOf(chart);
   std::vector<double> velocities;
-  for (const PlotPoint& shown : series.points) velocities.push_back(shown.x);
+  for (const DiagramPoint& shown : seriesOf(chart, kPresentCurve).points)
+    if (hasPlace(diagram, shown)) velocities.push_back(shown.x);
   return velocities;
 }
 
-TEST(TickLabel, IsMultipliedByAPowerOfTenUnlessItIsZero) {
-  const auto second = [](double to, const char* unit) {
-    const AxisTicks axis = linearTicks(0, to, 4, unit);
-    return labelWithUnit(axis.ticks[0], axis) + ", " + labelWithUnit(axis.ticks[1], axis);
-  };
-  EXPECT_EQ(second(0.004, ""), QStringLiteral("0, 2×10⁻³"));
-  EXPECT_EQ(second(0.004, "%"), QStringLiteral("0 %, 2×10⁻³ %"));
-  EXPECT_EQ(second(0.004, "m"), "0 mm, 2 mm");
-  EXPECT_EQ(second(4, ""), "0, 2");
+TEST(DecadeRanges, SurroundsTheData) {
+  EXPECT_EQ(decadesAround(2e-5, 30), (AxisRange{-5, 2}));
+  EXPECT_EQ(decadesAround(1e-5, 1e3), (AxisRange{-5, 3}));
+  EXPECT_EQ(decadesAround(1, 1), (AxisRange{0, 1}));
 }
 
-TEST(DecadeRange, SurroundsTheData) {
-  EXPECT_EQ(decadesAround(2e-5, 30), (DecadeRange{-5, 2}));
-  EXPECT_EQ(decadesAround(1e-5, 1e3), (DecadeRange{-5, 3}));
-  EXPECT_EQ(decadesAround(1, 1), (DecadeRange{0, 1}));
-}
-
-TEST(DecadeRange, GrowsAtOnceAndShrinksReluctantly) {
-  const DecadeRange shown{-6, -2};
-  EXPECT_EQ(steadyRange(shown, {-7, -3}, false), (DecadeRange{-7, -2}));
+TEST(DecadeRanges, GrowsAtOnceAndShrinksReluctantly) {
+  const AxisRange shown{-6, -2};
+  EXPECT_EQ(steadyRange(shown, {-7, -3}, false), (AxisRange{-7, -2}));
   EXPECT_EQ(steadyRange(shown, {-3, -2}, false), shown);
   EXPECT_EQ(steadyRange(shown, {-5, -2}, true), shown);
-  EXPECT_EQ(steadyRange(shown, {-3, -2}, true), (DecadeRange{-3, -2}));
-  EXPECT_EQ(steadyRange({}, {-3, -2}, false), (DecadeRange{-3, -2}));
+  EXPECT_EQ(steadyRange(shown, {-3, -2}, true), (AxisRange{-3, -2}));
+  EXPECT_EQ(steadyRange({}, {-3, -2}, false), (AxisRange{-3, -2}));
   EXPECT_EQ(steadyRange(shown, {}, true), shown);
 }
 
-TEST(DecadeRange, ReadingsReadLikePrint) {
+TEST(DecadeRanges, ReadingsReadLikePrint) {
   EXPECT_EQ(readingLabel(0.125), QStringLiteral("0.125"));
   EXPECT_EQ(readingLabel(2.5e-5), QStringLiteral("2.5×10⁻⁵"));
   EXPECT_EQ(readingLabel(1e-6), QStringLiteral("10⁻⁶"));
@@ -91,36 +95,36 @@ TEST(DecadeRange, ReadingsReadLikePrint) {
   EXPECT_EQ(readingLabel(-2.5e-5), QStringLiteral("−2.5×10⁻⁵"));
 }
 
-TEST(FrictionPlot, SkipsWhatHasNoPlaceOnLogarithmicAxes) {
-  FrictionPlot diagram;
+TEST(FrictionChartTest, SkipsWhatHasNoPlaceOnLogarithmicAxes) {
+  FrictionChart diagram;
   const double nan = std::nan("");
   ASSERT_TRUE(diagram.take(update({}, {point(1e-3, 1e-4), point(1e-2, 0), point(0.1, -2e-3),
                                        point(1, nan), point(10, 2e-3), point(100, 5e-3, nan, 0)})));
-  const Plot plot = diagram.plot();
-  EXPECT_THAT(velocitiesOf(seriesOf(plot, PlotStyle::Points)), ElementsAre(1e-3, 10));
-  EXPECT_EQ(seriesOf(plot, PlotStyle::Line).points.size(), 6U);
+  EXPECT_THAT(velocitiesOf(diagram), ElementsAre(1e-3, 10));
+  EXPECT_GT(seriesOf(diagram, kLawCurve).points.size(), 6U);
 }
 
-TEST(FrictionPlot, KeepsErrorsAndStatesHowFarItIs) {
-  FrictionPlot diagram;
+TEST(FrictionChartTest, KeepsErrorsAndStatesHowFarItIs) {
+  FrictionChart diagram;
   diagram.take(update({}, {point(1, 1e-3, 2e-4)}, 37));
-  const Plot plot = diagram.plot();
-  EXPECT_EQ(seriesOf(plot, PlotStyle::Points).points.front().error, 2e-4);
-  EXPECT_EQ(plot.note, QStringLiteral("37 of 200 realizations"));
-  EXPECT_DOUBLE_EQ(plot.progress, 37.0 / 200);
+  const DiagramPoint shown = seriesOf(diagram, kPresentCurve).points.front();
+  EXPECT_DOUBLE_EQ(shown.high - shown.y, 2e-4);
+  EXPECT_DOUBLE_EQ(shown.y - shown.low, 2e-4);
+  EXPECT_EQ(diagram.sheet().status, "37 of 200 realizations");
+  EXPECT_DOUBLE_EQ(diagram.progress(), 37.0 / 200);
 }
 
-TEST(FrictionPlot, MarksThePresentVelocityOfTheFrame) {
-  FrictionPlot diagram;
-  EXPECT_FALSE(diagram.plot().marker);
+TEST(FrictionChartTest, MarksThePresentVelocityOfTheFrame) {
+  FrictionChart diagram;
+  EXPECT_FALSE(diagramOf(diagram).marker);
   Scene scene;
   scene.sliding.velocity = 0.25;
   diagram.mark(frame(scene, 3e-3));
-  const Plot plot = diagram.plot();
+  const Diagram plot = diagramOf(diagram);
   ASSERT_TRUE(plot.marker);
   EXPECT_EQ(plot.marker->x, 0.25);
   EXPECT_EQ(plot.marker->y, 3e-3);
-  EXPECT_EQ(plot.marker->label, QStringLiteral("v = 0.25 m/s"));
+  EXPECT_EQ(plot.marker->label, "v = 0.25 m/s");
 }
 
 Frame motionFrame(const std::vector<TransientSample>& samples) {
@@ -142,62 +146,62 @@ TransientSample sample(double velocity, double mu) {
 }
 
 /// Friction of the moment over the magnitude of the velocity, and the way there.
-TEST(FrictionPlot, AMotionMovesItsMarkerAndLeavesATrace) {
-  FrictionPlot diagram;
+TEST(FrictionChartTest, AMotionMovesItsMarkerAndLeavesATrace) {
+  FrictionChart diagram;
   diagram.take(update({}, {point(1e-5, 1e-5), point(1e3, 2e-3)}));
   diagram.mark(motionFrame({sample(0.5, 1e-3), sample(-0.25, 8e-4)}));
-  const Plot plot = diagram.plot();
+  const Diagram plot = diagramOf(diagram);
   ASSERT_TRUE(plot.marker);
   EXPECT_TRUE(plot.marker->isFixed);
   EXPECT_EQ(plot.marker->x, 0.25);
   EXPECT_EQ(plot.marker->y, 8e-4);
-  EXPECT_EQ(plot.marker->label, QStringLiteral("|v| = 0.25 m/s"));
-  EXPECT_EQ(plot.marker->name, QStringLiteral("this motion, now"));
+  EXPECT_EQ(plot.marker->label, "|v| = 0.25 m/s");
+  EXPECT_EQ(plot.marker->name, "this motion, now");
   ASSERT_EQ(plot.marker->trace.size(), 2U);
   EXPECT_EQ(plot.marker->trace[0].x, 0.5);
   EXPECT_EQ(plot.marker->trace[1].y, 8e-4);
 }
 
 /// At its turning points a motion is at rest, which has no place on a logarithmic axis.
-TEST(FrictionPlot, AMotionAtItsTurningPointLeavesTheAxesAlone) {
-  FrictionPlot diagram;
+TEST(FrictionChartTest, AMotionAtItsTurningPointLeavesTheAxesAlone) {
+  FrictionChart diagram;
   diagram.take(update({}, {point(1e-5, 1e-5), point(1e3, 2e-3)}));
   diagram.mark(motionFrame({sample(0.5, 1e-3)}));
-  const Plot before = diagram.plot();
+  const AxisRange x = along(diagram), y = up(diagram);
   diagram.mark(motionFrame({sample(0.5, 1e-3), sample(1e-12, 1e-15)}));
-  EXPECT_EQ(diagram.plot().x.range, before.x.range);
-  EXPECT_EQ(diagram.plot().y.range, before.y.range);
+  EXPECT_EQ(along(diagram), x);
+  EXPECT_EQ(up(diagram), y);
   diagram.mark(motionFrame({sample(0, kNotApplicable)}));
-  EXPECT_EQ(diagram.plot().x.range, before.x.range);
-  EXPECT_EQ(diagram.plot().marker->x, 0);
+  EXPECT_EQ(along(diagram), x);
+  EXPECT_EQ(diagramOf(diagram).marker->x, 0);
 }
 
 /// A velocity far outside is left again, by Undo or otherwise, and the axis with it.
-TEST(FrictionPlot, TheVelocityAxisFollowsBack) {
-  FrictionPlot diagram;
+TEST(FrictionChartTest, TheVelocityAxisFollowsBack) {
+  FrictionChart diagram;
   Scene scene;
   diagram.expect(scene);
   diagram.take(update(scene, {point(1e-5, 1e-5), point(1e3, 2e-3)}));
   diagram.mark(frame(scene, 1e-3));
-  const DecadeRange before = diagram.plot().x.range;
+  const AxisRange before = along(diagram);
   Scene fast = scene;
   fast.sliding.velocity = 2e6;
   diagram.expect(fast);
   diagram.mark(frame(fast, 1e-3));
-  EXPECT_EQ(diagram.plot().x.range.to, 7);
+  EXPECT_EQ(along(diagram).to, 7);
   diagram.expect(scene);
   diagram.mark(frame(scene, 1e-3));
-  EXPECT_EQ(diagram.plot().x.range, before);
+  EXPECT_EQ(along(diagram), before);
   scene.sweep.velocityTo = 1e4;
   diagram.expect(scene);
-  EXPECT_EQ(diagram.plot().x.range.to, 4);
+  EXPECT_EQ(along(diagram).to, 4);
   scene.sweep.velocityTo = 1e3;
   diagram.expect(scene);
-  EXPECT_EQ(diagram.plot().x.range, before);
+  EXPECT_EQ(along(diagram), before);
 }
 
 /// F_N / (4 eta v) = 0.1 h at 1.7 m/s; in dimensionless axes likewise.
-TEST(FrictionPlot, TintsWhereFewSummitsCarryTheLoad) {
+TEST(FrictionChartTest, TintsWhereFewSummitsCarryTheLoad) {
   const Scene scene;
   const auto whole = [](double velocity, double mu) {
     CurvePoint made = point(velocity, mu);
@@ -205,28 +209,29 @@ TEST(FrictionPlot, TintsWhereFewSummitsCarryTheLoad) {
     made.dimensionlessVelocity = 1e-3 * velocity * 2e-3 / (std::sqrt(2) * 5e-7);
     return made;
   };
-  FrictionPlot diagram;
+  FrictionChart diagram;
   diagram.expect(scene);
   diagram.take(update(scene, {whole(0.01, 1e-3), whole(1, 2e-3), whole(100, 1e-3)}));
-  std::vector<PlotSpan> shades = diagram.plot().shades;
+  std::vector<DiagramSpan> shades = diagramOf(diagram).shades;
   ASSERT_EQ(shades.size(), 1U);
-  EXPECT_EQ(shades[0].name, "few summits carry the load");
+  EXPECT_EQ(shades[0].label, "few summits carry the load");
   EXPECT_NEAR(shades[0].from, 1.7, 1e-9);
   EXPECT_EQ(shades[0].to, 100);
   diagram.setAxes(CurveAxes::Dimensionless);
-  shades = diagram.plot().shades;
+  shades = diagramOf(diagram).shades;
   ASSERT_EQ(shades.size(), 1U);
   EXPECT_NEAR(shades[0].from / 1.7, 1e-3 * 2e-3 / (std::sqrt(2) * 5e-7), 1e-9);
   Scene solid;
   solid.elastomer.rheology = Rheology::StandardSolid;
   diagram.expect(solid);
-  for (const PlotSpan& shade : diagram.plot().shades) EXPECT_TRUE(shade.faded);
+  const std::vector<DiagramSpan> stale = diagramOf(diagram).shades;
+  for (const DiagramSpan& shade : stale) EXPECT_TRUE(shade.isFaded);
   diagram.take(update(solid, {whole(0.01, 1e-3), whole(1, 2e-3), whole(100, 1e-3)}));
-  EXPECT_TRUE(diagram.plot().shades.empty());
+  EXPECT_TRUE(diagramOf(diagram).shades.empty());
 }
 
-TEST(FrictionPlot, FadesTheOldCurveUntilTheNewOneArrives) {
-  FrictionPlot diagram;
+TEST(FrictionChartTest, FadesTheOldCurveUntilTheNewOneArrives) {
+  FrictionChart diagram;
   Scene old, fresh;
   fresh.elastomer.shearModulus = 2e7;
   diagram.expect(old);
@@ -235,9 +240,10 @@ TEST(FrictionPlot, FadesTheOldCurveUntilTheNewOneArrives) {
 
   diagram.expect(fresh);
   EXPECT_TRUE(diagram.isStale());
-  for (const PlotSeries& series : diagram.plot().series) EXPECT_TRUE(series.faded);
-  for (const PlotSpan& span : diagram.plot().spans) EXPECT_TRUE(span.faded);
-  EXPECT_EQ(diagram.plot().progress, 0);
+  const Diagram shown = diagramOf(diagram);
+  for (const DiagramSeries& series : shown.series) EXPECT_TRUE(series.isFaded);
+  for (const DiagramSpan& span : shown.spans) EXPECT_TRUE(span.isFaded);
+  EXPECT_EQ(diagram.progress(), 0);
 
   EXPECT_FALSE(diagram.take(update(old, {point(1, 1e-3), point(2, 1e-3)}, 3)));
   EXPECT_FALSE(diagram.take(update(fresh, {point(1, 0, 0, 0)})));  // nothing known yet
@@ -245,11 +251,11 @@ TEST(FrictionPlot, FadesTheOldCurveUntilTheNewOneArrives) {
 
   EXPECT_TRUE(diagram.take(update(fresh, {point(7, 1e-3)})));
   EXPECT_FALSE(diagram.isStale());
-  EXPECT_THAT(velocitiesOf(seriesOf(diagram.plot(), PlotStyle::Points)), ElementsAre(7));
+  EXPECT_THAT(velocitiesOf(diagram), ElementsAre(7));
 }
 
-TEST(FrictionPlot, AnotherVelocityLeavesTheCurveAsItIs) {
-  FrictionPlot diagram;
+TEST(FrictionChartTest, AnotherVelocityLeavesTheCurveAsItIs) {
+  FrictionChart diagram;
   Scene scene;
   diagram.expect(scene);
   diagram.take(update(scene, {point(1, 1e-3)}));
@@ -258,67 +264,66 @@ TEST(FrictionPlot, AnotherVelocityLeavesTheCurveAsItIs) {
   EXPECT_FALSE(diagram.isStale());
 }
 
-TEST(FrictionPlot, RangesHoldStillWhileRealizationsArrive) {
-  FrictionPlot diagram;
+TEST(FrictionChartTest, RangesHoldStillWhileRealizationsArrive) {
+  FrictionChart diagram;
   diagram.take(update({}, {point(1e-5, 3e-7), point(1e3, 2e-3)}));
-  const Plot first = diagram.plot();
+  const AxisRange x = along(diagram), y = up(diagram);
   for (const double mu : {2.6e-7, 4e-7, 9e-7}) {
     diagram.take(update({}, {point(1e-5, mu), point(1e3, 2e-3)}));
-    EXPECT_EQ(diagram.plot().x.range, first.x.range);
-    EXPECT_EQ(diagram.plot().y.range, first.y.range);
+    EXPECT_EQ(along(diagram), x);
+    EXPECT_EQ(up(diagram), y);
   }
-  EXPECT_EQ(first.x.range, (DecadeRange{-5, 3}));
-  EXPECT_EQ(first.y.range, (DecadeRange{-7, -2}));
+  EXPECT_EQ(x, (AxisRange{-5, 3}));
+  EXPECT_EQ(y, (AxisRange{-7, -2}));
 }
 
-TEST(FrictionPlot, ShowsTheVelocitiesOfTheSweepAtOnce) {
-  FrictionPlot diagram;
+TEST(FrictionChartTest, ShowsTheVelocitiesOfTheSweepAtOnce) {
+  FrictionChart diagram;
   Scene scene;
   scene.sweep.velocityFrom = 1e-4;
   scene.sweep.velocityTo = 1e2;
   diagram.expect(scene);
-  EXPECT_EQ(diagram.plot().x.range, (DecadeRange{-4, 2}));
+  EXPECT_EQ(along(diagram), (AxisRange{-4, 2}));
   diagram.mark(frame(scene, 0.05));  // v = 1 m/s
-  EXPECT_EQ(diagram.plot().x.range, (DecadeRange{-4, 2}));
-  EXPECT_LE(diagram.plot().y.range.from, -4);
-  EXPECT_GE(diagram.plot().y.range.to, -1);
+  EXPECT_EQ(along(diagram), (AxisRange{-4, 2}));
+  EXPECT_LE(up(diagram).from, -4);
+  EXPECT_GE(up(diagram).to, -1);
 
   scene.sweep.velocityTo = 1e4;
   diagram.expect(scene);
-  EXPECT_EQ(diagram.plot().x.range, (DecadeRange{-4, 4}));
+  EXPECT_EQ(along(diagram), (AxisRange{-4, 4}));
 }
 
-TEST(FrictionPlot, OneLineIsNoMean) {
-  FrictionPlot diagram;
+TEST(FrictionChartTest, OneLineIsNoMean) {
+  FrictionChart diagram;
   Scene sine;
   sine.surface.kind = SurfaceKind::Sine;
-  CurveUpdate curve = update(sine, {point(1, 1e-3)}, 1);
+  CurveUpdate curve = update(sine, {point(1, 1e-3, kNotApplicable, 1)}, 1);
   curve.realizationsTotal = 1;
   diagram.take(curve);
   diagram.mark(frame(sine, 1e-3));
-  const Plot plot = diagram.plot();
-  EXPECT_EQ(seriesOf(plot, PlotStyle::Points).name, QStringLiteral("this line"));
-  EXPECT_EQ(plot.note, QString());
-  EXPECT_EQ(plot.marker->name, QStringLiteral("now"));
+  EXPECT_EQ(seriesOf(diagram, kPresentCurve).name, "this line");
+  EXPECT_EQ(diagram.sheet().status, "");
+  EXPECT_EQ(diagram.marker()->name, "now");
 
   diagram.take(update({}, {point(1, 1e-3)}));
-  EXPECT_TRUE(seriesOf(diagram.plot(), PlotStyle::Points).name.contains("mean"));
-  EXPECT_EQ(diagram.plot().note, QStringLiteral("2 of 200 realizations"));
+  EXPECT_TRUE(seriesOf(diagram, kPresentCurve).name.starts_with("mean"));
+  EXPECT_EQ(diagram.sheet().status, "2 of 200 realizations");
 }
 
-TEST(FrictionPlot, SaysWhyThereIsNothingToSee) {
-  FrictionPlot diagram;
-  EXPECT_EQ(diagram.plot().blank, QString());
+TEST(FrictionChartTest, SaysWhyThereIsNothingToSee) {
+  FrictionChart diagram;
+  EXPECT_EQ(diagramOf(diagram).blank, "");
   Scene elastic;
   elastic.elastomer.rheology = Rheology::Elastic;
   diagram.expect(elastic);
   diagram.take(update(elastic, {point(1, 0), point(2, 0)}));
-  EXPECT_EQ(diagram.plot().blank,
-            QStringLiteral("no friction: nothing positive to show on a logarithmic axis"));
+  EXPECT_EQ(diagramOf(diagram).blank,
+            "no friction: nothing positive to show on a logarithmic axis");
   diagram.take(update(elastic, {point(1, -1e-9), point(2, std::nan(""))}));
-  EXPECT_TRUE(diagram.plot().blank.contains("no positive"));
+  EXPECT_TRUE(diagramOf(diagram).blank.starts_with("no positive"));
   diagram.take(update(elastic, {point(1, 0), point(2, 1e-3)}));
-  EXPECT_EQ(diagram.plot().blank, QString());
+  EXPECT_EQ(diagramOf(diagram).blank, "");
 }
 
 }  // namespace

@@ -1,13 +1,12 @@
-#include "ui/contact/surface_picture.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/run/line_diagrams.h"
 #include "core/surface/line_source.h"
 #include "tests/ui/contact/tidy_texts.h"
-#include "ui/contact/contact_picture.h"
+#include "ui/chart/diagram_picture.h"
 
 namespace asperity {
 namespace {
@@ -23,11 +22,7 @@ Scene sceneOf(SurfaceKind kind, std::int64_t elements) {
 
 DrawList pictureOf(const Scene& scene, int width = 1280, int height = 800, float scale = 1) {
   const LineSource source(scene, pointsPerElement(scene));
-  SurfacePictureOptions options;
-  options.width = width;
-  options.height = height;
-  options.scale = scale;
-  return composeSurface(scene, source.make(0), source.spectrum(0), options);
+  return composeDiagrams(surfaceSheet(scene, source.make(0)), {width, height, scale, lightTheme()});
 }
 
 struct Case {
@@ -64,22 +59,38 @@ TEST(SurfacePicture, TextsNeverCollideNorLeaveThePicture) {
                  each.name + " " + std::to_string(size.width) + "x" + std::to_string(size.height));
 }
 
-bool says(const DrawList& list, const std::string& words) {
-  return std::any_of(list.texts.begin(), list.texts.end(),
-                     [&](const DrawText& text) { return text.utf8 == words; });
+/// All texts of a picture in one.
+std::string textsOf(const DrawList& list) {
+  std::string texts;
+  for (const DrawText& text : list.texts) texts += text.utf8 + "|";
+  return texts;
 }
 
 TEST(SurfacePicture, StatisticsHaveFourDigits) {
   Scene scene = sceneOf(SurfaceKind::Sine, 100);
   scene.surface.amplitude = 5e-7;
-  const DrawList list = pictureOf(scene);
-  EXPECT_TRUE(says(list, "rms height h = 353.6 nm"));
-  EXPECT_TRUE(says(list, "rms slope = 0.0001111"));
-  EXPECT_TRUE(says(list, "one period L = 20 mm"));
-  EXPECT_TRUE(says(list, "position (mm)"));
-  EXPECT_TRUE(says(list, "height (nm)"));
-  EXPECT_FALSE(says(list, "wave number q (1/m)"));  // given by a formula
-  EXPECT_TRUE(says(pictureOf(sceneOf(SurfaceKind::SelfAffine, 100)), "wave number q (1/m)"));
+  const std::string texts = textsOf(pictureOf(scene));
+  for (const char* said : {"rms height h = 353.6 nm", "rms slope = 0.0001111",
+                           "one period L = 20 mm", "position (mm)", "height (nm)"})
+    EXPECT_NE(texts.find(said), texts.npos) << said << " in " << texts;
+  EXPECT_EQ(texts.find("wave number q (1/m)"), texts.npos) << "given by a formula";
+  const std::string rough = textsOf(pictureOf(sceneOf(SurfaceKind::SelfAffine, 100)));
+  EXPECT_NE(rough.find("wave number q (1/m)"), rough.npos);
+}
+
+/// The same points as in the window's tab.
+TEST(SurfacePicture, HasTheSpectrumOfTheWindow) {
+  const Scene scene = sceneOf(SurfaceKind::SelfAffine, 1000);
+  const LineSource source(scene, pointsPerElement(scene));
+  const DiagramSheet sheet = surfaceSheet(scene, source.make(0)), tab = spectrumSheet(scene);
+  ASSERT_EQ(sheet.diagrams.size(), 2U);
+  ASSERT_EQ(sheet.diagrams[1].series.size(), tab.diagrams[0].series.size());
+  for (std::size_t i = 0; i < tab.diagrams[0].series.size(); ++i) {
+    const auto &own = sheet.diagrams[1].series[i].points, &other = tab.diagrams[0].series[i].points;
+    ASSERT_EQ(own.size(), other.size());
+    for (std::size_t k = 0; k < own.size(); ++k)
+      EXPECT_TRUE(own[k].x == other[k].x && own[k].y == other[k].y) << k;
+  }
 }
 
 /// The longest polyline is the rigid line's edge.
@@ -115,7 +126,7 @@ TEST(SurfacePicture, CostDoesNotGrowWithTheNodes) {
 TEST(SurfacePicture, AnySizeComposes) {
   for (const int size : {1, 2, 17, 60, 150})
     for (const Case& each : cases()) EXPECT_EQ(pictureOf(each.scene, size, size).width, size);
-  EXPECT_FALSE(composeSurface(Scene{}, Line{}, FourierLine{}, {}).texts.empty());
+  EXPECT_FALSE(composeDiagrams(surfaceSheet(Scene{}, Line{}), {}).texts.empty());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The lines above a plot: what each mark means, and how far the plot is. A pinned curve's entry
-// lets it go when it is clicked. As many rows as are needed, up to a few. GUI thread.
+// The lines above an interactive chart: what each mark means, and how far the work is. A pinned
+// curve's entry lets it go when it is clicked. As many rows as are needed, up to a few. GUI thread.
 #pragma once
 
 #include <QStringList>
@@ -7,18 +7,18 @@
 #include <optional>
 #include <vector>
 
-#include "ui/chart/plot.h"
-#include "ui/chart/plot_view.h"
+#include "core/chart/curve_diagram.h"
+#include "ui/chart/chart_panel.h"
 
 namespace asperity {
 
-class PlotLegend : public QWidget {
+class ChartLegend : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PlotLegend(QWidget* parent = nullptr);
+  explicit ChartLegend(QWidget* parent = nullptr);
 
-  void show(const Plot& plot, const PlotColours& colours);
+  void show(const DiagramSheet& sheet, const ChartLook& look);
 
   /// Where the entry of a pinned curve is; empty where it is not shown.
   QRectF placeOf(int id) const;
@@ -41,24 +41,26 @@ class PlotLegend : public QWidget {
  private:
   struct Entry {
     QString text;
-    QStringList lines{};  // of it; the last one shortened where there is no room
-    int series = -1;      // of the plot; -1: the marker or what has no room
-    bool isMarker = false;
-    QRectF box;
+    QStringList lines{};   // of it; the last one shortened where there is no room
+    DiagramSeries series;  // without its points
+    bool hasSample = true, hasBars = false, isMarker = false;
+    QRectF box{};
+
+    bool isPinned() const { return series.id > kPresentCurve; }
   };
 
   void arrange();
-  double scale() const;
+  std::vector<Entry> wanted() const;
   double samples() const;  // width of a sample with its gap, pixels
-  double noteWidth() const;
+  double statusWidth() const;
   QString tipAt(QPointF place) const;
-  std::optional<int> pinAt(QPointF place) const;
-  void paintNote(QPainter& painter) const;
+  const Entry* pinAt(QPointF place) const;
+  void paintStatus(QPainter& painter) const;
   void paintEntry(QPainter& painter, const Entry& entry) const;
-  void paintSample(QPainter& painter, const PlotSeries& series, QPointF centre) const;
+  void paintSample(QPainter& painter, const Entry& entry, QPointF centre) const;
 
-  Plot plot_;
-  PlotColours colours_;
+  DiagramSheet sheet_;
+  ChartLook look_;
   std::vector<Entry> entries_;
   int under_ = 0;  // pinned curve under the pointer; 0: none
 };

@@ -1,4 +1,4 @@
-// What a person does with the plot's widget: pointer, wheel and keys.
+// What a person does with the chart: pointer, wheel and keys.
 #include <gtest/gtest.h>
 
 #include <QFontMetricsF>
@@ -9,36 +9,46 @@
 #include <cmath>
 #include <memory>
 
+#include "core/chart/curve_diagram.h"
+
 #include "tests/ui/window/qt_application.h"
-#include "ui/chart/plot_geometry.h"
-#include "ui/chart/plot_legend.h"
-#include "ui/chart/plot_view.h"
+#include "ui/chart/chart_geometry.h"
+#include "ui/chart/chart_legend.h"
+#include "ui/chart/chart_view.h"
 
 namespace asperity {
 namespace {
 
-Plot samplePlot() {
-  Plot plot;
-  plot.x = {"x", "", {-3, 3}};
-  plot.y = {"y", "", {-4, 0}};
-  PlotSeries points{"points", PlotStyle::Points, false, {}};
-  for (int i = 0; i < 5; ++i) points.points.push_back({std::pow(10, i - 2), 0.02, 0.001, 10 + i});
-  PlotSeries pinned = points;
+DiagramSheet sampleSheet() {
+  Diagram diagram;
+  diagram.x = {"x", "", AxisScale::Logarithmic, 1e-3, 1e3};
+  diagram.y = {"y", "", AxisScale::Logarithmic, 1e-4, 1};
+  DiagramSeries points;
+  points.name = "points";
+  points.mark = SeriesMark::Circle;
+  points.stroke = SeriesStroke::None;
+  points.colour = 0;
+  points.id = kPresentCurve;
+  for (int i = 0; i < 5; ++i)
+    points.points.push_back({std::pow(10, i - 2), 0.02, 0.019, 0.021, 10 + i});
+  DiagramSeries pinned = points;
   pinned.name = "G = 20 MPa";
   pinned.id = 7;
-  pinned.place = 0;
-  for (PlotPoint& point : pinned.points) point.y = 0.002;
-  plot.series = {pinned, points};
-  plot.marker = PlotMarker{"now", "v = 3 m/s", 3, 0.05};
-  plot.spans = {{"III", "plateau", "told of III", 1e-3, 1e3, false}};
-  return plot;
+  pinned.colour = 2;
+  for (DiagramPoint& point : pinned.points) point.y = 0.002;
+  diagram.series = {pinned, points};
+  diagram.marker = DiagramMarker{"now", "v = 3 m/s", 3, 0.05};
+  diagram.spans = {{1e-3, 1e3, "III plateau", "III", {"told of III"}}};
+  DiagramSheet sheet;
+  sheet.diagrams = {diagram};
+  return sheet;
 }
 
-class PlotGestures : public testing::Test {
+class ChartGestures : public testing::Test {
  protected:
-  PlotGestures() : view_(makePlotView()) {
+  ChartGestures() : view_(std::make_unique<ChartView>()) {
     view_->resize(800, 400);
-    view_->setPlot(samplePlot());
+    view_->setSheet(sampleSheet());
     view_->setDescribe([](int id, int row) { return QString("%1:%2").arg(id).arg(row); });
     view_->show();
     QTest::qWait(1);  // the layout is made with the first events
@@ -59,11 +69,11 @@ class PlotGestures : public testing::Test {
     QCoreApplication::sendEvent(view_.get(), &event);
   }
 
-  std::unique_ptr<PlotView> view_;
+  std::unique_ptr<ChartView> view_;
 };
 
-TEST_F(PlotGestures, DraggingTheMarkerTellsEveryPlaceWithoutSnapping) {
-  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+TEST_F(ChartGestures, DraggingTheMarkerTellsEveryPlaceWithoutSnapping) {
+  QSignalSpy moved(view_.get(), &ChartView::markerMoved);
   const QPoint from = at(3, 0.3), to = at(0.047, 0.3);
   drag(from, to);
   ASSERT_GE(moved.count(), 7);
@@ -73,21 +83,21 @@ TEST_F(PlotGestures, DraggingTheMarkerTellsEveryPlaceWithoutSnapping) {
   EXPECT_FALSE(view_->isZoomed()) << "the view stays";
 }
 
-TEST_F(PlotGestures, AMarkerIsHeldWhereItIsGripped) {
-  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+TEST_F(ChartGestures, AMarkerIsHeldWhereItIsGripped) {
+  QSignalSpy moved(view_.get(), &ChartView::markerMoved);
   drag(at(3, 0.3) + QPoint(4, 0), at(0.1, 0.3) + QPoint(4, 0));
   EXPECT_NEAR(moved.last()[0].toDouble() / 0.1, 1, 0.02);
 }
 
-TEST_F(PlotGestures, AMarkerStaysInsideTheAxes) {
-  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+TEST_F(ChartGestures, AMarkerStaysInsideTheAxes) {
+  QSignalSpy moved(view_.get(), &ChartView::markerMoved);
   drag(at(3, 0.3), QPoint(-200, at(3, 0.3).y()));
   EXPECT_NEAR(moved.last()[0].toDouble() / 1e-3, 1, 1e-9);
 }
 
 /// With Shift the marker goes a tenth of the pointer's way, from where it is.
-TEST_F(PlotGestures, ShiftDragsFinely) {
-  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+TEST_F(ChartGestures, ShiftDragsFinely) {
+  QSignalSpy moved(view_.get(), &ChartView::markerMoved);
   const QPoint from = at(3, 0.3), coarse = from - QPoint(50, 0), fine = coarse - QPoint(50, 0);
   QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
   QTest::mouseMove(view_.get(), coarse);
@@ -108,45 +118,44 @@ TEST_F(PlotGestures, ShiftDragsFinely) {
 }
 
 /// An axis that follows the marker would run away from under the pointer.
-TEST_F(PlotGestures, TheAxisStandsStillWhileTheMarkerIsDragged) {
+TEST_F(ChartGestures, TheAxisStandsStillWhileTheMarkerIsDragged) {
   const QPoint from = at(3, 0.3);
   QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
   QTest::mouseMove(view_.get(), from - QPoint(60, 0));
-  Plot plot = samplePlot();
-  plot.x.range = {-3, 1};
-  view_->setPlot(plot);
-  EXPECT_EQ(view_->window().x, (DecadeRange{-3, 3}));
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.x.to = 10;
+  view_->setSheet(sheet);
+  EXPECT_EQ(view_->window().x, (AxisRange{-3, 3}));
   QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, from - QPoint(60, 0));
-  EXPECT_EQ(view_->window().x, (DecadeRange{-3, 1}));
+  EXPECT_EQ(view_->window().x, (AxisRange{-3, 1}));
 }
 
-TEST_F(PlotGestures, AMotionsMarkerIsNotDragged) {
-  Plot plot = samplePlot();
-  plot.marker->isFixed = true;
-  plot.marker->trace = {{0.01, 0.01}, {1, 0.1}, {3, 0.05}};
-  view_->setPlot(plot);
-  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+TEST_F(ChartGestures, AMotionsMarkerIsNotDragged) {
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.marker->isFixed = true;
+  diagram.marker->trace = {{0.01, 0.01}, {1, 0.1}, {3, 0.05}};
+  view_->setSheet(sheet);
+  QSignalSpy moved(view_.get(), &ChartView::markerMoved);
   drag(at(3, 0.3), at(0.1, 0.3));
   view_->setFocus();
   QTest::keyClick(view_.get(), Qt::Key_Right);
   EXPECT_EQ(moved.count(), 0);
-  // Its trace is drawn: the pixels in the middle of a stretch have the marker's colour.
-  PlotColours colours;
-  colours.background = Qt::white;
-  colours.marker = Qt::red;
-  view_->setColours(colours);
+  // Its trace is drawn: the pixels in the middle of a stretch have the marker's vermilion.
+  view_->setTheme(printTheme());
   view_->fit();
   const QImage image = view_->grab().toImage();
   const QPoint middle = at(0.1, std::sqrt(0.01 * 0.1));
   bool drawn = false;
   for (int dy = -2; dy <= 2; ++dy) {
     const QColor pixel = image.pixelColor(middle + QPoint(0, dy));
-    drawn = drawn || (pixel.red() > 150 && pixel.green() < 60);
+    drawn = drawn || (pixel.red() > 180 && pixel.green() < 150 && pixel.blue() < 110);
   }
   EXPECT_TRUE(drawn);
 }
 
-TEST_F(PlotGestures, ThePointerShowsWhatCanBeDone) {
+TEST_F(ChartGestures, ThePointerShowsWhatCanBeDone) {
   QTest::mouseMove(view_.get(), at(3, 0.3));
   EXPECT_EQ(view_->cursor().shape(), Qt::SizeHorCursor);
   QTest::mouseMove(view_.get(), at(0.01, 0.02));
@@ -155,31 +164,32 @@ TEST_F(PlotGestures, ThePointerShowsWhatCanBeDone) {
   EXPECT_EQ(view_->cursor().shape(), Qt::ArrowCursor);
 }
 
-TEST_F(PlotGestures, HoveringReadsPointsAndRegions) {
+TEST_F(ChartGestures, HoveringReadsPointsAndRegions) {
   QTest::mouseMove(view_.get(), at(0.1, 0.02));
   EXPECT_EQ(view_->reading(), "0:11");
   QTest::mouseMove(view_.get(), at(0.1, 0.002));
   EXPECT_EQ(view_->reading(), "7:11");
   QTest::mouseMove(view_.get(), at(0.03, 1) - QPoint(0, 9));
-  EXPECT_EQ(view_->reading(), "told of III");
+  EXPECT_EQ(view_->reading(), "III plateau\ntold of III");
   QTest::mouseMove(view_.get(), at(0.03, 0.3));
   EXPECT_EQ(view_->reading(), "");
 }
 
-TEST_F(PlotGestures, AReadingOutlivesARefinementAndFollowsIt) {
+TEST_F(ChartGestures, AReadingOutlivesARefinementAndFollowsIt) {
   QTest::mouseMove(view_.get(), at(0.1, 0.02));
-  Plot plot = samplePlot();
-  plot.series[1].points[1].row = 33;
-  view_->setPlot(plot);
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.series[1].points[1].row = 33;
+  view_->setSheet(sheet);
   EXPECT_EQ(view_->reading(), "0:33");
-  plot.series[1].points[1].y = 0.9;
-  view_->setPlot(plot);
+  diagram.series[1].points[1].y = 0.9;
+  view_->setSheet(sheet);
   EXPECT_EQ(view_->reading(), "");
 }
 
-TEST_F(PlotGestures, AClickTakesThePointUnderIt) {
-  QSignalSpy chosen(view_.get(), &PlotView::pointChosen);
-  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+TEST_F(ChartGestures, AClickTakesThePointUnderIt) {
+  QSignalSpy chosen(view_.get(), &ChartView::pointChosen);
+  QSignalSpy moved(view_.get(), &ChartView::markerMoved);
   QTest::mouseClick(view_.get(), Qt::LeftButton, {}, at(10, 0.002) + QPoint(3, 2));
   ASSERT_EQ(chosen.count(), 1);
   EXPECT_EQ(chosen[0][0].toInt(), 7);
@@ -189,18 +199,19 @@ TEST_F(PlotGestures, AClickTakesThePointUnderIt) {
   EXPECT_EQ(moved.count(), 0);
 }
 
-TEST_F(PlotGestures, APointUnderTheMarkerCanBeTakenToo) {
-  Plot plot = samplePlot();
-  plot.marker->x = 1;
-  view_->setPlot(plot);
-  QSignalSpy chosen(view_.get(), &PlotView::pointChosen);
+TEST_F(ChartGestures, APointUnderTheMarkerCanBeTakenToo) {
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.marker->x = 1;
+  view_->setSheet(sheet);
+  QSignalSpy chosen(view_.get(), &ChartView::pointChosen);
   QTest::mouseClick(view_.get(), Qt::LeftButton, {}, at(1, 0.02));
   EXPECT_EQ(chosen.count(), 1);
 }
 
-TEST_F(PlotGestures, ArrowKeysMoveTheMarker) {
+TEST_F(ChartGestures, ArrowKeysMoveTheMarker) {
   view_->setFocus();
-  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+  QSignalSpy moved(view_.get(), &ChartView::markerMoved);
   QTest::keyClick(view_.get(), Qt::Key_Right);
   QTest::keyClick(view_.get(), Qt::Key_Right);
   ASSERT_EQ(moved.count(), 2);
@@ -210,8 +221,8 @@ TEST_F(PlotGestures, ArrowKeysMoveTheMarker) {
   EXPECT_NEAR(moved[2][0].toDouble() / (3 * std::pow(10, 0.095)), 1, 1e-9);
 }
 
-TEST_F(PlotGestures, WithControlArrowKeysGoFromPointToPoint) {
-  QSignalSpy chosen(view_.get(), &PlotView::pointChosen);
+TEST_F(ChartGestures, WithControlArrowKeysGoFromPointToPoint) {
+  QSignalSpy chosen(view_.get(), &ChartView::pointChosen);
   QTest::keyClick(view_.get(), Qt::Key_Right, Qt::ControlModifier);
   QTest::keyClick(view_.get(), Qt::Key_Right, Qt::ControlModifier);
   QTest::keyClick(view_.get(), Qt::Key_Left, Qt::ControlModifier);
@@ -221,8 +232,8 @@ TEST_F(PlotGestures, WithControlArrowKeysGoFromPointToPoint) {
   EXPECT_EQ(chosen[2][1].toInt(), 13);
 }
 
-TEST_F(PlotGestures, TheWheelZoomsAboutThePointerAndADoubleClickFits) {
-  QSignalSpy zoom(view_.get(), &PlotView::zoomChanged);
+TEST_F(ChartGestures, TheWheelZoomsAboutThePointerAndADoubleClickFits) {
+  QSignalSpy zoom(view_.get(), &ChartView::zoomChanged);
   const QPointF before = view_->positionOf(0.1, 0.02);
   turnWheel(before.toPoint(), 240);
   EXPECT_TRUE(view_->isZoomed());
@@ -233,8 +244,8 @@ TEST_F(PlotGestures, TheWheelZoomsAboutThePointerAndADoubleClickFits) {
   EXPECT_EQ(zoom.count(), 2);
 }
 
-TEST_F(PlotGestures, DraggingBesideTheMarkerPans) {
-  QSignalSpy moved(view_.get(), &PlotView::markerMoved);
+TEST_F(ChartGestures, DraggingBesideTheMarkerPans) {
+  QSignalSpy moved(view_.get(), &ChartView::markerMoved);
   const QPoint from = at(0.03, 0.3), by(60, 25);
   const QPointF before = view_->positionOf(0.1, 0.02);
   drag(from, from + by);
@@ -243,45 +254,48 @@ TEST_F(PlotGestures, DraggingBesideTheMarkerPans) {
 }
 
 /// However far and often it is dragged, at any zoom.
-TEST_F(PlotGestures, PanningNeverEndsInEmptiness) {
+TEST_F(ChartGestures, PanningNeverEndsInEmptiness) {
   for (const double factor : {1.5, 1.0, 0.5, 0.1})
     for (const QPoint way :
          {QPoint(700, 0), {-700, 0}, {0, 350}, {0, -350}, {500, 300}, {-500, 300}}) {
       view_->fit();
       if (factor != 1)
         view_->setZoom(
-            PlotWindow{{-3 * factor, 3 * factor}, {-2.7 - 2 * factor, -2.7 + 2 * factor}});
+            ChartWindow{{-3 * factor, 3 * factor}, {-2.7 - 2 * factor, -2.7 + 2 * factor}});
       for (int i = 0; i < 6; ++i) {
         const QPoint from = view_->rect().center() + QPoint(60, 20);
         drag(from, from + way);
       }
-      EXPECT_TRUE(showsCurves(view_->window(), view_->plot()))
+      EXPECT_TRUE(showsCurves(view_->window(), view_->sheet().diagrams[0]))
           << factor << ' ' << way.x() << ' ' << way.y();
     }
 }
 
-TEST_F(PlotGestures, AZoomedViewGoesWithTheRangesOfAnotherCurve) {
-  view_->setZoom(PlotWindow{{-3, -2}, {-4, -3}});
-  Plot plot = samplePlot();
-  plot.x.range = {5, 9};
-  view_->setPlot(plot);
+TEST_F(ChartGestures, AZoomedViewGoesWithTheRangesOfAnotherCurve) {
+  view_->setZoom(ChartWindow{{-3, -2}, {-4, -3}});
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.x.from = 1e5;
+  diagram.x.to = 1e9;
+  view_->setSheet(sheet);
   EXPECT_NEAR(view_->window().x.from, 4.5, 1e-9);
 }
 
-TEST_F(PlotGestures, AZoomedViewStaysWhileTheCurveIsRefined) {
+TEST_F(ChartGestures, AZoomedViewStaysWhileTheCurveIsRefined) {
   view_->zoom(0.5);
-  const PlotWindow window = view_->window();
-  Plot plot = samplePlot();
-  plot.y.range = {-5, 0};
-  view_->setPlot(plot);
+  const ChartWindow window = view_->window();
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
+  diagram.y.from = 1e-5;
+  view_->setSheet(sheet);
   EXPECT_EQ(view_->window(), window);
   QTest::keyClick(view_.get(), Qt::Key_Home);
-  EXPECT_EQ(view_->window().y, plot.y.range);
+  EXPECT_EQ(view_->window().y, (AxisRange{-5, 0}));
 }
 
-TEST_F(PlotGestures, ClickingItsEntryUnpinsACurve) {
-  QSignalSpy unpin(view_.get(), &PlotView::unpinWanted);
-  auto* legend = view_->findChild<PlotLegend*>("plotLegend");
+TEST_F(ChartGestures, ClickingItsEntryUnpinsACurve) {
+  QSignalSpy unpin(view_.get(), &ChartView::unpinWanted);
+  auto* legend = view_->findChild<ChartLegend*>("chartLegend");
   ASSERT_TRUE(legend);
   ASSERT_FALSE(legend->placeOf(7).isEmpty());
   QTest::mouseClick(legend, Qt::LeftButton, {}, legend->placeOf(kPresentCurve).center().toPoint());
@@ -291,15 +305,16 @@ TEST_F(PlotGestures, ClickingItsEntryUnpinsACurve) {
   EXPECT_EQ(unpin[0][0].toInt(), 7);
 }
 
-TEST_F(PlotGestures, TheLegendTakesMoreRowsAndCountsWhatHasNoRoom) {
-  auto* legend = view_->findChild<PlotLegend*>("plotLegend");
+TEST_F(ChartGestures, TheLegendTakesMoreRowsAndCountsWhatHasNoRoom) {
+  auto* legend = view_->findChild<ChartLegend*>("chartLegend");
   const int one = legend->height();
-  Plot plot = samplePlot();
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
   for (int id = 10; id < 40; ++id) {
-    plot.series.push_back(plot.series[0]);
-    plot.series.back().id = id;
+    diagram.series.push_back(diagram.series[0]);
+    diagram.series.back().id = id;
   }
-  view_->setPlot(plot);
+  view_->setSheet(sheet);
   QTest::qWait(1);
   EXPECT_GT(legend->height(), one);
   EXPECT_LT(legend->height(), 4 * one);
@@ -308,42 +323,44 @@ TEST_F(PlotGestures, TheLegendTakesMoreRowsAndCountsWhatHasNoRoom) {
 }
 
 /// Rows that come and go with pinned curves leave room for the axis' labels and title below.
-TEST_F(PlotGestures, TheChartGivesTheLegendItsRoomAtOnce) {
-  Plot plot = samplePlot();
+TEST_F(ChartGestures, TheChartGivesTheLegendItsRoomAtOnce) {
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
   for (int id = 10; id < 20; ++id) {
-    plot.series.push_back(plot.series[0]);
-    plot.series.back().id = id;
+    diagram.series.push_back(diagram.series[0]);
+    diagram.series.back().id = id;
   }
   const double line = QFontMetricsF(view_->font()).height();
   const auto bottom = [&] { return view_->positionOf(1, 1e-4).y(); };
   const double before = bottom();
-  view_->setPlot(plot);
+  view_->setSheet(sheet);
   QTest::qWait(1);
   EXPECT_LE(bottom() + 2 * line, view_->height());
-  view_->setPlot(samplePlot());
+  view_->setSheet(sampleSheet());
   QTest::qWait(1);
   EXPECT_NEAR(bottom(), before, 1);
 }
 
 /// A name that says in much what a curve differs is broken into lines; its tooltip has all of it.
-TEST_F(PlotGestures, LongNamesAreBrokenAndWholeInTheirTooltip) {
-  Plot plot = samplePlot();
+TEST_F(ChartGestures, LongNamesAreBrokenAndWholeInTheirTooltip) {
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
   QStringList parts;
   for (int i = 0; i < 14; ++i) parts += QStringLiteral("parameter %1 = %2 MPa").arg(i).arg(10 * i);
-  plot.series[0].name = parts.mid(0, 6).join(", ");
-  view_->setPlot(plot);
-  auto* legend = view_->findChild<PlotLegend*>();
+  diagram.series[0].name = parts.mid(0, 6).join(", ").toStdString();
+  view_->setSheet(sheet);
+  auto* legend = view_->findChild<ChartLegend*>();
   ASSERT_TRUE(legend);
   EXPECT_GE(legend->linesOf(7).size(), 2);
-  EXPECT_EQ(legend->linesOf(7).join(' '), plot.series[0].name);  // nothing is lost
+  EXPECT_EQ(legend->linesOf(7).join(' ').toStdString(), diagram.series[0].name);  // nothing is lost
   const QFontMetricsF metrics(legend->font());
   for (const QString& line : legend->linesOf(7))
     EXPECT_LE(metrics.horizontalAdvance(line), legend->width());
-  plot.series[0].name = parts.join(", ");
-  view_->setPlot(plot);
-  EXPECT_NE(legend->linesOf(7).join(' '), plot.series[0].name);
+  diagram.series[0].name = parts.join(", ").toStdString();
+  view_->setSheet(sheet);
+  EXPECT_NE(legend->linesOf(7).join(' ').toStdString(), diagram.series[0].name);
   QTest::mouseMove(legend, legend->placeOf(7).center().toPoint());
-  EXPECT_TRUE(legend->toolTip().contains(plot.series[0].name));
+  EXPECT_TRUE(legend->toolTip().contains(QString::fromStdString(diagram.series[0].name)));
 }
 
 }  // namespace

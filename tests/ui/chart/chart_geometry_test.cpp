@@ -1,0 +1,123 @@
+// Places, targets, zoom and panning of a chart, without a widget.
+#include "ui/chart/chart_geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+const ChartGeometry kMap{QRectF(100, 50, 600, 300), {-3, 3}, {-4, -1}};
+const ChartGeometry kBelow{
+    QRectF(100, 360, 600, 80), {-3, 3}, {-10, 10}, AxisScale::Logarithmic, AxisScale::Linear};
+
+DiagramSheet sampleSheet() {
+  DiagramSeries law, points;
+  law.id = -2;
+  law.points = {{1e-2, 1e-2}};
+  points.id = 0;
+  points.mark = SeriesMark::Circle;
+  points.points = {{1e-1, 1e-2}, {1, 1e-2}, {1.02, 1e-2}};
+  Diagram diagram;
+  diagram.series = {law, points};
+  diagram.marker = DiagramMarker{"now", "v", 10, 1e-3};
+  diagram.spans = {{1e-3, 0.1, "I linear", "I"}, {0.1, 1e3, "II transition", "II"}};
+  Diagram below;
+  below.y.scale = AxisScale::Linear;
+  DiagramSeries difference = points;
+  difference.id = -3;
+  difference.points = {{0.1, 3}, {1, -4}};
+  below.series = {difference};
+  DiagramSheet sheet;
+  sheet.diagrams = {diagram, below};
+  return sheet;
+}
+
+ChartTarget targetAt(QPointF place) {
+  return asperity::targetAt({kMap, kBelow}, sampleSheet(), place);
+}
+
+QPointF at(double x, double y) {
+  return {kMap.xOf(x), kMap.yOf(y)};
+}
+
+TEST(ChartGeometryTest, ValuesGoToPixelsAndBack) {
+  EXPECT_DOUBLE_EQ(kMap.xOf(1), 400);
+  EXPECT_DOUBLE_EQ(kMap.yOf(1e-4), 350);
+  for (const double value : {1e-3, 0.02, 7.0, 1e3})
+    EXPECT_NEAR(kMap.valueAt(kMap.xOf(value)) / value, 1, 1e-12);
+}
+
+TEST(ChartGeometryTest, FindsTheNearestPoint) {
+  const ChartTarget target = targetAt(at(1, 1e-2) + QPointF(-3, 2));
+  EXPECT_EQ(target.series, 1);
+  EXPECT_EQ(target.point, 1);
+  EXPECT_FALSE(target.isMarker);
+  EXPECT_FALSE(targetAt(at(1, 1e-2) + QPointF(0, 12)).isPoint());
+  EXPECT_FALSE(targetAt(at(1e-2, 1e-2)).isPoint()) << "a line has no points";
+}
+
+TEST(ChartGeometryTest, FindsTheMarkerAtAnyHeight) {
+  for (const double y : {2e-4, 5e-2}) EXPECT_TRUE(targetAt(at(10, y) + QPointF(5, 0)).isMarker);
+  EXPECT_FALSE(targetAt(at(10, 1e-2) + QPointF(8, 0)).isMarker);
+}
+
+TEST(ChartGeometryTest, FindsNamesAndStrip) {
+  EXPECT_EQ(targetAt(QPointF(kMap.xOf(5), 40)).span, 1);
+  EXPECT_EQ(targetAt(QPointF(kMap.xOf(0.01), 40)).span, 0);
+  EXPECT_EQ(targetAt(QPointF(kMap.xOf(1) + 4, 400)).diagram, 1);
+  EXPECT_EQ(targetAt(QPointF(kMap.xOf(1) + 4, 400)).point, 1);
+  EXPECT_EQ(targetAt(QPointF(10, 10)), ChartTarget{});
+}
+
+TEST(ChartGeometryTest, TheWheelZoomsTheAxesItIsOver) {
+  EXPECT_TRUE(axesAt(kMap, {300, 200}).x && axesAt(kMap, {300, 200}).y);
+  EXPECT_TRUE(axesAt(kMap, {300, 355}).x && !axesAt(kMap, {300, 355}).y);
+  EXPECT_TRUE(!axesAt(kMap, {60, 200}).x && axesAt(kMap, {60, 200}).y);
+  EXPECT_FALSE(axesAt(kMap, {60, 20}).x || axesAt(kMap, {60, 20}).y);
+}
+
+TEST(ChartGeometryTest, ZoomKeepsThePlaceUnderThePointer) {
+  const QPointF place = at(0.3, 2e-3);
+  const ChartWindow window = zoomed(kMap, place, 0.5, {true, true});
+  const ChartGeometry next{kMap.area, window.x, window.y};
+  EXPECT_NEAR(next.xOf(0.3), place.x(), 1e-9);
+  EXPECT_NEAR(next.yOf(2e-3), place.y(), 1e-9);
+  EXPECT_NEAR(window.x.size(), 3, 1e-12);
+  EXPECT_EQ(zoomed(kMap, place, 0.5, {true, false}).y, kMap.y);
+  EXPECT_NEAR(zoomed(kMap, place, 1e-9, {true, true}).x.size(), 0.1, 1e-12) << "not endlessly";
+}
+
+TEST(ChartGeometryTest, PanningMovesWithThePointer) {
+  const ChartWindow window = panned(kMap, {100, 100});
+  const ChartGeometry next{kMap.area, window.x, window.y};
+  EXPECT_NEAR(next.xOf(1), kMap.xOf(1) + 100, 1e-9);
+  EXPECT_NEAR(next.yOf(1e-2), kMap.yOf(1e-2) + 100, 1e-9);
+}
+
+TEST(ChartGeometryTest, AWindowIsHeldWhereThereIsSomethingToShow) {
+  const ChartWindow whole{{-3, 3}, {-4, -1}};
+  EXPECT_EQ(heldWithin(whole, whole), whole);
+  const ChartWindow inside{{-1, 1}, {-3, -2}};
+  EXPECT_EQ(heldWithin(inside, whole), inside);
+  const ChartWindow far = heldWithin({{100, 102}, {-200, -190}}, whole);
+  EXPECT_NEAR(far.x.from, 2, 1e-12) << "half of it beyond the end";
+  EXPECT_NEAR(far.x.size(), 2, 1e-12);
+  EXPECT_NEAR(far.y.to, -1, 1e-12) << "wider than all: all of it is seen";
+  EXPECT_NEAR(far.y.size(), 10, 1e-12);
+}
+
+TEST(ChartGeometryTest, ACurveIsSeenBetweenItsPoints) {
+  Diagram diagram;
+  DiagramSeries series;
+  series.points = {{1e-3, 1e-3}, {1e3, 1e-3}, {1e3, -1}};
+  diagram.series = {series};
+  EXPECT_TRUE(showsCurves({{-0.1, 0.1}, {-3.1, -2.9}}, diagram));
+  EXPECT_FALSE(showsCurves({{-0.1, 0.1}, {-2.9, -2.7}}, diagram));
+  EXPECT_FALSE(showsCurves({{3.1, 4}, {-3.1, -2.9}}, diagram));
+  EXPECT_FALSE(showsCurves({{-3, 3}, {-4, 0}}, Diagram{}));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,184 @@
+#include "ui/chart/chart_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kNarrowest = 0.1, kWidest = 60;  // decades
+
+double fraction(double place, const AxisRange& range) {
+  return (place - range.from) / (range.isEmpty() ? 1 : range.size());
+}
+
+AxisRange scaled(const AxisRange& range, double about, double factor) {
+  const double size = std::clamp(range.size() * factor, kNarrowest, kWidest);
+  const double from = about - (about - range.from) * (size / range.size());
+  return {from, from + size};
+}
+
+AxisRange moved(const AxisRange& range, double by) {
+  return {range.from + by, range.to + by};
+}
+
+AxisRange held(const AxisRange& range, const AxisRange& whole) {
+  if (range.isEmpty() || whole.isEmpty()) return range;
+  const double least = std::min(0.5 * range.size(), whole.size());
+  const double from = std::clamp(range.from, whole.from + least - range.size(), whole.to - least);
+  return from == range.from ? range : AxisRange{from, from + range.size()};
+}
+
+double distance(QPointF a, QPointF b) {
+  return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
+bool isFinite(QPointF at) {
+  return std::isfinite(at.x()) && std::isfinite(at.y());
+}
+
+/// The nearest drawn point of a diagram's curves, the upper one where they lie on each other.
+void findPoint(const ChartGeometry& geometry, const Diagram& diagram, bool isSlim, QPointF place,
+               ChartTarget& target) {
+  double nearest = kPointReach * geometry.scale;
+  for (std::size_t s = 0; s < diagram.series.size(); ++s) {
+    const DiagramSeries& series = diagram.series[s];
+    if (series.mark == SeriesMark::None || series.id == -1) continue;
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+      const QPointF at = geometry.at(series.points[i].x, series.points[i].y);
+      if (!isFinite(at) || !geometry.area.adjusted(-1, -1, 1, 1).contains(at)) continue;
+      const double away = isSlim ? std::abs(at.x() - place.x()) : distance(at, place);
+      if (away > nearest) continue;
+      nearest = away;
+      target.series = static_cast<int>(s);
+      target.point = static_cast<int>(i);
+    }
+  }
+}
+
+void findSpan(const ChartGeometry& geometry, const Diagram& diagram, QPointF place,
+              ChartTarget& target) {
+  for (std::size_t i = 0; i < diagram.spans.size(); ++i)
+    if (place.x() >= geometry.xOf(diagram.spans[i].from) &&
+        place.x() < geometry.xOf(diagram.spans[i].to))
+      target.span = static_cast<int>(i);
+}
+
+/// Whether the straight line between two places on the axes passes through the window.
+bool crosses(const ChartWindow& window, QPointF a, QPointF b) {
+  const double ax = a.x(), ay = a.y();
+  const double dx = b.x() - ax, dy = b.y() - ay;
+  double from = 0, to = 1;  // the part of it within the ends of both axes
+  const auto cut = [&](double start, double way, const AxisRange& range) {
+    if (way == 0) {
+      if (start < range.from || start > range.to) to = -1;
+      return;
+    }
+    const double one = (range.from - start) / way, other = (range.to - start) / way;
+    from = std::max(from, std::min(one, other));
+    to = std::min(to, std::max(one, other));
+  };
+  cut(ax, dx, window.x);
+  cut(ay, dy, window.y);
+  return from <= to;
+}
+
+}  // namespace
+
+QPointF ChartGeometry::at(double along, double up) const {
+  return {xOf(along), yOf(up)};
+}
+
+double ChartGeometry::xOf(double value) const {
+  return area.left() + area.width() * fraction(axisPlace(xScale, value), x);
+}
+
+double ChartGeometry::yOf(double value) const {
+  return area.bottom() - area.height() * fraction(axisPlace(yScale, value), y);
+}
+
+double ChartGeometry::valueAt(double pixel) const {
+  const double part = area.width() > 0 ? (pixel - area.left()) / area.width() : 0;
+  const double place = x.from + part * x.size();
+  return xScale == AxisScale::Linear ? place : std::pow(10, place);
+}
+
+bool hasPlace(const Diagram& diagram, const DiagramPoint& point) {
+  return std::isfinite(axisPlace(diagram.x.scale, point.x)) &&
+         std::isfinite(axisPlace(diagram.y.scale, point.y));
+}
+
+ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const DiagramSheet& sheet,
+                     QPointF place) {
+  ChartTarget target;
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    const ChartGeometry& geometry = geometries[i];
+    const Diagram& diagram = sheet.diagrams[i];
+    const QRectF& area = geometry.area;
+    const double reach = i == 0 ? kMarkerReach * geometry.scale : 0;
+    if (area.adjusted(-reach, -reach, reach, reach).contains(place)) {
+      target.diagram = static_cast<int>(i);
+      findPoint(geometry, diagram, i > 0, place, target);
+      const auto& marker = diagram.marker;
+      target.isMarker =
+          marker && !marker->isFixed && std::abs(geometry.xOf(marker->x) - place.x()) <= reach;
+      return target;
+    }
+    if (i == 0 && QRectF(area.left(), area.top() - geometry.names, area.width(), geometry.names)
+                      .contains(place)) {
+      findSpan(geometry, diagram, place, target);
+      return target;
+    }
+  }
+  return target;
+}
+
+ZoomAxes axesAt(const ChartGeometry& geometry, QPointF place) {
+  const QRectF& area = geometry.area;
+  const bool isAlong = place.x() >= area.left() && place.x() <= area.right();
+  const bool isUp = place.y() >= area.top() && place.y() <= area.bottom();
+  return {isAlong && place.y() >= area.top(), isUp && place.x() <= area.right()};
+}
+
+ChartWindow zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes) {
+  const QRectF& area = geometry.area;
+  ChartWindow window{geometry.x, geometry.y};
+  if (axes.x && area.width() > 0) {
+    const double at =
+        geometry.x.from + (about.x() - area.left()) / area.width() * geometry.x.size();
+    window.x = scaled(geometry.x, at, factor);
+  }
+  if (axes.y && area.height() > 0) {
+    const double at =
+        geometry.y.from + (area.bottom() - about.y()) / area.height() * geometry.y.size();
+    window.y = scaled(geometry.y, at, factor);
+  }
+  return window;
+}
+
+ChartWindow panned(const ChartGeometry& geometry, QPointF by) {
+  const QRectF& area = geometry.area;
+  if (!(area.width() > 0) || !(area.height() > 0)) return {geometry.x, geometry.y};
+  return {moved(geometry.x, -by.x() / area.width() * geometry.x.size()),
+          moved(geometry.y, by.y() / area.height() * geometry.y.size())};
+}
+
+ChartWindow heldWithin(const ChartWindow& window, const ChartWindow& whole) {
+  return {held(window.x, whole.x), held(window.y, whole.y)};
+}
+
+bool showsCurves(const ChartWindow& window, const Diagram& diagram) {
+  for (const DiagramSeries& series : diagram.series) {
+    std::vector<QPointF> places;
+    for (const DiagramPoint& point : series.points)
+      if (hasPlace(diagram, point))
+        places.emplace_back(axisPlace(diagram.x.scale, point.x),
+                            axisPlace(diagram.y.scale, point.y));
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (crosses(window, places[i], places[std::min(i + 1, places.size() - 1)])) return true;
+  }
+  return false;
+}
+
+}  // namespace asperity

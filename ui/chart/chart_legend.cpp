@@ -1,0 +1,271 @@
+#include "ui/chart/chart_legend.h"
+
+#include <QEnterEvent>
+#include <QEvent>
+#include <QFontMetricsF>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <iterator>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kSide = 16;
+constexpr double kSample = 22;    // width of a sample of a mark, pixels
+constexpr double kSampleGap = 6;  // between it and its name
+constexpr double kCross = 16;     // that lets a pinned curve go
+constexpr double kGap = 18;       // between entries
+constexpr int kMostRows = 3;
+constexpr int kMostLines = 2;  // of one entry
+
+/// A text that is too long for its room, broken after commas.
+QStringList brokenInto(const QString& text, double room, const QFontMetricsF& metrics) {
+  QStringList lines(1);
+  const QStringList parts = text.split(QStringLiteral(", "));
+  for (qsizetype i = 0; i < parts.size(); ++i) {
+    const QString part = i + 1 < parts.size() ? parts[i] + ',' : parts[i];
+    const QString longer = lines.last().isEmpty() ? part : lines.last() + ' ' + part;
+    const bool fits = metrics.horizontalAdvance(longer) <= room || lines.last().isEmpty();
+    if (fits || lines.size() == kMostLines)
+      lines.last() = longer;
+    else
+      lines += part;
+  }
+  for (QString& line : lines) line = metrics.elidedText(line, Qt::ElideRight, room);
+  return lines;
+}
+
+}  // namespace
+
+ChartLegend::ChartLegend(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  setMouseTracking(true);
+  setObjectName("chartLegend");
+  setAccessibleName(tr("legend of the chart"));
+  arrange();
+}
+
+void ChartLegend::show(const DiagramSheet& sheet, const ChartLook& look) {
+  sheet_ = sheet;
+  look_ = look;
+  arrange();
+  update();
+}
+
+/// The present curve's, then theory, the marker, the curves of other diagrams, and the pinned in
+/// their order.
+std::vector<ChartLegend::Entry> ChartLegend::wanted() const {
+  std::vector<Entry> first, theory, marker, others, pinned;
+  for (const Diagram& diagram : sheet_.diagrams) {
+    for (const DiagramSeries& series : diagram.series) {
+      if (series.name.empty() || series.points.empty()) continue;
+      Entry entry;
+      entry.text = QString::fromStdString(series.name.text);
+      entry.hasBars = !series.isBand && std::ranges::any_of(series.points, [](const auto& point) {
+        return point.high > point.low;
+      });
+      entry.series = series;
+      entry.series.points.clear();
+      auto& group = series.isTheory              ? theory
+                    : series.id == kPresentCurve ? first
+                    : series.id > kPresentCurve  ? pinned
+                                                 : others;
+      group.push_back(std::move(entry));
+    }
+    if (!diagram.marker || diagram.marker->name.empty()) continue;
+    Entry entry;
+    entry.text = QString::fromStdString(diagram.marker->name.text);
+    entry.series.isFaded = diagram.marker->isFaded;
+    entry.isMarker = true;
+    marker.push_back(std::move(entry));
+  }
+  for (auto* group : {&theory, &marker, &others, &pinned})
+    std::move(group->begin(), group->end(), std::back_inserter(first));
+  return first;
+}
+
+QRectF ChartLegend::placeOf(int id) const {
+  for (const Entry& entry : entries_)
+    if (entry.series.id == id) return entry.box;
+  return {};
+}
+
+QStringList ChartLegend::linesOf(int id) const {
+  for (const Entry& entry : entries_)
+    if (entry.series.id == id) return entry.lines;
+  return {};
+}
+
+double ChartLegend::samples() const {
+  return (kSample + kSampleGap) * markScale(font());
+}
+
+double ChartLegend::statusWidth() const {
+  return QFontMetricsF(font()).horizontalAdvance(QString::fromStdString(sheet_.status));
+}
+
+/// Entries in rows; the first one ends at the status. The last place says how many found none.
+void ChartLegend::arrange() {
+  const QFontMetricsF metrics(font());
+  const double height = metrics.height() + 6;
+  entries_.clear();
+  double x = kSide, y = 4;
+  int row = 0, missing = 0;
+  const auto end = [&] { return width() - kSide - (row == 0 ? statusWidth() + kGap : 0); };
+  const auto add = [&](Entry entry, double extra) {
+    const double room = std::max(40.0, width() - 2 * kSide - samples() - extra);
+    entry.lines = brokenInto(entry.text, room, metrics);
+    double widest = 0;
+    for (const QString& part : entry.lines)
+      widest = std::max(widest, metrics.horizontalAdvance(part));
+    const double wide = samples() + widest + extra;
+    if (x + wide > end() && (x > kSide || row == 0)) {
+      if (row + 1 >= kMostRows || missing > 0) {
+        ++missing;
+        return;
+      }
+      ++row;
+      x = kSide;
+      y += height;
+    }
+    const auto more = static_cast<int>(entry.lines.size()) - 1;
+    entry.box = QRectF(x, y, wide, height * (more + 1));
+    row += more;
+    y += more * height;
+    x += wide + kGap * markScale(font());
+    entries_.push_back(std::move(entry));
+  };
+  for (Entry& entry : wanted()) {
+    const double extra = entry.isPinned() ? kCross * markScale(font()) : 0;
+    add(std::move(entry), extra);
+  }
+  if (missing > 0) {
+    Entry rest;
+    rest.text = tr("and %n more", nullptr, missing);
+    rest.lines = {rest.text};
+    rest.hasSample = false;
+    rest.box = QRectF(x, y, 120, height);
+    entries_.push_back(std::move(rest));
+  }
+  const int all = static_cast<int>(y + height + 4);
+  if (minimumHeight() != all || maximumHeight() != all) setFixedHeight(all);
+}
+
+/// The whole of a name, which may be shortened, and what a click does.
+QString ChartLegend::tipAt(QPointF place) const {
+  for (const Entry& entry : entries_) {
+    if (!entry.box.contains(place)) continue;
+    if (pinAt(place)) return entry.text + '\n' + tr("Click to unpin this curve");
+    if (entry.lines.join(' ') != entry.text) return entry.text;
+  }
+  return {};
+}
+
+void ChartLegend::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
+}
+
+void ChartLegend::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) arrange();
+}
+
+const ChartLegend::Entry* ChartLegend::pinAt(QPointF place) const {
+  for (const Entry& entry : entries_)
+    if (entry.isPinned() && entry.box.contains(place)) return &entry;
+  return nullptr;
+}
+
+void ChartLegend::mouseMoveEvent(QMouseEvent* event) {
+  const Entry* pin = pinAt(event->position());
+  const int under = pin ? pin->series.id : 0;
+  setCursor(pin ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  setToolTip(tipAt(event->position()));
+  if (under == under_) return;
+  under_ = under;
+  update();
+}
+
+void ChartLegend::enterEvent(QEnterEvent* event) {
+  QWidget::enterEvent(event);
+  emit entered();
+}
+
+void ChartLegend::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  under_ = 0;
+  update();
+}
+
+void ChartLegend::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return QWidget::mouseReleaseEvent(event);
+  if (const Entry* pin = pinAt(event->position())) emit unpinWanted(pin->series.id);
+}
+
+void ChartLegend::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), look_.background());
+  paintStatus(painter);
+  for (const Entry& entry : entries_) paintEntry(painter, entry);
+}
+
+/// At the right end of the first row.
+void ChartLegend::paintStatus(QPainter& painter) const {
+  const QFontMetricsF metrics(font());
+  painter.setPen(look_.faintText());
+  painter.drawText(QRectF(0, 4, width() - kSide, metrics.height() + 6),
+                   Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(sheet_.status));
+}
+
+void ChartLegend::paintEntry(QPainter& painter, const Entry& entry) const {
+  const QRectF& box = entry.box;
+  const double scale = markScale(font());
+  const double height = box.height() / static_cast<double>(entry.lines.size());
+  const QPointF centre(box.left() + kSample * scale / 2, box.top() + height / 2);
+  const bool isUnder = entry.isPinned() && entry.series.id == under_;
+  if (isUnder) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(look_.span());
+    painter.drawRoundedRect(box.adjusted(-4, 0, 4, 0), 4, 4);
+  }
+  if (entry.hasSample) paintSample(painter, entry, centre);
+  painter.setPen(entry.hasSample ? look_.text() : look_.faintText());
+  for (qsizetype i = 0; i < entry.lines.size(); ++i)
+    painter.drawText(QRectF(box.left() + samples(), box.top() + static_cast<double>(i) * height,
+                            box.width(), height),
+                     Qt::AlignLeft | Qt::AlignVCenter, entry.lines[i]);
+  if (!entry.isPinned()) return;
+  painter.setPen(isUnder ? look_.text() : look_.faintText());
+  painter.drawText(QRectF(box.left(), box.top(), box.width(), height),
+                   Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("✕"));
+}
+
+void ChartLegend::paintSample(QPainter& painter, const Entry& entry, QPointF centre) const {
+  const double scale = markScale(font());
+  const DiagramSeries& series = entry.series;
+  const QColor colour = entry.isMarker ? look_.marker() : look_.of(series);
+  painter.setOpacity(series.isFaded ? kFadedOpacity : 1);
+  if (entry.isMarker) {
+    painter.setPen(QPen(colour, 1.4 * scale));
+    painter.drawLine(centre - QPointF(0, 8 * scale), centre + QPointF(0, 8 * scale));
+  } else {
+    painter.setPen(strokeOf(series, look_));
+    painter.drawLine(centre - QPointF(kSample * scale / 2, 0),
+                     centre + QPointF(kSample * scale / 2, 0));
+    painter.setPen(QPen(colour, 1.3 * scale));
+    if (entry.hasBars)
+      paintErrorBar(painter, centre.x(), centre.y() - 7 * scale, centre.y() + 7 * scale,
+                    3.5 * scale);
+  }
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+  if (entry.isMarker || series.mark != SeriesMark::None)
+    paintMark(painter, series.mark, centre, (entry.isMarker ? 9 : 7.2) * scale);
+  painter.setOpacity(1);
+}
+
+}  // namespace asperity

@@ -1,0 +1,565 @@
+#include "ui/chart/chart_panel.h"
+
+#include <QFontInfo>
+#include <QFontMetricsF>
+#include <QGraphicsLayout>
+#include <QGraphicsScene>
+#include <QPainter>
+#include <QtCharts/QAreaSeries>
+#include <QtCharts/QCategoryAxis>
+#include <QtCharts/QChart>
+#include <QtCharts/QLegend>
+#include <QtCharts/QLineSeries>
+#include <QtCharts/QScatterSeries>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/chart/diagram_colours.h"
+#include "ui/chart/marks.h"
+#include "ui/draw/fonts.h"
+
+namespace asperity {
+
+namespace {
+
+// Between the grid (2), the axes (3) and the series (4) of a chart.
+constexpr double kUnderDepth = 1.5, kOverDepth = 3.5;
+
+constexpr double kMarkSize = 8, kSmallestMark = 3;  // pixels across, times the scale
+constexpr double kTheory = 2, kCurve = 1.6, kBar = 1.3;
+constexpr double kCap = 3.5;   // half the width of an error bar's caps
+constexpr double kAside = 4;   // pixels between a shade's edges and its name
+constexpr double kLeft = 6;    // from the edge to a title at the left
+constexpr double kBelow = 8;   // from the frame to the title below it, beside the labels
+constexpr double kBeside = 8;  // from the frame to a title at its right
+constexpr double kBandOpacity = 0.2;
+
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  const auto part = [share](int from, int to) {
+    return static_cast<int>(from + (to - from) * share + 0.5);
+  };
+  return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
+}
+
+bool isDark(const Theme& theme) {
+  return colourOf(theme.background).lightness() < 128;
+}
+
+/// Fonts of the ticks, as the layout of pictures wants them.
+DiagramSizes sizesOf(const ChartLook& look) {
+  DiagramSizes sizes;
+  sizes.unit = static_cast<float>(look.scale());
+  sizes.tick = sizes.axis = static_cast<float>(QFontInfo(look.font).pixelSize());
+  return sizes;
+}
+
+/// Of a curve's marks, so that they do not touch.
+double markSizeOf(const DiagramSeries& series, double room, const ChartLook& look) {
+  const double apart =
+      room / static_cast<double>(std::max<std::size_t>(series.points.size(), 2) - 1);
+  return look.scale() * std::clamp(0.84 * apart / look.scale(), kSmallestMark, kMarkSize);
+}
+
+/// A mark with its rim, as an image for a QScatterSeries.
+QImage imageOf(SeriesMark mark, double size, const QColor& colour, const QColor& rim,
+               double* side) {
+  constexpr int kFiner = 4;  // pixels of the image to one of the screen
+  const int across = static_cast<int>(std::ceil(1.5 * size)) + 4;
+  *side = across;
+  QImage image(kFiner * across, kFiner * across, QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(kFiner, kFiner);
+  painter.setPen(QPen(rim, 1));
+  painter.setBrush(colour);
+  paintMark(painter, mark, {across / 2.0, across / 2.0}, size);
+  return image;
+}
+
+QPointF placeOf(const Diagram& diagram, double x, double y) {
+  return {axisPlace(diagram.x.scale, x), axisPlace(diagram.y.scale, y)};
+}
+
+}  // namespace
+
+QColor ChartLook::background() const {
+  return colourOf(theme.background);
+}
+QColor ChartLook::text() const {
+  return colourOf(theme.text);
+}
+QColor ChartLook::faintText() const {
+  return colourOf(theme.faintText);
+}
+QColor ChartLook::axis() const {
+  return mixed(background(), text(), 0.5);
+}
+QColor ChartLook::grid() const {
+  return mixed(background(), text(), isDark(theme) ? 0.19 : 0.14);
+}
+QColor ChartLook::fineGrid() const {
+  return mixed(background(), grid(), 0.55);
+}
+QColor ChartLook::span() const {
+  return mixed(background(), text(), isDark(theme) ? 0.06 : 0.04);
+}
+QColor ChartLook::shade() const {
+  QColor colour = colourOf(theme.highlight);
+  colour.setAlphaF(0.1F);
+  return colour;
+}
+QColor ChartLook::marker() const {
+  return colourOf(seriesColour(1, theme));
+}
+QColor ChartLook::of(const DiagramSeries& series) const {
+  return series.isTheory ? text() : colourOf(seriesColour(series.colour, theme));
+}
+double ChartLook::scale() const {
+  return markScale(font);
+}
+double ChartLook::line() const {
+  return QFontMetricsF(font).height();
+}
+
+double markScale(const QFont& font) {
+  constexpr double kUsual = 17;  // pixels, a line of a desktop's letters
+  return std::max(1.0, QFontMetricsF(font).height() / kUsual);
+}
+
+void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size) {
+  const std::vector<Place> corners =
+      markCorners(mark, {static_cast<float>(centre.x()), static_cast<float>(centre.y())},
+                  static_cast<float>(size));
+  if (corners.empty()) return painter.drawEllipse(centre, size / 2, size / 2);
+  QPolygonF polygon;
+  for (const Place& corner : corners) polygon += QPointF(corner.x, corner.y);
+  painter.drawPolygon(polygon);
+}
+
+void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap) {
+  const auto sharp = [](double pixel) { return std::floor(pixel) + 0.5; };  // covers whole pixels
+  const double middle = sharp(x);
+  painter.drawLine(QPointF(middle, top), QPointF(middle, bottom));
+  for (const double y : {sharp(top), sharp(bottom)})
+    painter.drawLine(QPointF(middle - cap, y), QPointF(middle + cap, y));
+}
+
+QPen strokeOf(const DiagramSeries& series, const ChartLook& look) {
+  QPen pen(look.of(series), (series.isTheory ? kTheory : kCurve) * look.scale());
+  if (series.stroke == SeriesStroke::None) pen.setStyle(Qt::NoPen);
+  if (series.stroke == SeriesStroke::Dashed) pen.setStyle(Qt::DashLine);
+  if (series.stroke == SeriesStroke::Dotted) pen.setStyle(Qt::DotLine);
+  return pen;
+}
+
+/// Regions with their names, tints, the grid and the titles of the axes.
+class ChartPanel::UnderItem : public QGraphicsItem {
+ public:
+  using QGraphicsItem::QGraphicsItem;
+
+  void show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look,
+            const TickedAxis& along, const TickedAxis& up, bool saysAlong, double titleBeside) {
+    prepareGeometryChange();
+    spans_ = diagram.spans;
+    shades_ = diagram.shades;
+    map_ = map;
+    look_ = look;
+    along_ = along;
+    up_ = up;
+    saysAlong_ = saysAlong;
+    titleBeside_ = titleBeside;
+    const double edge = kFrameEdge * map.scale;
+    frame_ = map.area.adjusted(-edge, 0, edge, 0);
+    update();
+  }
+
+  QRectF boundingRect() const override {
+    return frame_.adjusted(-frame_.left(), -map_.names - 2, titleBeside_ + kBeside + 2,
+                           3 * look_.line() + kBelow);
+  }
+
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    painter->setFont(look_.font);
+    paintSpans(*painter);
+    for (const DiagramSpan& shade : shades_) {
+      painter->setOpacity(shade.isFaded ? kFadedOpacity : 1);
+      painter->fillRect(columnOf(shade), look_.shade());
+    }
+    painter->setOpacity(1);
+    paintGrid(*painter);
+    paintShadeNames(*painter);
+    paintTitles(*painter);
+  }
+
+  QString cutTitle() const {
+    const QString title = QString::fromStdString(along_.title);
+    return saysAlong_ && titleAlong() != title ? title : QString();
+  }
+
+ private:
+  QRectF columnOf(const DiagramSpan& span) const {
+    const auto held = [this](double x) { return std::clamp(x, frame_.left(), frame_.right()); };
+    const double left = held(map_.xOf(span.from)), right = held(map_.xOf(span.to));
+    return {left, frame_.top(), right - left, frame_.height()};
+  }
+
+  void paintSpans(QPainter& painter) const {
+    const QFontMetricsF metrics(look_.font);
+    bool isShaded = true;
+    for (const DiagramSpan& span : spans_) {
+      const QRectF box = columnOf(span).adjusted(0, -map_.names, 0, 0);
+      painter.setOpacity(span.isFaded ? kFadedOpacity : 1);
+      if (isShaded) painter.fillRect(box, look_.span());
+      isShaded = !isShaded;
+      painter.setPen(look_.faintText());
+      for (const std::string& form : {span.label.text, span.shortLabel}) {
+        const QString label = QString::fromStdString(form);
+        if (metrics.horizontalAdvance(label) + 4 > box.width()) continue;
+        painter.drawText(QRectF(box.left(), box.top(), box.width(), map_.names), Qt::AlignCenter,
+                         label);
+        break;
+      }
+    }
+    painter.setOpacity(1);
+  }
+
+  void paintShadeNames(QPainter& painter) const {
+    const QFontMetricsF metrics(look_.font);
+    for (const DiagramSpan& shade : shades_) {
+      const QRectF box = columnOf(shade);
+      const QString label = QString::fromStdString(shade.label);
+      painter.setOpacity(shade.isFaded ? kFadedOpacity : 1);
+      constexpr int kFoot = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
+      const QRectF room = box.adjusted(kAside, 0, -kAside, -kAside);
+      if (!room.contains(metrics.boundingRect(room, kFoot, label))) continue;
+      painter.setPen(look_.faintText());
+      painter.drawText(room, kFoot, label);
+    }
+    painter.setOpacity(1);
+  }
+
+  /// Lines on whole pixels: smoothed ones between pixels would be dull, and take most of the time
+  /// that painting a diagram takes.
+  void paintGrid(QPainter& painter) const {
+    const auto upright = [this](double place) {
+      const double part = (place - map_.x.from) / map_.x.size();
+      const double x = std::floor(map_.area.left() + part * map_.area.width()) + 0.5;
+      return QLineF(x, frame_.top(), x, frame_.bottom());
+    };
+    const auto level = [this](double place) {
+      const double part = (place - map_.y.from) / map_.y.size();
+      const double y = std::floor(map_.area.bottom() - part * map_.area.height()) + 0.5;
+      return QLineF(frame_.left(), y, frame_.right(), y);
+    };
+    QList<QLineF> fine, whole;
+    for (const double place : along_.minor) fine += upright(place);
+    if (up_.scale == AxisScale::Logarithmic)
+      for (const double place : up_.minor) fine += level(place);
+    for (const AxisTick& tick : along_.ticks) whole += upright(tick.value);
+    for (const AxisTick& tick : up_.ticks) whole += level(tick.value);
+    const bool wasSmooth = painter.testRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(look_.fineGrid(), 1));
+    painter.drawLines(fine);
+    painter.setPen(QPen(look_.grid(), 1));
+    painter.drawLines(whole);
+    painter.setPen(QPen(look_.axis(), 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(frame_.toRect());
+    painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
+  }
+
+  QString titleAlong() const {
+    return QFontMetricsF(look_.font)
+        .elidedText(QString::fromStdString(along_.title), Qt::ElideRight, frame_.width());
+  }
+
+  void paintTitles(QPainter& painter) const {
+    const double line = look_.line();
+    painter.setPen(look_.text());
+    if (saysAlong_)
+      painter.drawText(QRectF(frame_.left(), frame_.bottom() + kBelow + line, frame_.width(), line),
+                       Qt::AlignCenter | Qt::TextDontClip, titleAlong());
+    if (titleBeside_ > 0)
+      return painter.drawText(QRectF(frame_.right() + kBeside, frame_.top() - line, titleBeside_,
+                                     frame_.height() + 2 * line),
+                              Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
+                              QString::fromStdString(up_.title));
+    const FittedTitle title =
+        fittedTitle(up_.title, sizesOf(look_).axis, static_cast<float>(frame_.height()));
+    painter.save();
+    QFont font = look_.font;
+    font.setPixelSize(static_cast<int>(title.size));
+    painter.setFont(font);
+    painter.translate(kLeft, frame_.center().y());
+    painter.rotate(-90);
+    painter.drawText(QRectF(-frame_.height() / 2, 0, frame_.height(), line),
+                     Qt::AlignCenter | Qt::TextDontClip, QString::fromStdString(title.text));
+    painter.restore();
+  }
+
+  std::vector<DiagramSpan> spans_, shades_;
+  ChartGeometry map_;
+  ChartLook look_;
+  TickedAxis along_, up_;
+  bool saysAlong_ = true;
+  double titleBeside_ = 0;
+  QRectF frame_;
+};
+
+/// Error bars, and why there is nothing to see.
+class ChartPanel::OverItem : public QGraphicsItem {
+ public:
+  using QGraphicsItem::QGraphicsItem;
+
+  void show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look) {
+    prepareGeometryChange();
+    map_ = map;
+    look_ = look;
+    blank_ = QString::fromStdString(diagram.blank.text);
+    bars_.clear();
+    for (const DiagramSeries& series : diagram.series) {
+      if (series.isBand) continue;
+      Bars bars{look.of(series), series.isFaded ? kFadedOpacity : 1, {}};
+      for (const DiagramPoint& point : series.points) {
+        if (!hasPlace(diagram, point) || !(point.high > point.low)) continue;
+        const double low = map.yOf(point.low);  // may have no place: then down to the axis
+        bars.lines += QLineF(map.xOf(point.x), map.yOf(point.high), map.xOf(point.x),
+                             std::isfinite(low) ? low : map.area.bottom() + kCap * map.scale + 1);
+      }
+      if (!bars.lines.isEmpty()) bars_.push_back(std::move(bars));
+    }
+    update();
+  }
+
+  QRectF boundingRect() const override {
+    const double edge = kFrameEdge * map_.scale;
+    return map_.area.adjusted(-edge, 0, edge, 0);
+  }
+
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    painter->save();
+    painter->setClipRect(boundingRect());
+    for (const Bars& bars : bars_) {
+      painter->setOpacity(bars.opacity);
+      painter->setPen(QPen(bars.colour, kBar * map_.scale));
+      for (const QLineF& bar : bars.lines)
+        paintErrorBar(*painter, bar.x1(), bar.y1(), bar.y2(), kCap * map_.scale);
+    }
+    painter->restore();
+    if (!blank_.isEmpty()) paintBlank(*painter);
+  }
+
+ private:
+  void paintBlank(QPainter& painter) const {
+    constexpr int kFlags = Qt::AlignCenter | Qt::TextWordWrap;
+    const QRectF room = map_.area.adjusted(12, 8, -12, -8);
+    painter.setFont(look_.font);
+    const QRectF text = painter.boundingRect(room, kFlags, blank_);
+    painter.fillRect(text.adjusted(-10, -6, 10, 6), look_.background());
+    painter.setPen(look_.text());
+    painter.drawText(room, kFlags, blank_);
+  }
+
+  struct Bars {
+    QColor colour;
+    double opacity = 1;
+    QList<QLineF> lines;  // from high to low
+  };
+  std::vector<Bars> bars_;
+  ChartGeometry map_;
+  ChartLook look_;
+  QString blank_;
+};
+
+ChartPanel::ChartPanel(QGraphicsScene& scene)
+    : chart_(new QChart),
+      x_(new QCategoryAxis),
+      y_(new QCategoryAxis),
+      under_(new UnderItem(chart_)),
+      over_(new OverItem(chart_)) {
+  scene.addItem(chart_);
+  chart_->legend()->hide();
+  chart_->layout()->setContentsMargins(0, 0, 0, 0);
+  chart_->setBackgroundVisible(false);
+  chart_->addAxis(x_, Qt::AlignBottom);
+  chart_->addAxis(y_, Qt::AlignLeft);
+  for (QCategoryAxis* axis : {x_, y_}) {
+    axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+    axis->setTruncateLabels(false);
+    axis->setGridLineVisible(false);
+  }
+  under_->setZValue(kUnderDepth);
+  over_->setZValue(kOverDepth);
+}
+
+ChartPanel::~ChartPanel() {
+  delete chart_;
+}
+
+QString ChartPanel::cutTitle() const {
+  return under_->cutTitle();
+}
+
+void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look,
+                      bool saysAlong, double titleBeside) {
+  const double edge = kFrameEdge * map.scale;
+  const QRectF frame = map.area.adjusted(-edge, 0, edge, 0);
+  const QRectF whole(chart_->scene()->sceneRect());
+  if (chart_->geometry() != whole || chart_->plotArea() != frame) {
+    chart_->setGeometry(whole);
+    chart_->setPlotArea(frame);
+    // The library leaves its axes behind until something else makes it lay them out.
+    chart_->layout()->invalidate();
+    chart_->layout()->activate();
+  }
+  const DiagramSizes sizes = sizesOf(look);
+  const TickedAxis along =
+      tickedAlong(diagram.x, map.x, static_cast<float>(map.area.width()), sizes);
+  const TickedAxis up = tickedUp(diagram.y, map.y, static_cast<float>(map.area.height()), sizes);
+  x_->setLabelsVisible(saysAlong);
+  for (QCategoryAxis* axis : {x_, y_}) lookAt(*axis, look);
+  const double beyond = map.x.size() * edge / std::max(1.0, map.area.width());
+  showAxis(*x_, along, {map.x.from - beyond, map.x.to + beyond});
+  showAxis(*y_, up, map.y);
+  showSeries(diagram, map, look);
+  under_->show(diagram, map, look, along, up, saysAlong, titleBeside);
+  over_->show(diagram, map, look);
+}
+
+void ChartPanel::lookAt(QCategoryAxis& axis, const ChartLook& look) {
+  if (axis.labelsFont() != look.font) axis.setLabelsFont(look.font);
+  if (axis.labelsColor() != look.text()) axis.setLabelsColor(look.text());
+  const QColor focus = colourOf(seriesColour(0, look.theme));
+  const QPen pen = look.showsFocus ? QPen(focus, 2) : QPen(look.axis(), 1);
+  if (axis.linePen() != pen) axis.setLinePen(pen);
+}
+
+/// Only what has changed: laying an axis out is dear.
+void ChartPanel::showAxis(QCategoryAxis& axis, const TickedAxis& ticked, const AxisRange& range) {
+  QStringList labels;
+  for (const AxisTick& tick : ticked.ticks) labels += QString::fromStdString(tick.label);
+  if (axis.categoriesLabels() == labels && axis.min() == range.from && axis.max() == range.to)
+    return;
+  for (const QString& label : axis.categoriesLabels()) axis.remove(label);
+  axis.setRange(range.from, range.to);
+  axis.setStartValue(range.from - range.size());
+  for (std::size_t i = 0; i < ticked.ticks.size(); ++i)
+    axis.append(labels[static_cast<qsizetype>(i)], ticked.ticks[i].value);
+}
+
+/// Bands first, then theory, then the data, as in pictures.
+void ChartPanel::showSeries(const Diagram& diagram, const ChartGeometry& map,
+                            const ChartLook& look) {
+  linesUsed_ = marksUsed_ = bandsUsed_ = 0;
+  for (const DiagramSeries& series : diagram.series)
+    if (series.isBand) showBand(series, diagram, look);
+  for (const bool theory : {true, false})
+    for (const DiagramSeries& series : diagram.series) {
+      if (series.isTheory != theory) continue;
+      QList<QPointF> run, all;
+      for (const DiagramPoint& point : series.points) {
+        if (hasPlace(diagram, point)) {
+          run += placeOf(diagram, point.x, point.y);
+          all += run.back();
+          continue;
+        }
+        showRun(series, run, look);
+        run.clear();
+      }
+      showRun(series, run, look);
+      showMarks(series, all, map.area.width(), look);
+    }
+  for (std::size_t i = linesUsed_; i < lines_.size(); ++i) lines_[i]->hide();
+  for (std::size_t i = marksUsed_; i < marks_.size(); ++i) marks_[i]->hide();
+  for (std::size_t i = bandsUsed_; i < bands_.size(); ++i) bands_[i]->hide();
+}
+
+/// One stretch of a curve without gaps.
+void ChartPanel::showRun(const DiagramSeries& series, const QList<QPointF>& run,
+                         const ChartLook& look) {
+  if (series.stroke == SeriesStroke::None || run.size() < 2) return;
+  QLineSeries& line = nextLine();
+  const QPen pen = strokeOf(series, look);
+  if (line.pen() != pen) line.setPen(pen);
+  if (line.points() != run) line.replace(run);
+  line.setOpacity(series.isFaded ? kFadedOpacity : 1);
+  line.show();
+}
+
+void ChartPanel::showMarks(const DiagramSeries& series, const QList<QPointF>& places, double room,
+                           const ChartLook& look) {
+  if (series.mark == SeriesMark::None || places.isEmpty()) return;
+  QScatterSeries& marks = nextMarks();
+  const double size = markSizeOf(series, room, look);
+  const QString name = QStringLiteral("%1 %2 %3 %4")
+                           .arg(static_cast<int>(series.mark))
+                           .arg(size)
+                           .arg(look.of(series).name(), look.background().name());
+  if (marks.name() != name) {
+    double side = 0;
+    const QImage image = imageOf(series.mark, size, look.of(series), look.background(), &side);
+    marks.setName(name);
+    marks.setLightMarker(image);
+    marks.setMarkerSize(side);
+  }
+  if (marks.points() != places) marks.replace(places);
+  marks.setOpacity(series.isFaded ? kFadedOpacity : 1);
+  marks.show();
+}
+
+void ChartPanel::showBand(const DiagramSeries& series, const Diagram& diagram,
+                          const ChartLook& look) {
+  QList<QPointF> low, high;
+  for (const DiagramPoint& point : series.points) {
+    const QPointF below = placeOf(diagram, point.x, point.low);
+    const QPointF above = placeOf(diagram, point.x, point.high);
+    if (!std::isfinite(below.x() + below.y() + above.y())) continue;
+    low += below;
+    high += above;
+  }
+  if (low.size() < 2) return;
+  QAreaSeries& band = nextBand();
+  QColor fill = look.of(series);
+  fill.setAlphaF(static_cast<float>(kBandOpacity));
+  if (band.brush().color() != fill) band.setBrush(fill);
+  band.lowerSeries()->replace(low);
+  band.upperSeries()->replace(high);
+  band.setOpacity(series.isFaded ? kFadedOpacity : 1);
+  band.show();
+}
+
+template <class Series>
+Series* ChartPanel::added(Series* series) {
+  chart_->addSeries(series);
+  series->attachAxis(x_);
+  series->attachAxis(y_);
+  return series;
+}
+
+QLineSeries& ChartPanel::nextLine() {
+  if (linesUsed_ == lines_.size()) lines_.push_back(added(new QLineSeries));
+  return *lines_[linesUsed_++];
+}
+
+/// Its own items, one for each point, are hidden: the images are drawn in one go.
+QScatterSeries& ChartPanel::nextMarks() {
+  if (marksUsed_ == marks_.size()) {
+    marks_.push_back(added(new QScatterSeries));
+    marks_.back()->setPointsVisible(false);
+  }
+  return *marks_[marksUsed_++];
+}
+
+QAreaSeries& ChartPanel::nextBand() {
+  if (bandsUsed_ == bands_.size()) {
+    auto* band = new QAreaSeries(new QLineSeries, new QLineSeries);
+    for (QLineSeries* edge : {band->upperSeries(), band->lowerSeries()}) edge->setParent(band);
+    bands_.push_back(added(band));
+    band->setPen(Qt::NoPen);
+  }
+  return *bands_[bandsUsed_++];
+}
+
+}  // namespace asperity

@@ -1,0 +1,454 @@
+#include "ui/chart/chart_view.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QFocusEvent>
+#include <QFontMetricsF>
+#include <QGraphicsScene>
+#include <QGraphicsView>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/chart/curve_diagram.h"
+#include "ui/chart/chart_legend.h"
+#include "ui/chart/chart_marker.h"
+#include "ui/language/translated.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kOverlayDepth = 100;  // over everything in the charts
+constexpr double kSmall = 20;          // pixels, of a frame that has no room
+constexpr double kLeastLines = 1.8;    // lines of text that a strip has room for, at least
+constexpr std::size_t kStrips = 3;     // so many diagrams have their titles beside them
+constexpr double kBesideGap = 8;       // on either side of those
+constexpr double kMostBeside = 0.2;    // of the width, for titles in one line
+constexpr double kWheel = 1.25;        // for one notch of the wheel
+constexpr double kKeyZoom = 1.5;
+constexpr double kKeyStep = 0.05;  // decades for a key
+constexpr double kFinely = 0.1;    // of a drag or a key's step, with Shift
+
+double notches(const QWheelEvent& event) {
+  return event.angleDelta().y() / 120.0;
+}
+
+}  // namespace
+
+ChartView::ChartView(QWidget* parent)
+    : QWidget(parent),
+      legend_(new ChartLegend),
+      view_(new QGraphicsView),
+      marker_(new MarkerItem),
+      tip_(new TipItem),
+      wantedX_(kNaN) {
+  auto* scene = new QGraphicsScene(this);
+  scene->addItem(marker_);
+  scene->addItem(tip_);
+  marker_->setZValue(kOverlayDepth);
+  tip_->setZValue(kOverlayDepth + 1);
+  view_->setScene(scene);
+  view_->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  view_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  view_->setFocusPolicy(Qt::NoFocus);
+  view_->viewport()->setFocusPolicy(Qt::NoFocus);
+  view_->setAttribute(Qt::WA_TransparentForMouseEvents);  // gestures are this widget's
+  setMouseTracking(true);
+  connect(legend_, &ChartLegend::unpinWanted, this, &ChartView::unpinWanted);
+  connect(legend_, &ChartLegend::entered, this, [this] {
+    hover_.reset();
+    tip_->clear();
+  });
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(legend_);
+  layout->addWidget(view_, 1);
+}
+
+ChartView::~ChartView() = default;
+
+void ChartView::setSheet(const DiagramSheet& english) {
+  const auto markerAt = [](const DiagramSheet& sheet) {
+    return sheet.diagrams.empty() || !sheet.diagrams[0].marker ? kNaN : sheet.diagrams[0].marker->x;
+  };
+  const double before = markerAt(sheet_);
+  sheet_ = translated(english);
+  if (markerAt(sheet_) != before && gesture_ != Gesture::Marker) wantedX_ = kNaN;
+  if (zoom_) zoom_ = heldWithin(*zoom_, whole());
+  showAll();
+}
+
+void ChartView::setMarker(const std::optional<DiagramMarker>& english) {
+  if (sheet_.diagrams.empty()) return;
+  std::optional<DiagramMarker>& marker = sheet_.diagrams[0].marker;
+  const double before = marker ? marker->x : kNaN;
+  const std::string name = marker ? marker->name.text : "";
+  marker = english;
+  if (marker)
+    for (std::string* text : {&marker->name, &marker->label}) *text = translated(*text);
+  if ((!marker || marker->x != before) && gesture_ != Gesture::Marker) wantedX_ = kNaN;
+  updateMarker();
+  if (name != (marker ? marker->name.text : "")) legend_->show(sheet_, look_);
+}
+
+void ChartView::setTheme(const Theme& theme) {
+  look_.theme = theme;
+  view_->setBackgroundBrush(look_.background());
+  showAll();
+}
+
+QString ChartView::reading() const {
+  return tip_->text();
+}
+
+QPointF ChartView::corner() const {
+  return view_->mapTo(this, view_->mapFromScene(QPointF()));
+}
+
+QPointF ChartView::positionOf(double x, double y, std::size_t diagram) const {
+  return diagram < frames_.size() ? frames_[diagram].at(x, y) + corner() : QPointF();
+}
+
+bool ChartView::hasMarker() const {
+  return !sheet_.diagrams.empty() && sheet_.diagrams[0].marker;
+}
+
+/// Of the first diagram.
+ChartWindow ChartView::whole() const {
+  if (sheet_.diagrams.empty()) return {};
+  const AxisRange along = rangeAlong(sheet_.diagrams[0]);
+  return {along, rangeUp(sheet_.diagrams[0], along)};
+}
+
+ChartWindow ChartView::window() const {
+  if (zoom_) return *zoom_;
+  ChartWindow all = whole();
+  if (held_) all.x = *held_;
+  return all;
+}
+
+void ChartView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (isDue_) showAll();
+}
+
+void ChartView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showAll();
+}
+
+void ChartView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) showAll();
+}
+
+void ChartView::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  const Qt::FocusReason reason = event->reason();
+  showFocus(reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason);
+}
+
+void ChartView::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  showFocus(false);
+}
+
+void ChartView::showFocus(bool shows) {
+  if (std::exchange(look_.showsFocus, shows) != shows) showAll();
+}
+
+/// Out of sight nothing is laid out until it is seen again.
+void ChartView::showAll() {
+  isDue_ = !isVisible();
+  if (isDue_) return;
+  look_.font = font();
+  legend_->show(sheet_, look_);
+  layout()->activate();  // what the legend takes is not the charts' any more
+  view_->scene()->setSceneRect(0, 0, view_->width(), view_->height());
+  placeFrames();
+  while (panels_.size() > frames_.size()) panels_.pop_back();
+  while (panels_.size() < frames_.size())
+    panels_.push_back(std::make_unique<ChartPanel>(*view_->scene()));
+  const double beside = besideWidth();
+  for (std::size_t i = 0; i < frames_.size(); ++i)
+    panels_[i]->show(sheet_.diagrams[i], frames_[i], look_, i + 1 == frames_.size(), beside);
+  updateMarker();
+  if (hover_ && gesture_ == Gesture::None)
+    read(*hover_);  // what lies there may be another now
+  else
+    tip_->clear();
+}
+
+/// Strips are too low for upright titles: theirs stand beside them, in one line each where that
+/// leaves most of the width to the strips, else word by word.
+double ChartView::besideWidth() const {
+  if (sheet_.diagrams.size() < kStrips) return 0;
+  const QFontMetricsF metrics(font());
+  double whole = 0, words = 0;
+  for (const Diagram& diagram : sheet_.diagrams) {
+    const std::string unit = diagram.y.unit.empty() ? "" : " (µ" + diagram.y.unit + ")";
+    const QString title =
+        QString::fromStdString(diagram.y.title.text + (unit.empty() ? " (10⁻⁸)" : unit));
+    whole = std::max(whole, metrics.horizontalAdvance(title));
+    for (const QString& word : title.split(' '))
+      words = std::max(words, metrics.horizontalAdvance(word));
+  }
+  return std::ceil(whole < kMostBeside * width() ? whole : words) + 2;
+}
+
+/// Fixed by the size of the texts that may come, so that the frames do not move while they are
+/// zoomed.
+void ChartView::placeFrames() {
+  frames_.clear();
+  const std::vector<Diagram>& diagrams = sheet_.diagrams;
+  if (diagrams.empty()) return;
+  const QFontMetricsF metrics(font());
+  const double line = metrics.height(), scale = look_.scale(), edge = kFrameEdge * scale;
+  const double names = std::max(18.0, std::ceil(line));
+  const double beside = besideWidth();
+  const double left =
+      12 + (beside > 0 ? 0 : line) + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
+  // At the right half of the label at the end of the axis, or the titles.
+  const double half = metrics.horizontalAdvance(QStringLiteral("10⁻⁵")) / 2 + 4;
+  const double right = beside > 0 ? beside + 2 * kBesideGap : std::max(18.0, half);
+  const double above = diagrams[0].spans.empty() ? 9 : names + 2;
+  const double below = 2 * line + 20;
+  const double gap = beside > 0 ? 8 : 12;
+  const double room = view_->height() - above - below;
+  std::size_t count = diagrams.size();
+  double share = 0;
+  for (const Diagram& diagram : diagrams) share += diagram.height;
+  const auto heightOf = [&](std::size_t i) {
+    return std::floor((room - static_cast<double>(count - 1) * gap) * diagrams[i].height / share);
+  };
+  while (count > 1 && heightOf(count - 1) < kLeastLines * line) share -= diagrams[--count].height;
+  const ChartWindow shown = window();
+  const double width = view_->width() - left - right;
+  double top = above;
+  for (std::size_t i = 0; i < count; ++i) {
+    ChartGeometry map;
+    map.area = QRectF(left, top, width, heightOf(i));
+    if (!(width > kSmall && map.area.height() > kSmall)) map.area.setSize({kSmall, kSmall});
+    map.area.adjust(edge, 0, -edge, 0);
+    map.x = shown.x;
+    map.y = i == 0 ? shown.y : rangeUp(diagrams[i], shown.x);
+    map.xScale = diagrams[i].x.scale;
+    map.yScale = diagrams[i].y.scale;
+    map.names = names;
+    map.scale = scale;
+    top = map.area.bottom() + gap;
+    frames_.push_back(map);
+  }
+}
+
+void ChartView::updateMarker() {
+  if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, look_);
+  marker_->update(frames_[0], sheet_.diagrams[0].marker, wantedX_, look_);
+}
+
+void ChartView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return QWidget::mousePressEvent(event);
+  const QPointF place = event->position() - corner();
+  pressed_ = targetAt(frames_, sheet_, place);
+  pressedAt_ = panAt_ = place;
+  gesture_ = Gesture::Press;
+  if (!pressed_.isMarker) return;
+  grippedX_ = frames_[0].xOf(sheet_.diagrams[0].marker->x);
+  gripMarker(place, event->modifiers() & Qt::ShiftModifier);
+}
+
+void ChartView::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF place = event->position() - corner();
+  hover_ = place;
+  if (gesture_ == Gesture::None) return read(place);
+  const bool isFar =
+      (place - pressedAt_).manhattanLength() >= QApplication::startDragDistance() / 2.0;
+  if (gesture_ == Gesture::Press && isFar) {
+    gesture_ = pressed_.isMarker ? Gesture::Marker : Gesture::Pan;
+    if (pressed_.isMarker && !zoom_) held_ = whole().x;
+    tip_->clear();
+    setCursor(pressed_.isMarker ? Qt::SizeHorCursor : Qt::ClosedHandCursor);
+  }
+  if (gesture_ == Gesture::Marker) dragMarker(place, event->modifiers() & Qt::ShiftModifier);
+  if (gesture_ == Gesture::Pan) {
+    pan(place - panAt_);
+    panAt_ = place;
+  }
+}
+
+/// On both axes or on one, as long as there is something to see.
+void ChartView::pan(QPointF by) {
+  if (frames_.empty()) return;
+  const ChartGeometry map = frames_[0];
+  const Diagram& diagram = sheet_.diagrams[0];
+  const bool isEmpty = !showsCurves(window(), diagram);
+  for (const QPointF way : {by, QPointF(by.x(), 0), QPointF(0, by.y())}) {
+    const ChartWindow next = heldWithin(panned(map, way), whole());
+    if (isEmpty || showsCurves(next, diagram)) return setZoom(next);
+  }
+}
+
+void ChartView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return QWidget::mouseReleaseEvent(event);
+  const Gesture ended = std::exchange(gesture_, Gesture::None);
+  if (ended == Gesture::Press && pressed_.isPoint()) {
+    if (pressed_.diagram == 0) {
+      const DiagramSeries& series =
+          sheet_.diagrams[0].series[static_cast<std::size_t>(pressed_.series)];
+      emit pointChosen(series.id, series.points[static_cast<std::size_t>(pressed_.point)].row);
+    }
+  }
+  if (std::exchange(held_, std::nullopt)) showAll();
+  read(event->position() - corner());
+}
+
+void ChartView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return QWidget::mouseDoubleClickEvent(event);
+  const ChartTarget target = targetAt(frames_, sheet_, event->position() - corner());
+  if (!target.isPoint() && !target.isMarker) fit();
+}
+
+void ChartView::wheelEvent(QWheelEvent* event) {
+  const QPointF place = event->position() - corner();
+  if (frames_.empty()) return event->ignore();
+  const ZoomAxes axes = axesAt(frames_[0], place);
+  if ((!axes.x && !axes.y) || event->angleDelta().y() == 0) return event->ignore();
+  setZoom(zoomed(frames_[0], place, std::pow(kWheel, -notches(*event)), axes));
+  event->accept();
+}
+
+void ChartView::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  hover_.reset();
+  tip_->clear();
+}
+
+void ChartView::keyPressEvent(QKeyEvent* event) {
+  const bool isRight = event->key() == Qt::Key_Right;
+  if (isRight || event->key() == Qt::Key_Left) {
+    if (event->modifiers() & Qt::ControlModifier) return chooseNextPoint(isRight);
+    if (!hasMarker()) return;
+    const DiagramMarker& marker = *sheet_.diagrams[0].marker;
+    if (marker.isFixed || !(marker.x > 0)) return;
+    const bool finely = event->modifiers() & Qt::ShiftModifier;
+    const double step = finely ? kFinely * kKeyStep : kKeyStep;
+    const double from = std::isfinite(wantedX_) ? wantedX_ : marker.x;
+    return moveMarker(from * std::pow(10, isRight ? step : -step), finely);
+  }
+  if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) return zoom(1 / kKeyZoom);
+  if (event->key() == Qt::Key_Minus) return zoom(kKeyZoom);
+  if (event->key() == Qt::Key_Home) return fit();
+  QWidget::keyPressEvent(event);
+}
+
+void ChartView::zoom(double factor) {
+  if (!frames_.empty()) setZoom(zoomed(frames_[0], frames_[0].area.center(), factor, {true, true}));
+}
+
+void ChartView::fit() {
+  setZoom(std::nullopt);
+}
+
+void ChartView::setZoom(const std::optional<ChartWindow>& wanted) {
+  const bool isZoomable =
+      !sheet_.diagrams.empty() && sheet_.diagrams[0].x.scale == AxisScale::Logarithmic;
+  std::optional<ChartWindow> window = isZoomable ? wanted : std::nullopt;
+  if (window) window = heldWithin(*window, whole());
+  if (window == zoom_) return;
+  const bool was = isZoomed();
+  zoom_ = window;
+  showAll();
+  if (was != isZoomed()) emit zoomChanged(isZoomed());
+}
+
+/// What lies under the pointer, in words, and the shape of the pointer that goes with it.
+void ChartView::read(QPointF place) {
+  const ChartTarget target = targetAt(frames_, sheet_, place);
+  if (target.isMarker)
+    setCursor(Qt::SizeHorCursor);
+  else
+    setCursor(target.isPoint() && target.diagram == 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  const QString text = textOf(target, place);
+  if (text.isEmpty()) return tip_->clear();
+  QPointF at = place;
+  if (target.isPoint()) {
+    const auto i = static_cast<std::size_t>(target.diagram);
+    const DiagramPoint& point = sheet_.diagrams[i]
+                                    .series[static_cast<std::size_t>(target.series)]
+                                    .points[static_cast<std::size_t>(target.point)];
+    at = frames_[i].at(point.x, point.y);
+  }
+  tip_->show(text, at, target.isPoint(), view_->sceneRect(), look_);
+}
+
+QString ChartView::textOf(const ChartTarget& target, QPointF place) const {
+  if (frames_.empty()) return {};
+  if (target.isPoint()) {
+    const DiagramSeries& series = sheet_.diagrams[static_cast<std::size_t>(target.diagram)]
+                                      .series[static_cast<std::size_t>(target.series)];
+    const int row = series.points[static_cast<std::size_t>(target.point)].row;
+    return describe_ ? describe_(series.id, row) : QString();
+  }
+  if (target.span >= 0) {
+    const DiagramSpan& span = sheet_.diagrams[0].spans[static_cast<std::size_t>(target.span)];
+    QStringList lines{QString::fromStdString(span.label.text)};
+    for (const std::string& note : span.notes) lines += QString::fromStdString(note);
+    return lines.join('\n');
+  }
+  return place.y() > frames_.back().area.bottom() ? panels_.back()->cutTitle() : QString();
+}
+
+void ChartView::gripMarker(QPointF place, bool finely) {
+  gripAt_ = place;
+  gripsFinely_ = finely;
+}
+
+/// Finely the marker goes a part of the pointer's way, from where it is.
+void ChartView::dragMarker(QPointF place, bool finely) {
+  const ChartGeometry map = frames_[0];
+  if (finely != gripsFinely_) {
+    if (std::isfinite(wantedX_)) grippedX_ = map.xOf(wantedX_);
+    gripMarker(place, finely);
+  }
+  const double way = (place.x() - gripAt_.x()) * (finely ? kFinely : 1);
+  moveMarker(map.valueAt(std::clamp(grippedX_ + way, map.area.left(), map.area.right())), finely);
+}
+
+void ChartView::moveMarker(double x, bool finely) {
+  wantedX_ = x;
+  updateMarker();
+  emit markerMoved(x, finely);
+}
+
+/// Of the present curve; where there is none, nothing.
+void ChartView::chooseNextPoint(bool forward) {
+  if (!hasMarker()) return;
+  const double from = std::isfinite(wantedX_) ? wantedX_ : sheet_.diagrams[0].marker->x;
+  const DiagramPoint* best = nullptr;
+  for (const DiagramSeries& series : sheet_.diagrams[0].series) {
+    if (series.id != kPresentCurve) continue;
+    for (const DiagramPoint& point : series.points) {
+      if (!hasPlace(sheet_.diagrams[0], point)) continue;
+      const bool isBeyond = forward ? point.x > from * (1 + 1e-9) : point.x < from * (1 - 1e-9);
+      if (isBeyond && (!best || (point.x < best->x) == forward)) best = &point;
+    }
+  }
+  if (!best) return;
+  wantedX_ = best->x;
+  const int row = best->row;
+  updateMarker();
+  emit pointChosen(kPresentCurve, row);
+}
+
+}  // namespace asperity

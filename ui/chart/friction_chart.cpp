@@ -1,0 +1,366 @@
+#include "ui/chart/friction_chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/chart/curve_words.h"
+#include "core/run/transient_diagram.h"
+#include "core/scene/motion.h"
+#include "ui/draw/ticks.h"
+#include "ui/language/translated.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr AxisRange kEmptyVelocities{-5, 3};  // shown before anything is known
+constexpr AxisRange kEmptyCoefficients{-6, -2};
+
+constexpr double kAir = 1.15;
+// 1e-5 written in binary may lie a little below the decade: that is not a reason for one more.
+constexpr double kSlack = 1e-9;
+
+bool isKnown(const CurvePoint& point) {
+  return point.realizations > 0;
+}
+
+bool hasKnownPoint(const CurveUpdate& update) {
+  return std::any_of(update.points.begin(), update.points.end(), isKnown);
+}
+
+bool isOneLine(const CurveUpdate& curve) {
+  return curve.realizationsTotal <= 1;
+}
+
+Scene withoutPresent(Scene scene) {
+  scene.title.clear();
+  scene.description.clear();
+  scene.chapter.clear();
+  scene.sliding = {};
+  return scene;
+}
+
+/// Smallest and largest of the positive finite numbers given to it.
+struct Extent {
+  double low = 0, high = 0;
+
+  void add(double value) {
+    if (!std::isfinite(value) || value <= 0) return;
+    low = high > 0 ? std::min(low, value) : value;
+    high = std::max(high, value);
+  }
+  /// `air` keeps that factor between the data and the ends.
+  AxisRange decades(double air = 1) const {
+    return high > 0 ? decadesAround(low / air, high * air) : AxisRange{};
+  }
+};
+
+void addCurve(const CurveUpdate& curve, CurveAxes axes, Extent& velocities, Extent& coefficients) {
+  const auto [velocity, friction] = factorsOf(curve.points, axes);
+  for (const CurvePoint& point : curve.points) {
+    velocities.add(point.velocity * velocity);
+    if (!isKnown(point)) continue;
+    coefficients.add(point.mu * friction);
+    if (point.mu > 0) coefficients.add((point.mu + point.muStandardError) * friction);
+  }
+}
+
+void setRange(DiagramAxis& axis, const AxisRange& decades, const AxisRange& otherwise) {
+  const AxisRange& range = decades.isEmpty() ? otherwise : decades;
+  axis.from = std::pow(10, range.from);
+  axis.to = std::pow(10, range.to);
+}
+
+/// What there is of a curve while it is averaged.
+Message shareOf(const CurveUpdate& curve) {
+  if (curve.isComplete) return {};
+  return message("{} of {} lines", curve.realizationsDone, curve.realizationsTotal);
+}
+
+QString withError(const QString& name, double value, double error) {
+  const QString text = name + " = " + readingLabel(value);
+  return std::isfinite(error) ? text + " ± " + readingLabel(error, 2) : text;
+}
+
+QString signedPercent(double part) {
+  const QString text = readingLabel(std::abs(100 * part));
+  return (part < 0 ? "−" : "+") + text + " %";
+}
+
+}  // namespace
+
+bool haveSameCurve(const Scene& a, const Scene& b) {
+  return withoutPresent(a) == withoutPresent(b);
+}
+
+AxisRange decadesAround(double low, double high) {
+  AxisRange range{std::floor(std::log10(low) + kSlack), std::ceil(std::log10(high) - kSlack)};
+  if (range.isEmpty()) range.to = range.from + 1;
+  return range;
+}
+
+AxisRange steadyRange(const AxisRange& shown, const AxisRange& needed, bool mayShrink) {
+  if (needed.isEmpty()) return shown;
+  if (shown.isEmpty()) return needed;
+  AxisRange next{std::min(shown.from, needed.from), std::max(shown.to, needed.to)};
+  if (!mayShrink) return next;
+  if (needed.from - next.from >= 2) next.from = needed.from;
+  if (next.to - needed.to >= 2) next.to = needed.to;
+  return next;
+}
+
+QString readingLabel(double value, int digits) {
+  return QString::fromStdString(shortNumber(value, digits));
+}
+
+void FrictionChart::expect(const Scene& scene) {
+  expected_ = scene;
+  fitRanges(!curve_);
+}
+
+bool FrictionChart::isStale() const {
+  return curve_ && expected_ && !haveSameCurve(*curve_->scene, *expected_);
+}
+
+bool FrictionChart::take(const CurveUpdate& update) {
+  if (!update.scene || !hasKnownPoint(update)) return false;
+  if (expected_ && !haveSameCurve(*update.scene, *expected_)) return false;
+  const bool newCurve = !curve_ || !haveSameCurve(*curve_->scene, *update.scene);
+  curve_ = std::make_shared<const CurveUpdate>(update);
+  fitRanges(newCurve);
+  return true;
+}
+
+bool FrictionChart::mark(const Frame& frame) {
+  const std::pair before{velocities_, coefficients_};
+  marker_ = markerOf(frame, CurveAxes::Physical);
+  dimensionlessMarker_ = markerOf(frame, CurveAxes::Dimensionless);
+  markerFactor_ = factorsOf(frame, CurveAxes::Dimensionless).velocity;
+  if (frame.transient) {
+    const Motion motion(frame.scene->sliding);
+    fastest_ = motion.fastest(0, motion.duration());
+  }
+  fitRanges(false);
+  return before == std::pair{velocities_, coefficients_};
+}
+
+void FrictionChart::setAxes(CurveAxes axes) {
+  if (axes == axes_) return;
+  axes_ = axes;
+  velocities_ = coefficients_ = {};
+  fitRanges(true);
+}
+
+int FrictionChart::pin() {
+  if (!curve_) return 0;
+  for (const PinnedCurve& pinned : pinned_)
+    if (haveSameCurve(*pinned.curve->scene, *curve_->scene) &&
+        pinned.curve->realizationsDone == curve_->realizationsDone &&
+        pinned.curve->isComplete == curve_->isComplete)
+      return 0;
+  const auto isTaken = [this](int place) {
+    return std::ranges::any_of(pinned_, [&](const PinnedCurve& p) { return p.place == place; });
+  };
+  int place = 0;
+  while (isTaken(place)) ++place;
+  pinned_.push_back({++lastId_, place, curve_});
+  return lastId_;
+}
+
+void FrictionChart::unpin(int id) {
+  std::erase_if(pinned_, [id](const PinnedCurve& pinned) { return pinned.id == id; });
+  fitRanges(true);
+}
+
+void FrictionChart::unpinAll() {
+  pinned_.clear();
+  fitRanges(true);
+}
+
+Message FrictionChart::englishNameOf(const PinnedCurve& pinned, const Scene& present) const {
+  const Message name = differencesInWords(*pinned.curve->scene, present);
+  return listed({name.empty() ? Message("same parameters") : name, shareOf(*pinned.curve)});
+}
+
+QString FrictionChart::nameOf(const PinnedCurve& pinned) const {
+  return translatedText(englishNameOf(pinned, present()));
+}
+
+void FrictionChart::showDifference(std::optional<CurveDifference> difference) {
+  difference_ = std::move(difference);
+}
+
+bool FrictionChart::isDifferenceStale() const {
+  return difference_ && (isStale() || !haveSameCurve(*difference_->scene, present()));
+}
+
+/// The curve at hand with those that are pinned, named by how they differ from a scene.
+CurveSet FrictionChart::curves(const Scene& present) const {
+  CurveSet set;
+  set.axes = axes_;
+  if (!curve_) return set;
+  set.present = {{}, *curve_->scene, curve_->points};
+  for (const PinnedCurve& pinned : pinned_)
+    set.pinned.push_back({englishNameOf(pinned, present), *pinned.curve->scene,
+                          pinned.curve->points, pinned.place, pinned.id});
+  return set;
+}
+
+DiagramSheet FrictionChart::sheet() const {
+  CurveSet set = curves(curve_ ? present() : Scene{});
+  if (curve_) set.difference = difference_;
+  DiagramSheet sheet = curveSheet(set);
+  Diagram& diagram = sheet.diagrams.front();
+  setRange(diagram.x, velocities_, kEmptyVelocities);
+  setRange(diagram.y, coefficients_, kEmptyCoefficients);
+  if (!curve_) diagram.series.clear();
+  if (isStale()) {
+    diagram.blank = {};
+    for (DiagramSeries& series : diagram.series) series.isFaded = series.id <= kPresentCurve;
+    for (auto* spans : {&diagram.spans, &diagram.shades})
+      for (DiagramSpan& span : *spans) span.isFaded = true;
+  }
+  if (sheet.diagrams.size() > 1)
+    for (DiagramSeries& series : sheet.diagrams[1].series) {
+      series.isFaded = isDifferenceStale();
+      if (difference_->done < difference_->total && !series.name.empty())
+        series.name =
+            listed({series.name, message("{} of {} lines", difference_->done, difference_->total)});
+    }
+  diagram.marker = marker();
+  sheet.status = status();
+  return sheet;
+}
+
+double FrictionChart::progress() const {
+  constexpr double kAlmost = 0.999;
+  if (!curve_ || isStale()) return 0;
+  if (curve_->isComplete) return 1;
+  if (curve_->realizationsTotal <= 0) return 0;
+  return std::min(kAlmost, static_cast<double>(curve_->realizationsDone) /
+                               static_cast<double>(curve_->realizationsTotal));
+}
+
+std::optional<DiagramMarker> FrictionChart::marker() const {
+  std::optional<DiagramMarker> marker =
+      axes_ == CurveAxes::Physical ? marker_ : dimensionlessMarker_;
+  if (!marker) return marker;
+  marker->isFaded = isMarkFaded_;
+  if (isMarkFaded_)
+    marker->name = "before the change";
+  else if (!marker->isFixed && curve_ && isOneLine(*curve_))
+    marker->name = "now";
+  return marker;
+}
+
+const CurveUpdate* FrictionChart::find(int id) const {
+  if (id == kPresentCurve) return curve_.get();
+  for (const PinnedCurve& pinned : pinned_)
+    if (pinned.id == id) return pinned.curve.get();
+  return nullptr;
+}
+
+QString FrictionChart::describe(int id, int row) const {
+  const auto place = static_cast<std::size_t>(row);
+  if (id == kDifferenceCurve)
+    return difference_ && place < difference_->points.size() ? reading(difference_->points[place])
+                                                             : QString();
+  const CurveUpdate* curve = find(id);
+  if (!curve || place >= curve->points.size()) return {};
+  const QString text = reading(curve->points[place]);
+  if (id == kPresentCurve) return text;
+  const auto pinned = std::ranges::find(pinned_, id, &PinnedCurve::id);
+  return nameOf(*pinned) + '\n' + text;
+}
+
+QString FrictionChart::reading(const CurvePoint& point) const {
+  QStringList lines;
+  lines += tr("v = %1 m/s").arg(readingLabel(point.velocity));
+  lines += withError(QStringLiteral("μ"), point.mu, point.muStandardError);
+  if (axes_ == CurveAxes::Dimensionless) {
+    lines.prepend(QStringLiteral("v̄ = ") + readingLabel(point.dimensionlessVelocity));
+    lines += withError(QStringLiteral("μ / ∇z"), point.normalizedMu,
+                       point.muStandardError * point.normalizedMu / point.mu);
+  }
+  lines += tr("in contact %1 %").arg(readingLabel(100 * point.contactFraction));
+  if (std::isfinite(point.muLaw)) lines += tr("Eq. (11): %1").arg(readingLabel(point.muLaw));
+  return lines.join('\n');
+}
+
+QString FrictionChart::reading(const DifferencePoint& point) const {
+  QString difference = tr("difference %1").arg(signedPercent(point.relative));
+  if (std::isfinite(point.standardError))
+    difference += " ± " + readingLabel(100 * point.standardError, 2) + " %";
+  return tr("v = %1 m/s").arg(readingLabel(point.velocity)) + '\n' + difference + '\n' +
+         withError(QStringLiteral("μ"), point.mu, point.muStandardError) + ' ' +
+         tr("with %1").arg(translatedText(asperity::nameOf(difference_->setting)));
+}
+
+std::optional<double> FrictionChart::velocityOf(int id, int row) const {
+  const CurveUpdate* curve = find(id);
+  if (!curve || static_cast<std::size_t>(row) >= curve->points.size()) return std::nullopt;
+  return curve->points[static_cast<std::size_t>(row)].velocity;
+}
+
+std::optional<double> FrictionChart::velocityAt(double x) const {
+  const double velocity = x / (axes_ == CurveAxes::Physical ? 1 : markerFactor_);
+  return std::isfinite(velocity) ? std::optional(velocity) : std::nullopt;
+}
+
+std::optional<CurveSet> FrictionChart::shown(const std::optional<ChartWindow>& zoom) const {
+  if (!curve_) return std::nullopt;
+  CurveSet set = curves(*curve_->scene);
+  if (difference_ && haveSameCurve(*difference_->scene, *curve_->scene))
+    set.difference = difference_;
+  if (zoom) {
+    set.xFrom = std::pow(10, zoom->x.from);
+    set.xTo = std::pow(10, zoom->x.to);
+    set.yFrom = std::pow(10, zoom->y.from);
+    set.yTo = std::pow(10, zoom->y.to);
+  }
+  return set;
+}
+
+Message FrictionChart::status() const {
+  if (!curve_) return "no curve yet";
+  if (isStale()) return "curve of the scene before";
+  if (curve_->scene->surface.kind != SurfaceKind::SelfAffine) return {};
+  return message("{} of {} realizations", curve_->realizationsDone, curve_->realizationsTotal);
+}
+
+void FrictionChart::fitRanges(bool newCurve) {
+  Extent velocities, coefficients;
+  if (expected_ && axes_ == CurveAxes::Physical) {
+    velocities.add(expected_->sweep.velocityFrom);
+    velocities.add(expected_->sweep.velocityTo);
+  }
+  if (curve_) {
+    addCurve(*curve_, axes_, velocities, coefficients);
+    const double friction = asperity::factorsOf(curve_->points, axes_).friction;
+    for (const CurvePoint& point : curve_->points) coefficients.add(point.muLaw * friction);
+  }
+  for (const PinnedCurve& pinned : pinned_)
+    addCurve(*pinned.curve, axes_, velocities, coefficients);
+  if (const std::optional<DiagramMarker> shown = marker(); shown && shown->isFixed) {
+    // A motion comes to rest again and again: the axes go up with it, not down.
+    velocities.add(fastest_ * (axes_ == CurveAxes::Physical ? 1 : markerFactor_));
+    if (shown->y > coefficients.high) coefficients.add(shown->y);
+  } else if (shown) {
+    velocities.add(shown->x);
+    coefficients.add(shown->y);
+  }
+  if (const AxisRange needed = velocities.decades(); !needed.isEmpty()) velocities_ = needed;
+  coefficients_ =
+      steadyRange(coefficients_, neededCoefficients(coefficients.decades(kAir)), newCurve);
+}
+
+/// Before there is a curve, some decades of friction stand around the marker.
+AxisRange FrictionChart::neededCoefficients(const AxisRange& data) const {
+  if (curve_ || axes_ == CurveAxes::Dimensionless) return data;
+  return steadyRange(kEmptyCoefficients, data, false);
+}
+
+}  // namespace asperity
