@@ -1312,7 +1312,7 @@
     </message>
     <message>
         <source>there is no steady state</source>
-        <translation>es gibt keinen stationären Zustand zu schließen</translation>
+        <translation>es gibt keinen stationären Zustand</translation>
     </message>
     <message>
         <source>time march</source>
