@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/accuracy/target_curve.h"
+#include "core/base/input_error.h"
 #include "core/base/number_text.h"
 
 namespace asperity {

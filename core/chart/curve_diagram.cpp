@@ -208,7 +208,7 @@ Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& along) {
   }
   fixDifferenceAxis(diagram.y, series);
   DiagramSeries beyond = series;
-  beyond.name.clear();
+  beyond.name = {};
   beyond.mark = SeriesMark::Triangle;
   beyond.stroke = SeriesStroke::None;
   beyond.points.clear();

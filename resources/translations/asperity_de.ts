@@ -937,7 +937,6 @@
     </message>
 </context>
 <context>
-<<<<<<< HEAD
     <name>asperity::FigurePages</name>
     <message>
         <source>All figures</source>
@@ -950,183 +949,6 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::FrictionPlot</name>
-    <message>
-        <source>v = %1 m/s</source>
-        <translation>v = %1 m/s</translation>
-    </message>
-    <message>
-        <source>|v| = %1 m/s</source>
-        <translation>|v| = %1 m/s</translation>
-    </message>
-    <message>
-        <source>sliding velocity v (m/s)</source>
-        <translation>Gleitgeschwindigkeit v (m/s)</translation>
-    </message>
-    <message>
-        <source>coefficient of friction μ</source>
-        <translation>Reibungszahl μ</translation>
-    </message>
-    <message>
-        <source>friction μ</source>
-        <translation>Reibungszahl μ</translation>
-    </message>
-    <message>
-        <source>dimensionless velocity v̄ = τ v ∇z / (√2 h)</source>
-        <translation>dimensionslose Geschwindigkeit v̄ = τ v ∇z / (√2 h)</translation>
-    </message>
-    <message>
-        <source>normalized friction μ / ∇z</source>
-        <translation>normierte Reibungszahl μ / ∇z</translation>
-    </message>
-    <message>
-        <source>v̄ = %1</source>
-        <translation>v̄ = %1</translation>
-    </message>
-    <message>
-        <source>before the change</source>
-        <translation>vor der Änderung</translation>
-    </message>
-    <message>
-        <source>this motion, now</source>
-        <translation>diese Bewegung, jetzt</translation>
-    </message>
-    <message>
-        <source>now</source>
-        <translation>jetzt</translation>
-    </message>
-    <message>
-        <source>this line, now</source>
-        <translation>diese Linie, jetzt</translation>
-    </message>
-    <message>
-        <source>no curve yet</source>
-        <translation>noch keine Kurve</translation>
-    </message>
-    <message>
-        <source>curve of the scene before</source>
-        <translation>Kurve der vorigen Szene</translation>
-    </message>
-    <message>
-        <source>%1 of %2 realizations</source>
-        <translation>%1 von %2 Realisierungen</translation>
-    </message>
-    <message>
-        <source>no friction: nothing positive to show on a logarithmic axis</source>
-        <translation>keine Reibung: nichts Positives für eine logarithmische Achse</translation>
-    </message>
-    <message>
-        <source>no dimensionless axes: they need a line with roughness and one relaxation time</source>
-        <translation>keine dimensionslosen Achsen: Sie brauchen eine raue Linie und eine einzige Relaxationszeit</translation>
-    </message>
-    <message>
-        <source>no positive coefficient of friction to show on a logarithmic axis</source>
-        <translation>keine positive Reibungszahl für eine logarithmische Achse</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::FrictionSeries</name>
-    <message>
-        <source>%1 of %2 lines</source>
-        <translation>%1 von %2 Linien</translation>
-    </message>
-    <message>
-        <source>this line, deformation alone</source>
-        <translation>diese Linie, nur Verformung</translation>
-    </message>
-    <message>
-        <source>this line</source>
-        <translation>diese Linie</translation>
-    </message>
-    <message>
-        <source>mean of the lines ± standard error, deformation alone</source>
-        <translation>Mittel über die Linien ± Standardfehler, nur Verformung</translation>
-    </message>
-    <message>
-        <source>mean of the lines ± standard error</source>
-        <translation>Mittel über die Linien ± Standardfehler</translation>
-    </message>
-    <message>
-        <source>Eq. (11)</source>
-        <translation>Gl. (11)</translation>
-    </message>
-    <message>
-        <source>linear</source>
-        <translation>linear</translation>
-    </message>
-    <message>
-        <source>Region I: friction grows in proportion to velocity, Eqs. (5) to (8). It ends where the curve is 20 % below that line.</source>
-        <translation>Bereich I: Die Reibung wächst proportional zur Geschwindigkeit, Gl. (5) bis (8). Er endet, wo die Kurve 20 % unter dieser Geraden liegt.</translation>
-    </message>
-    <message>
-        <source>transition</source>
-        <translation>Übergang</translation>
-    </message>
-    <message>
-        <source>Region II: from the line to the plateau. It ends where 95 % of the maximum is reached.</source>
-        <translation>Bereich II: von der Geraden zum Plateau. Er endet, wo 95 % des Maximums erreicht sind.</translation>
-    </message>
-    <message>
-        <source>plateau</source>
-        <translation>Plateau</translation>
-    </message>
-    <message>
-        <source>Region III: contacts carry on their leading sides only, Eq. (9). It ends where friction falls below 95 % of the maximum.</source>
-        <translation>Bereich III: Kontakte tragen nur an ihren Vorderseiten, Gl. (9). Er endet, wo die Reibung unter 95 % des Maximums fällt.</translation>
-    </message>
-    <message>
-        <source>decrease</source>
-        <translation>Abfall</translation>
-    </message>
-    <message>
-        <source>Region IV: few summits of the finite period carry the load, and the slope in contact falls, Eq. (15). It begins below 95 % of the maximum.</source>
-        <translation>Bereich IV: Wenige Gipfel der endlichen Periode tragen die Last, und die Steigung im Kontakt fällt, Gl. (15). Er beginnt unter 95 % des Maximums.</translation>
-    </message>
-    <message>
-        <source>Borders are read from this curve, not from theory.</source>
-        <translation>Die Grenzen sind aus dieser Kurve abgelesen, nicht aus der Theorie.</translation>
-    </message>
-    <message>
-        <source>few summits carry the load</source>
-        <translation>wenige Gipfel tragen die Last</translation>
-    </message>
-    <message>
-        <source>difference</source>
-        <translation>Unterschied</translation>
-    </message>
-    <message>
-        <source>%1, less the curve above</source>
-        <translation>%1, minus obere Kurve</translation>
-    </message>
-    <message>
-        <source>same parameters</source>
-        <translation>gleiche Parameter</translation>
-    </message>
-=======
-    <name>asperity::FrictionChart</name>
->>>>>>> wchart
-    <message>
-        <source>v = %1 m/s</source>
-        <translation>v = %1 m/s</translation>
-    </message>
-    <message>
-        <source>in contact %1 %</source>
-        <translation>in Kontakt %1 %</translation>
-    </message>
-    <message>
-        <source>Eq. (11): %1</source>
-        <translation>Gl. (11): %1</translation>
-    </message>
-    <message>
-        <source>difference %1</source>
-        <translation>Unterschied %1</translation>
-    </message>
-    <message>
-        <source>with %1</source>
-        <translation>mit %1</translation>
     </message>
 </context>
 <context>
@@ -1263,21 +1085,8 @@
 <context>
     <name>asperity::MainWindow</name>
     <message>
-<<<<<<< HEAD
         <source>Parameters</source>
         <translation>Parameter</translation>
-=======
-        <source>velocity, friction, indentation and contact length in time</source>
-        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
-    </message>
-    <message>
-        <source>More commands</source>
-        <translation>Weitere Befehle</translation>
-    </message>
-    <message>
-        <source>This is the scene before; the changed one is being computed</source>
-        <translation>Dies ist die Szene davor; die geänderte wird noch berechnet</translation>
->>>>>>> wchart
     </message>
     <message>
         <source>close</source>
@@ -1629,24 +1438,6 @@
     </message>
 </context>
 <context>
-    <name>asperity::ChartLegend</name>
-    <message>
-        <source>legend of the chart</source>
-        <translation>Legende des Diagramms</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>und %n weitere</numerusform>
-            <numerusform>und %n weitere</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Click to unpin this curve</source>
-        <translation>Klicken, um diese Kurve zu lösen</translation>
-    </message>
-</context>
-<context>
     <name>asperity::SceneDocument</name>
     <message>
         <source>Velocity</source>
@@ -1714,6 +1505,10 @@
     <message>
         <source>Tabs</source>
         <translation>Reiter</translation>
+    </message>
+    <message>
+        <source>velocity, friction, indentation and contact length in time</source>
+        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
     </message>
 </context>
 <context>
@@ -2184,17 +1979,8 @@
 <context>
     <name>asperity::Words</name>
     <message>
-<<<<<<< HEAD
         <source>and %1 more</source>
         <translation>und %1 weitere</translation>
-=======
-        <source>undecided</source>
-        <translation>unentschieden</translation>
-    </message>
-    <message>
-        <source>lines compared</source>
-        <translation>verglichene Linien</translation>
->>>>>>> wchart
     </message>
     <message>
         <source>height above the undeformed surface</source>
@@ -2337,21 +2123,6 @@
         <translation>Elastomer: %1</translation>
     </message>
     <message>
-<<<<<<< HEAD
-=======
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
-    </message>
-    <message>
-        <source>%1 failed</source>
-        <translation>%1 fehlgeschlagen</translation>
-    </message>
-    <message>
-        <source>, arrow %1×</source>
-        <translation>, Pfeil %1×</translation>
-    </message>
-    <message>
->>>>>>> wchart
         <source>time since contact</source>
         <translation>Zeit seit dem Kontakt</translation>
     </message>
@@ -2412,42 +2183,6 @@
         <translation>dissipiert</translation>
     </message>
     <message>
-        <source>one period L = %1</source>
-        <translation>eine Periode L = %1</translation>
-    </message>
-    <message>
-        <source>rms height h = %1</source>
-        <translation>RMS-Höhe h = %1</translation>
-    </message>
-    <message>
-        <source>rms slope = %1</source>
-        <translation>RMS-Steigung = %1</translation>
-    </message>
-    <message>
-        <source>Hurst exponent H = %1</source>
-        <translation>Hurst-Exponent H = %1</translation>
-    </message>
-    <message>
-        <source>Rigid line</source>
-        <translation>Starre Linie</translation>
-    </message>
-    <message>
-        <source>position</source>
-        <translation>Ort</translation>
-    </message>
-    <message>
-        <source>wave number q (1/m)</source>
-        <translation>Wellenzahl q (1/m)</translation>
-    </message>
-    <message>
-        <source>power spectral density C (m³)</source>
-        <translation>Leistungsspektraldichte C (m³)</translation>
-    </message>
-    <message>
-        <source>C ∝ q⁻²ᴴ⁻¹, cut off at π over the element spacing</source>
-        <translation>C ∝ q⁻²ᴴ⁻¹, abgeschnitten bei π durch Elementabstand</translation>
-    </message>
-    <message>
         <source>only for scheme %1</source>
         <translation>nur für das Verfahren %1</translation>
     </message>
@@ -2500,29 +2235,53 @@
         <translation>Realisierungen</translation>
     </message>
     <message>
-<<<<<<< HEAD
-        <source>same parameters</source>
-        <translation>gleiche Parameter</translation>
-    </message>
-    <message>
         <source>lines compared</source>
         <translation>verglichene Linien</translation>
     </message>
     <message>
-        <source>the motion up to here</source>
-        <translation>die Bewegung bis hierher</translation>
-    </message>
-    <message>
-        <source>the line shown, at its velocity</source>
-        <translation>die gezeigte Linie bei ihrer Geschwindigkeit</translation>
-=======
-        <source>μ of the interface</source>
-        <translation>μ der Grenzfläche</translation>
->>>>>>> wchart
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::FrictionChart</name>
+    <message>
+        <source>v = %1 m/s</source>
+        <translation>v = %1 m/s</translation>
+    </message>
+    <message>
+        <source>in contact %1 %</source>
+        <translation>in Kontakt %1 %</translation>
+    </message>
+    <message>
+        <source>Eq. (11): %1</source>
+        <translation>Gl. (11): %1</translation>
+    </message>
+    <message>
+        <source>difference %1</source>
+        <translation>Unterschied %1</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>mit %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ChartLegend</name>
+    <message>
+        <source>legend of the chart</source>
+        <translation>Legende des Diagramms</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click to unpin this curve</source>
+        <translation>Klicken, um diese Kurve zu lösen</translation>
     </message>
 </context>
 </TS>

@@ -103,7 +103,7 @@ double ChartLegend::samples() const {
 }
 
 double ChartLegend::statusWidth() const {
-  return QFontMetricsF(font()).horizontalAdvance(QString::fromStdString(sheet_.status));
+  return QFontMetricsF(font()).horizontalAdvance(QString::fromStdString(sheet_.status.text));
 }
 
 /// Entries in rows; the first one ends at the status. The last place says how many found none.
@@ -218,7 +218,7 @@ void ChartLegend::paintStatus(QPainter& painter) const {
   const QFontMetricsF metrics(font());
   painter.setPen(look_.faintText());
   painter.drawText(QRectF(0, 4, width() - kSide, metrics.height() + 6),
-                   Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(sheet_.status));
+                   Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(sheet_.status.text));
 }
 
 void ChartLegend::paintEntry(QPainter& painter, const Entry& entry) const {

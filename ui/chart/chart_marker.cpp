@@ -29,7 +29,7 @@ void MarkerItem::update(const ChartGeometry& geometry, const std::optional<Diagr
   lineX_ = geometry.xOf(std::isfinite(lineX) ? lineX : marker_->x);
   const QRectF& area = geometry.area;
   const QFontMetricsF metrics(look_.font);
-  const double width = metrics.horizontalAdvance(QString::fromStdString(marker_->label));
+  const double width = metrics.horizontalAdvance(QString::fromStdString(marker_->label.text));
   const double away = 8 * geometry.scale;
   const bool left = lineX_ + away + width > area.right();
   const QPointF baseline(left ? lineX_ - away - width : lineX_ + away, area.bottom() - away);
@@ -69,7 +69,7 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   QColor halo = look_.background();
   halo.setAlphaF(0.85F);
   painter->fillRect(label_, halo);
-  painter->drawText(label_, Qt::AlignCenter, QString::fromStdString(marker_->label));
+  painter->drawText(label_, Qt::AlignCenter, QString::fromStdString(marker_->label.text));
 
   painter->setPen(QPen(look_.background(), 2));
   painter->setBrush(look_.marker());

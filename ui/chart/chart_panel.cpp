@@ -228,7 +228,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     const QFontMetricsF metrics(look_.font);
     for (const DiagramSpan& shade : shades_) {
       const QRectF box = columnOf(shade);
-      const QString label = QString::fromStdString(shade.label);
+      const QString label = QString::fromStdString(shade.label.text);
       painter.setOpacity(shade.isFaded ? kFadedOpacity : 1);
       constexpr int kFoot = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
       const QRectF room = box.adjusted(kAside, 0, -kAside, -kAside);

@@ -96,7 +96,7 @@ void ChartView::setMarker(const std::optional<DiagramMarker>& english) {
   const std::string name = marker ? marker->name.text : "";
   marker = english;
   if (marker)
-    for (std::string* text : {&marker->name, &marker->label}) *text = translated(*text);
+    for (Message* text : {&marker->name, &marker->label}) *text = Message::name(translated(*text));
   if ((!marker || marker->x != before) && gesture_ != Gesture::Marker) wantedX_ = kNaN;
   updateMarker();
   if (name != (marker ? marker->name.text : "")) legend_->show(sheet_, look_);
@@ -403,7 +403,7 @@ QString ChartView::textOf(const ChartTarget& target, QPointF place) const {
   if (target.span >= 0) {
     const DiagramSpan& span = sheet_.diagrams[0].spans[static_cast<std::size_t>(target.span)];
     QStringList lines{QString::fromStdString(span.label.text)};
-    for (const std::string& note : span.notes) lines += QString::fromStdString(note);
+    for (const Message& note : span.notes) lines += QString::fromStdString(note.text);
     return lines.join('\n');
   }
   return place.y() > frames_.back().area.bottom() ? panels_.back()->cutTitle() : QString();

@@ -36,8 +36,8 @@ std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const Diag
 
 /// The whole name, or the short one: never a part of one, unless a span has no short name.
 std::string labelWithin(const SpanBox& span, float size, float room) {
-  if (span.shortLabel.empty()) return elided(span.label.text, size, false, room);
-  for (const std::string& label : {span.label.text, span.shortLabel})
+  if (span.shortLabel.empty()) return elided(span.label, size, false, room);
+  for (const std::string& label : {span.label, span.shortLabel})
     if (textWidth(label, size) <= room) return label;
   return {};
 }

@@ -277,7 +277,7 @@ DiagramSheet prepared(const DiagramSheet& english) {
     dot.stroke = SeriesStroke::None;
     dot.points = {{marker.x, marker.y}};
     DiagramSeries ring = dot;
-    ring.name.clear();
+    ring.name = {};
     ring.mark = SeriesMark::Ring;
     if (!marker.label.empty()) diagram.labels.push_back({marker.label, marker.x, marker.y});
     for (DiagramSeries* series : {&trace, &ring, &dot})
