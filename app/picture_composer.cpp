@@ -82,7 +82,6 @@ DrawList PictureComposer::compose(const Frame& frame) {
     sheet.title = {};  // it stands above
     options.above->unit = contactUnit(contactOptions(above));
   }
-  left_ = std::max(left_, leftOfFrames(sheet, options));
   DrawList picture = contact(frame, above);
   const Clip area = contactPlotArea(frame, contact_);
   options.above->left = area.x;
@@ -141,7 +140,6 @@ ContactPictureOptions PictureComposer::contactOptions(int height) const {
   options.scale = style_.scale;
   options.theme = style_.theme;
   options.overlay = content_.overlay;
-  options.leastLeft = left_;
   return options;
 }
 

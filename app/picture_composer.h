@@ -57,7 +57,6 @@ class PictureComposer {
   PictureContent content_;
   std::optional<ContactView> view_;
   ContactPictureOptions contact_;  // of the last one
-  float left_ = 0;                 // pixels, where the frames of contact and diagram begin at least
   std::optional<DrawList> below_;  // the curve, which stands still in steady sliding
 };
 

@@ -70,7 +70,9 @@ DiagramSeries lawSeries(const NamedCurve& curve, CurveAxes axes) {
   const int steps = std::max(1, kLawPoints / std::max(1, static_cast<int>(curve.points.size())));
   for (const CurvePoint& point : curve.points) {
     if (!std::isfinite(point.muLaw)) continue;
-    for (int k = 1; before && before->velocity != point.velocity && k < steps; ++k) {
+    const bool isCurved = before && before->muLaw > 0 && point.muLaw > 0 && before->velocity > 0 &&
+                          before->velocity != point.velocity;
+    for (int k = 1; isCurved && k < steps; ++k) {
       const double between =
           before->velocity * std::pow(point.velocity / before->velocity, double(k) / steps);
       law.points.push_back({between * velocity, lawBetween(*before, point, between) * friction});
@@ -214,7 +216,7 @@ Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& along) {
   beyond.points.clear();
   const DiagramAxis& axis = diagram.y;
   for (const DiagramPoint& point : series.points)
-    if (point.y < axis.from || point.y > axis.to)
+    if (std::isfinite(point.y) && (point.y < axis.from || point.y > axis.to))
       beyond.points.push_back({point.x, std::clamp(point.y, axis.from, axis.to), kNotApplicable,
                                kNotApplicable, point.row});
   diagram.series = {std::move(zero), std::move(series)};

@@ -168,6 +168,7 @@ std::vector<DiagramPoint> relaxationGuide(const Sliding& sliding,
                                           std::span<const TransientSample> samples) {
   if (samples.empty() || !isKnown(samples.back())) return {};
   const double jump = newestJump(sliding, samples.back().time);
+  if (!std::isfinite(jump)) return {};
   const auto first = std::ranges::find_if(
       samples, [&](const TransientSample& s) { return s.time > jump && isKnown(s); });
   if (first == samples.end()) return {};

@@ -238,13 +238,19 @@ std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sh
                                  const DiagramOptions& options, bool titlesAbove) {
   constexpr float kBetween = 14, kLittle = 6;  // units
   const DiagramSizes sizes = sizesFor(sheet, options);
-  const std::vector<Box> cells =
+  std::vector<Box> cells =
       cellsFor(sheet, options, top, bottom, sizes, titlesAbove ? kLittle : kBetween);
   const float above = aboveFrames(sheet, titlesAbove, sizes);
   std::vector<Panel> panels;
   const bool isCommon = hasCommonAxis(sheet);
   const bool isStack = gridFor(sheet).columns == 1 && sheet.diagrams.size() > 1;
   const bool isAligned = !sheet.diagrams.empty() && (isStack || options.above);
+  if (options.above)  // whose labels begin nearer to the edge
+    for (Box& cell : cells) {
+      const float nearer = 0.6F * sheetMargin(sizes);
+      cell.x -= nearer;
+      cell.width += nearer;
+    }
   for (std::size_t i = 0; i < sheet.diagrams.size(); ++i)
     panels.emplace_back(sheet.diagrams[i], cells[i], above,
                         !isCommon || i + 1 == sheet.diagrams.size(), titlesAbove, isAligned, sizes,
@@ -337,14 +343,6 @@ DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options) 
   if (sheet.diagrams.size() > 1 && lowestFrame(sheet, options) < kGood) sheet.diagrams.pop_back();
   if (lowestFrame(sheet, options) < kGood) sheet.note = {};
   return sheet;
-}
-
-float leftOfFrames(const DiagramSheet& english, const DiagramOptions& options) {
-  const DiagramSheet sheet = prepared(english);
-  DrawList list = emptyList(options);
-  float left = 0;
-  for (const Panel& panel : panelsOf(sheet, options, list)) left = std::max(left, panel.frame().x);
-  return left;
 }
 
 DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {

@@ -43,9 +43,6 @@ float lowestFrame(const DiagramSheet& sheet, const DiagramOptions& options);
 /// too low to be read with ease.
 DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options);
 
-/// Pixels, where the leftmost frame begins.
-float leftOfFrames(const DiagramSheet& sheet, const DiagramOptions& options);
-
 /// Every text on the picture and none over another, from 320 x 200 pixels on; what finds no place
 /// is shortened, then left out, units and powers of ten last. Never throws for what a sheet holds.
 DrawList composeDiagrams(const DiagramSheet& sheet, const DiagramOptions& options);

@@ -187,7 +187,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   if (!layout.axisTitles) nameUnit(layout.heightTicks);
   const float left = widestLabel(layout.heightTicks, s.small) + 9 * u + pad +
                      (layout.axisTitles ? s.small * 1.6F : 0);
-  layout.plot.x = std::round(std::max(left, options.leastLeft));
+  layout.plot.x = std::round(left);
   layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);
   layout.xTicks = roomyTicks(layout.view.left, layout.view.left + layout.view.width,
                              layout.plot.width, s.small, "m");

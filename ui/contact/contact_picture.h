@@ -48,7 +48,6 @@ struct ContactPictureOptions {
   ContactView view;
   bool title = true;  // scene title and readings above the axes
   ContactOverlay overlay = ContactOverlay::Pressure;
-  float leastLeft = 0;          // pixels, from the edge to the axes, as of a diagram below
   std::optional<double> probe;  // m: a crosshair there, and what is to be read at that element
   std::optional<Magnifier> magnifier;
 };
