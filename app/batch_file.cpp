@@ -35,7 +35,7 @@ struct Sweep {
   std::vector<std::string> values;
 };
 
-[[noreturn]] void refuse(const std::string& key, const std::string& why) {
+[[noreturn]] void refuse(const std::string& key, const Message& why) {
   throw InputError("", key, why);
 }
 
