@@ -9,7 +9,6 @@
 #include "core/contact/steady_solver.h"
 #include "core/friction/realizations.h"
 #include "core/surface/line_source.h"
-#include "core/surface/profile_file.h"
 
 namespace asperity {
 namespace {
@@ -76,7 +75,7 @@ class Averaging {
   std::int64_t solves_ = 0, passes_ = 0, marginal_ = 0;
 };
 
-constexpr std::int64_t kLongLine = std::int64_t{1} << 17;  // points
+constexpr std::int64_t kLongLine = std::int64_t{1} << 15;  // points
 
 /// Velocities at which the purpose asks for steady sliding.
 std::vector<double> velocitiesOf(const Scene& scene, Purpose purpose) {
@@ -112,10 +111,8 @@ std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose) {
   const std::int64_t points =
       purpose == Purpose::Curve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
   // What a long line would say costs as much as to slide it.
-  const std::int64_t elements = scene.surface.elements > 0
-                                    ? scene.surface.elements
-                                    : expectedRows(scene.folder / scene.surface.file);
-  if (elements * points > kLongLine) return stages;
+  const LineExtent extent = lineExtent(scene);
+  if (std::max(extent.rows, extent.elements * points) > kLongLine) return stages;
   const PreparedProfile line =
       prepareProfile(LineSource(scene, points).make(0), scene.accuracy.scheme);
   const double depth = scene.load.kind == LoadKind::Indentation

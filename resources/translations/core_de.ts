@@ -1347,6 +1347,10 @@
         <translation>Band: geschätzter Fehler durch Elemente und Zeitschritte, %1 in μ</translation>
     </message>
     <message>
+        <source>friction μ, deformation alone</source>
+        <translation>Reibung μ, nur Verformung</translation>
+    </message>
+    <message>
         <source>friction μ</source>
         <translation>Reibungszahl μ</translation>
     </message>

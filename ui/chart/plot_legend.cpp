@@ -1,4 +1,5 @@
 #include "ui/chart/plot_legend.h"
+#include "ui/language/language.h"
 
 #include <QEnterEvent>
 #include <QEvent>
@@ -8,6 +9,7 @@
 #include <algorithm>
 
 #include "ui/chart/plot_marks.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 
@@ -63,7 +65,7 @@ PlotLegend::PlotLegend(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   setMouseTracking(true);
   setObjectName("plotLegend");
-  setAccessibleName(tr("legend of the plot"));
+  keepTranslated(*this, [this] { setAccessibleName(tr("legend of the plot")); });
   arrange();
 }
 

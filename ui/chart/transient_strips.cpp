@@ -12,6 +12,7 @@
 #include "ui/chart/relaxation_guide.h"
 #include "ui/chart/tick_label.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 
@@ -42,7 +43,11 @@ QPainterPath pathOf(const std::vector<QPointF>& line, auto&& place) {
 TransientStrips::TransientStrips(QWidget* parent) : QWidget(parent) {
   setObjectName("transientStrips");
   setAttribute(Qt::WA_OpaquePaintEvent);
-  setAccessibleName(tr("friction, indentation and contact length in time"));
+  keepTranslated(*this, [this] {
+    setAccessibleName(tr("friction, indentation and contact length in time"));
+    setAccessibleDescription(note());
+    update();
+  });
 }
 
 void TransientStrips::show(const Sliding& sliding,

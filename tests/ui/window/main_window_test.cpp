@@ -28,8 +28,8 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
+#include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/appearance.h"
-#include "ui/window/main/contact_canvas.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/session.h"
@@ -140,7 +140,7 @@ TEST_F(MainWindowTest, AStepByHandIsSeen) {
   for (const std::int64_t elements : {256, 5000}) {
     Scene scene = smallScene();
     scene.surface.elements = elements;
-    window_.showScene(scene);
+    window_.document().open(scene);
     ASSERT_TRUE(waitForFrame());
     session().setPlaying(false);
     for (const int zoom : {0, 6, 6}) {
@@ -234,14 +234,14 @@ TEST_F(MainWindowTest, ASceneThatCannotRunIsExplainedAndTheWindowLives) {
   Scene broken = smallScene();
   broken.surface.kind = SurfaceKind::Profile;
   broken.surface.file = "no_such_profile.csv";
-  window_.showScene(broken);
+  window_.document().open(broken);
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   EXPECT_TRUE(window_.messages().text().contains("surface.file"));
   EXPECT_TRUE(window_.messages().text().contains("no_such_profile.csv"));
   EXPECT_TRUE(control<ValueEntry>("entry:surface.file").hasError());
   EXPECT_TRUE(control<QLabel>("error:surface.file").isVisible());
 
-  window_.showScene(smallScene());
+  window_.document().open(smallScene());
   ASSERT_TRUE(waitForFrame());
   EXPECT_TRUE(waitFor([&] { return !window_.messages().isVisible(); }));
 }
@@ -252,7 +252,7 @@ TEST_F(MainWindowTest, WhatMendsASceneTakesItsComplaintsAway) {
   broken.surface.kind = SurfaceKind::Sine;
   broken.surface.waves = 8;
   broken.surface.elements = 10;
-  window_.showScene(broken);
+  window_.document().open(broken);
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   auto& waves = control<ValueEntry>("entry:surface.waves");
   EXPECT_TRUE(waves.hasError());
@@ -268,7 +268,7 @@ TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
   still.elastomer.shearModulus = 1e15;
   still.elastomer.relaxationTime = 1e12;  // contacts shorter than the digits of numbers
   still.load.normalForce = 1e-30;
-  window_.showScene(still);
+  window_.document().open(still);
   ASSERT_TRUE(waitForFrame());
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   QSignalSpy frames(&session(), &Session::frameArrived);
@@ -295,13 +295,14 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
   EXPECT_FALSE(tabs.isTabVisible(1));
   Scene moving = smallScene();
   moving.sliding.kind = SlidingKind::Step;
-  window_.showScene(moving);
+  window_.document().open(moving);
   EXPECT_TRUE(tabs.isTabVisible(1));
   EXPECT_EQ(tabs.currentWidget(), &strips);
   ASSERT_TRUE(waitFor([&] { return strips.sampleCount() > 3; }));
   EXPECT_FALSE(strips.note().contains("predicted rate"));  // no line yet, before the step
   const QImage image = strips.grab().toImage();
-  const QColor line = plotColoursOf(window_.isDark() ? darkTheme() : lightTheme()).points;
+  const QColor line =
+      plotColoursOf(window_.appearance().isDark() ? darkTheme() : lightTheme()).points;
   int drawn = 0;
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
@@ -309,7 +310,7 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
   EXPECT_GT(drawn, 3);
   const auto noteOf = [&](SlidingKind kind) {
     moving.sliding.kind = kind;
-    window_.showScene(moving);
+    window_.document().open(moving);
     EXPECT_TRUE(waitFor([&] {
       return frame()->sceneNumber == session().sceneNumber() && strips.sampleCount() > 3;
     }));
@@ -317,7 +318,7 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
   };
   EXPECT_TRUE(noteOf(SlidingKind::Start).contains("predicted rate"));
   EXPECT_EQ(noteOf(SlidingKind::Oscillation), QString());
-  window_.showScene(smallScene());
+  window_.document().open(smallScene());
   EXPECT_FALSE(tabs.isTabVisible(1));
   EXPECT_EQ(tabs.currentWidget(), &window_.plotView());
 }
@@ -355,7 +356,7 @@ TEST_F(MainWindowTest, TheContactIsPainted) {
 
 TEST_F(MainWindowTest, LightAndDark) {
   for (const bool dark : {true, false}) {
-    window_.setDark(dark);
+    window_.appearance().setDark(dark);
     EXPECT_EQ(window_.palette().color(QPalette::Window).lightness() < 128, dark);
     ASSERT_TRUE(waitForFrame());
   }

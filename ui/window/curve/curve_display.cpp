@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/scene/parameters.h"
+#include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/main/session.h"
 
@@ -35,7 +36,10 @@ CurveDisplay::CurveDisplay(Session& session, PlotView& view, QObject* parent)
   });
   connect(&view_, &PlotView::unpinWanted, this,
           [this](int id) { session_.editCurve([id](FrictionPlot& plot) { plot.unpin(id); }); });
-  show();
+  keepTranslated(view_, [this] {
+    session_.markAgain();
+    show();
+  });
 }
 
 void CurveDisplay::showSoon() {

@@ -65,6 +65,10 @@ void Session::editCurve(const std::function<void(FrictionPlot&)>& edit) {
   emit plotChanged();
 }
 
+void Session::markAgain() {
+  if (frame_) friction_.mark(*frame_);
+}
+
 void Session::setScene(const Scene& scene, Begin begin) {
   const bool sameCurve = sceneTime_.isValid() && haveSameCurve(scene, scene_);
   scene_ = scene;
@@ -181,7 +185,10 @@ void Session::takeFrame() {
     const Plot before = friction_.plot();
     friction_.mark(*frame_);
     const Plot now = friction_.plot();
-    before.x == now.x&& before.y == now.y ? emit markChanged() : emit plotChanged();
+    if (before.x == now.x && before.y == now.y)
+      emit markChanged();
+    else
+      emit plotChanged();
   }
   emit frameArrived();
   if (frame_->sceneNumber == sceneNumber_) judgeFrame();
