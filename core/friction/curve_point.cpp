@@ -40,8 +40,9 @@ CurvePoint CurveAverages::point(double velocity) const {
 
 LawColumns::LawColumns(const Scene& scene, const LineSource& source)
     : scene_(scene),
-      line_(source.statistics()),
+      rmsHeight_(source.statistics().rmsHeight),
       length_(source.length()),
+      rmsSlope_(source.statistics().rmsSlope),
       isRandom_(source.isRandom()),
       hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
       hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
@@ -50,7 +51,7 @@ LawColumns::LawColumns(const Scene& scene, const LineSource& source)
 /// The mean of the lines' own ratios, for a mean `mu` that may come from other lines as well.
 double LawColumns::normalized(double mu, const CurveAverages& averages) const {
   const double sampled = averages.mu.mean();
-  if (!slopesDiffer_ || !(sampled > 0)) return mu / line_.rmsSlope;
+  if (!slopesDiffer_ || !(sampled > 0)) return mu / rmsSlope_;
   return mu * (averages.normalizedMu.mean() / sampled);
 }
 
@@ -60,15 +61,15 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   const Accuracy& accuracy = scene_.accuracy;
   if (accuracy.scheme != Scheme::Nodal || accuracy.targetRelativeError > 0)
     point.marginalShare = kNotApplicable;
-  if (!(line_.rmsHeight > 0)) return;
+  if (!(rmsHeight_ > 0)) return;
   const SlidingConditions conditions = slidingConditions(scene_, point.velocity);
   const double force =
       scene_.load.kind == LoadKind::Force ? scene_.load.normalForce : averages.normalForce.mean();
-  const double slope = slopesDiffer_ ? averages.rmsSlope.mean() : line_.rmsSlope;
+  const double slope = slopesDiffer_ ? averages.rmsSlope.mean() : rmsSlope_;
   const LawInput in{conditions.shearModulus,
                     conditions.relaxationTime,
                     length_,
-                    line_.rmsHeight,
+                    rmsHeight_,
                     slope,
                     scene_.surface.hurst,
                     force,

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "core/scene/scene.h"
-#include "core/surface/line.h"
 
 namespace asperity {
 
@@ -101,8 +100,8 @@ class LawColumns {
   double normalized(double mu, const CurveAverages& averages) const;
 
   Scene scene_;
-  LineStatistics line_;
-  double length_;  // m
+  double rmsHeight_, length_;  // m, of the lines
+  double rmsSlope_;
   bool isRandom_, hasArms_, hasInterface_;
   bool slopesDiffer_;  // from line to line
 };
