@@ -10,13 +10,14 @@
 
 #include "app/contact_sheets.h"
 #include "app/picture_composer.h"
-#include "core/chart/curve_words.h"
-#include "core/friction/ensemble.h"
 #include "core/base/atomic_file.h"
 #include "core/base/file_name.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/suggestions.h"
+#include "core/chart/curve_words.h"
+#include "core/friction/ensemble.h"
+#include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
 #include "ui/window/main/scene_library.h"
 
@@ -90,18 +91,29 @@ std::vector<std::string> rangeOf(const std::string& key, const Json& range) {
   return texts;
 }
 
+/// Throws InputError where no scene has this key; `where` names it.
+void checkSceneKey(const std::string& key, const std::string& where) {
+  if (findParameter(key)) return;
+  const std::string_view nearest = nearestKey(key);
+  refuse(where, nearest.empty() ? std::string("unknown key")
+                                : fmt::format("unknown key; the nearest known one is {}", nearest));
+}
+
+/// What is wrong with a sweep is wrong with the batch: its key begins with "sweep".
 std::vector<Sweep> sweepsOf(const Json& entry) {
   std::vector<Sweep> sweeps;
   const auto found = entry.find("sweep");
   if (found == entry.end()) return sweeps;
   if (!found->is_object()) refuse("sweep", "needs an object of keys");
   for (const auto& [key, values] : found->items()) {
+    const std::string where = "sweep." + shortened(key);
+    checkSceneKey(key, where);
     Sweep sweep{key, {}};
     if (values.is_array())
       for (const Json& value : values) sweep.values.push_back(assigned(value));
     else
-      sweep.values = rangeOf(key, values);
-    if (sweep.values.empty()) refuse(key, "has no value");
+      sweep.values = rangeOf(where, values);
+    if (sweep.values.empty()) refuse(where, "has no value");
     sweeps.push_back(std::move(sweep));
   }
   return sweeps;
@@ -228,12 +240,16 @@ void addEntry(Batch& batch, const Json& json, std::size_t number,
   std::string name = fmt::format("entry_{}", number);
   try {
     if (json.is_object()) name = fileNameOf(textOf(json, "name", name));
-    if (name.empty() || !names.insert(name).second) refuse("name", "is empty or stands twice");
+    const std::string where = fmt::format("entries[{}].name", number - 1);
+    if (name.empty()) refuse(where, "is empty");
+    if (!names.insert(name).second) refuse(where, "stands twice");
     std::vector<BatchItem> items = Entry(json, name, folder).items();
     if (batch.items.size() + items.size() > kMostItems)
       refuse("", fmt::format("a batch may have {} scenes", kMostItems));
     std::move(items.begin(), items.end(), std::back_inserter(batch.items));
   } catch (const InputError& error) {
+    if (error.key().starts_with("sweep"))
+      refuse(fmt::format("entries[{}].{}", number - 1, error.key()), error.message());
     BatchItem item;
     item.name = name;
     item.error = error.what();

@@ -12,7 +12,7 @@
 #include "app/number_range.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
-#include "core/accuracy/target_curve.h"
+#include "core/accuracy/compute_curve.h"
 #include "core/base/input_error.h"
 #include "core/base/read_number.h"
 #include "core/base/suggestions.h"
@@ -106,18 +106,6 @@ Scene sceneWith(const Scene& scene, const std::string& assignments) {
   }
 }
 
-std::vector<CurvePoint> pointsOf(const Scene& scene, const CommonOptions& common) {
-  ProgressBar bar(Words::tr("realizations"), common.quiet);
-  CurveOptions options;
-  options.threads = common.threads;
-  options.progress = [&bar](const CurveProgress& progress) {
-    bar.show(progress.realizationsDone, progress.realizationsTotal);
-  };
-  Curve curve = curveOf(scene, options);
-  requireTarget(curve);
-  return std::move(curve.points);
-}
-
 nlohmann::ordered_json numberOr(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
@@ -180,6 +168,16 @@ void checkUseful(const CurveChoice& choice, const std::vector<std::string>& file
     if (given) throw InputError("", option, "belongs to pictures, and no output is one");
 }
 
+Curve computeCurve(const Scene& scene, const CommonOptions& common) {
+  ProgressBar bar(Words::tr("realizations"), common.quiet);
+  CurveOptions options;
+  options.threads = common.threads;
+  options.progress = [&bar](const CurveProgress& progress) {
+    bar.show(progress.realizationsDone, progress.realizationsTotal);
+  };
+  return computeCurve(scene, options);
+}
+
 CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<CurvePoint> own,
                   const CommonOptions& common) {
   CurveSet set;
@@ -198,9 +196,11 @@ CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<Cur
   for (const std::string& assignments : choice.with) {
     const Scene other = sceneWith(scene, assignments);
     const std::string words = differencesInWords(other, scene);
-    set.pinned.push_back({words.empty() ? "same parameters" : words, other, pointsOf(other, common),
-                          static_cast<int>(set.pinned.size()),
-                          static_cast<int>(set.pinned.size()) + 1});
+    Curve curve = computeCurve(other, common);
+    requireTarget(curve);
+    const int place = static_cast<int>(set.pinned.size());
+    set.pinned.push_back({words.empty() ? "same parameters" : words, other, std::move(curve.points),
+                          place, place + 1});
   }
   if (choice.compare.empty()) return set;
   ProgressBar bar(Words::tr("lines compared"), common.quiet);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/chart/curve_set.h"
+#include "core/friction/ensemble.h"
 
 namespace CLI {
 class App;
@@ -37,6 +38,10 @@ void checkCurves(const CurveChoice& choice, const Scene& scene);
 
 /// Axes are a picture's: throws InputError where one is said and no file is a picture.
 void checkUseful(const CurveChoice& choice, const std::vector<std::string>& files);
+
+/// The scene's curve with the options that all verbs share (core/accuracy/compute_curve.h); shows
+/// progress. A target that is missed is no error yet: requireTarget() makes it one.
+Curve computeCurve(const Scene& scene, const CommonOptions& common);
 
 /// The curves: the scene's own as given, and what is asked for beside. Shows progress. Throws
 /// InputError.

@@ -10,8 +10,8 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/base/suggestions.h"
 #include "core/base/printable_text.h"
+#include "core/base/suggestions.h"
 #include "ui/language/words.h"
 
 namespace asperity {
@@ -24,9 +24,12 @@ std::string extensionOf(const std::string& file) {
 }
 
 void checkOutputs(const std::vector<std::string>& files,
-                  std::initializer_list<std::string_view> extensions) {
+                  std::initializer_list<std::string_view> extensions, Without without) {
   std::set<std::filesystem::path> seen;
   for (const std::string& file : files) {
+    if (file == "-" && without == Without::PrintsTable)
+      throw InputError("", "--output",
+                       "'-' is no file; without --output the table goes to standard output");
     checkWritable(file);
     const std::string extension = extensionOf(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())

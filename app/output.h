@@ -12,10 +12,14 @@ namespace asperity {
 /// ".csv" of "out/Curve.CSV".
 std::string extensionOf(const std::string& file);
 
+/// What a verb does that is given no output file.
+enum class Without { PrintsSummary, PrintsTable };
+
 /// Throws InputError where a file has none of these extensions, can never be written or stands
 /// there twice.
 void checkOutputs(const std::vector<std::string>& files,
-                  std::initializer_list<std::string_view> extensions);
+                  std::initializer_list<std::string_view> extensions,
+                  Without without = Without::PrintsSummary);
 
 /// Throws InputError where an output would replace a file that was read.
 void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs);

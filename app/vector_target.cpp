@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/contact/kernels/lane_pass.h"
 #include "core/base/input_error.h"
 #include "core/base/suggestions.h"
+#include "core/contact/kernels/kernels.h"
 
 namespace asperity {
 namespace {

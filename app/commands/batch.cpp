@@ -15,20 +15,20 @@
 #include "app/output.h"
 #include "app/picture_composer.h"
 #include "app/progress_bar.h"
-#include "core/accuracy/target_curve.h"
-#include "core/friction/curve_file.h"
-#include "core/run/motion_table.h"
+#include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
-#include "core/scene/effects.h"
 #include "core/base/input_error.h"
 #include "core/base/printed_number.h"
+#include "core/friction/curve_file.h"
+#include "core/run/motion_table.h"
+#include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
-#include "ui/language/translated.h"
-#include "ui/language/words.h"
 #include "ui/draw/picture_origin.h"
 #include "ui/draw/shapes.h"
 #include "ui/draw/stacked.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 namespace {
@@ -42,10 +42,7 @@ constexpr std::int64_t kMotionRows = 2000;
 std::optional<CurvePoint> meanOverLines(const Scene& scene, const CurveOptions& options) {
   if (scene.sliding.kind != SlidingKind::Steady || !(scene.sliding.velocity > 0))
     return std::nullopt;
-  Scene here = scene;
-  here.sweep.velocityFrom = here.sweep.velocityTo = scene.sliding.velocity;
-  here.sweep.points = 1;
-  return curveOf(here, options).points.front();
+  return computePoint(scene, scene.sliding.velocity, options);
 }
 
 Json numberOr(double value) {
@@ -172,7 +169,7 @@ class BatchRun {
     options.threads = command_.common.threads;
     if (layout == PictureLayout::Curve || layout == PictureLayout::Both) {
       needSteadySliding(scene, "\"show\": \"" + result.item.show + "\"");
-      const Curve curve = curveOf(scene, options);
+      const Curve curve = computeCurve(scene, options);
       if (!curve.isTargetMet)
         throw InputError("", "accuracy.target_relative_error",
                          "is not reached within the lines and memory allowed: " +

@@ -18,7 +18,7 @@ namespace asperity {
 namespace {
 
 LawInput lawInputOf(const Scene& scene, const LineSource& source) {
-  const SlidingConditions conditions = conditionsOf(scene, scene.sliding.velocity);
+  const SlidingConditions conditions = slidingConditions(scene, scene.sliding.velocity);
   return {conditions.shearModulus,       conditions.relaxationTime,    source.length(),
           source.statistics().rmsHeight, source.statistics().rmsSlope, scene.surface.hurst,
           scene.load.normalForce,        scene.sliding.velocity};

@@ -8,8 +8,7 @@
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/picture_composer.h"
-#include "app/progress_bar.h"
-#include "core/accuracy/target_curve.h"
+#include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/chart/curve_diagram.h"
@@ -24,16 +23,6 @@
 
 namespace asperity {
 namespace {
-
-Curve compute(const Scene& scene, const CommonOptions& common) {
-  ProgressBar bar(Words::tr("realizations"), common.quiet);
-  CurveOptions options;
-  options.threads = common.threads;
-  options.progress = [&bar](const CurveProgress& progress) {
-    bar.show(progress.realizationsDone, progress.realizationsTotal);
-  };
-  return withSceneContext(common, [&] { return curveOf(scene, options); });
-}
 
 void writePictures(const CurveCommand& command, const CurveSet& set, const PictureStyle& style) {
   const std::vector<std::string>& outputs = command.outputs;
@@ -87,7 +76,7 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
   return text;
 }
 
-/// With more than the scene's own curve one table of all of them.
+/// Returns one table of all curves where there are more than the scene's own.
 std::string tableOf(const CurveSet& set, const CurveChoice& choice) {
   return choice.hasMore() ? curveSetCsv(set) : curveCsv(set.present.points);
 }
@@ -112,14 +101,15 @@ std::string commentOf(const CurveSet& set, const CurveChoice& choice) {
 int runCurve(const CurveCommand& command) {
   const Scene scene = sceneOf(command.common);
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
-  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
+  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);
   checkUseful(command.curves, command.outputs);
   const PictureStyle style = styleOf(command.picture, {1200, 800, "print"});
   checkCurves(command.curves, scene);
-  const Curve curve = compute(scene, command.common);
+  const Curve curve =
+      withSceneContext(command.common, [&] { return computeCurve(scene, command.common); });
   const CurveSet set = withSceneContext(command.common, [&] {
     return curvesOf(command.curves, scene, curve.points, command.common);
   });

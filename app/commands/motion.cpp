@@ -22,6 +22,10 @@
 namespace asperity {
 namespace {
 
+/// Of the usual size of texts, times the scale: as small as four strips make them in the usual
+/// picture, so that a picture of few pixels for print has larger ones.
+constexpr float kLeastText = 0.6F;
+
 MotionTable compute(const Scene& scene, const MotionCommand& command) {
   ProgressBar bar(Words::tr("time steps"), command.common.quiet);
   MotionOptions options;
@@ -63,7 +67,7 @@ std::string summaryOf(const MotionTable& table, const std::vector<std::string>& 
 
 int runMotion(const MotionCommand& command) {
   const Scene scene = sceneOf(command.common);
-  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
+  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);

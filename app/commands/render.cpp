@@ -15,7 +15,7 @@
 #include "app/picture_composer.h"
 #include "app/progress_bar.h"
 #include "app/sequence_files.h"
-#include "core/accuracy/target_curve.h"
+#include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/scene/effects.h"
@@ -143,7 +143,7 @@ class Rendering {
                        "goes on with a folder of frames; a single file is made anew");
   }
 
-  /// One picture has no time.
+  /// Refuses options of time, which one picture does not have.
   void checkStill() const {
     const TimeChoice& time = command_.time;
     for (const auto& [option, given] : {std::pair{"--frames", time.frames > 1},
@@ -160,7 +160,7 @@ class Rendering {
     return layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both;
   }
 
-  /// What is said of a part that the layout does not have would be in vain.
+  /// Refuses options of a part of the picture that the layout does not have.
   void checkParts() const {
     const auto refuse = [&](const char* option, const char* part) {
       throw InputError(
@@ -188,26 +188,16 @@ class Rendering {
       throw InputError("", "--layout", "curve does not move; --layout both shows the contact too");
   }
 
-  /// Of steady sliding, whatever the motion.
+  /// The curves are those of steady sliding, whatever motion the scene has.
   void computeCurves() {
     Scene steady = scene_;
     steady.sliding.kind = SlidingKind::Steady;
-    std::vector<CurvePoint> own;
-    {
-      ProgressBar bar(Words::tr("realizations"), command_.common.quiet);
-      CurveOptions options;
-      options.threads = command_.common.threads;
-      options.progress = [&bar](const CurveProgress& progress) {
-        bar.show(progress.realizationsDone, progress.realizationsTotal);
-      };
-      const Curve curve = curveOf(steady, options);
-      requireTarget(curve);
-      own = curve.points;
-    }
-    curves_ = curvesOf(command_.curves, steady, std::move(own), command_.common);
+    Curve curve = computeCurve(steady, command_.common);
+    requireTarget(curve);
+    curves_ = curvesOf(command_.curves, steady, std::move(curve.points), command_.common);
   }
 
-  /// Of the whole run: scene, verb, version, seed and how it is shown.
+  /// Returns the provenance of the whole run: scene, verb, version, seed and how it is shown.
   Json origin() const {
     Json origin = provenance("render", scene_);
     if (showsCurve()) addCurveOversampling(origin, scene_);
@@ -253,7 +243,7 @@ class Rendering {
     return indices;
   }
 
-  /// Each is simulated and drawn once more than the film needs it.
+  /// Simulates and draws these frames once more than the film needs them.
   void addSamples(const std::vector<std::int64_t>& indices, HeadlessPictures& pictures,
                   FilmFile& film) const {
     if (indices.empty()) return;
@@ -328,7 +318,8 @@ class Rendering {
     seconds_ = runPipeline(indices, stages);
   }
 
-  /// What the time went into; the only thing in an answer that is not the same in every run.
+  /// Returns the shares of time of the stages, the only part of an answer that differs from run to
+  /// run.
   Json pipelineJson() const {
     const double total = seconds_.simulate + seconds_.draw + seconds_.encode + seconds_.write;
     const auto share = [total](double part) { return total > 0 ? part / total : 0; };

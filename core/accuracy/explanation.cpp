@@ -7,9 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/accuracy/target_curve.h"
+#include "core/accuracy/compute_curve.h"
 #include "core/chart/curve_regions.h"
-#include "core/friction/line_plan.h"
+#include "core/friction/ensemble.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 
@@ -40,12 +40,6 @@ Json budgetJson(const ErrorBudget& error) {
           {"model_difference", numberOrNull(error.modelDifference)}};
 }
 
-/// Of a line that is as rough as the scene says, or as its file is.
-double rmsHeightOf(const Scene& scene) {
-  return scene.surface.kind == SurfaceKind::Profile ? LineSource(scene, 1).statistics().rmsHeight
-                                                    : scene.surface.rmsHeight;
-}
-
 }  // namespace
 
 Explanation explain(const Scene& scene, int threads) {
@@ -53,7 +47,7 @@ Explanation explain(const Scene& scene, int threads) {
   Explanation explanation{scene, isSteady ? "curve" : "render",
                           planOnLine(scene, isSteady ? Purpose::Curve : Purpose::Picture)};
   if (!isSteady) return explanation;
-  explanation.fewSummitsVelocity = fewSummitsVelocity(scene, rmsHeightOf(scene));
+  explanation.fewSummitsVelocity = fewSummitsVelocity(scene, lineExtent(scene).rmsHeight);
   explanation.predicted = predictCurve(scene, threads);
   return explanation;
 }
@@ -64,7 +58,7 @@ void analyze(Explanation& explanation, int threads) {
   const auto start = std::chrono::steady_clock::now();
   CurveOptions options;
   options.threads = threads;
-  curveOf(explanation.scene, options);
+  computeCurve(explanation.scene, options);
   Measurement measured;
   measured.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/processor_time.h"
 #include "core/friction/realizations.h"
 
 namespace asperity {
@@ -23,16 +24,19 @@ bool isAllowed(std::int64_t elements, int level) {
 
 }  // namespace
 
-LevelSampler::LevelSampler(const Scene& scene, const CurveOptions& options)
-    : scene_(scene), options_(options) {
-  sources_.push_back(std::make_unique<LineSource>(scene_, 1));
+LevelSampler::LevelSampler(const Scene& scene, const CurveOptions& options, const Profile* profile)
+    : scene_(scene), options_(options), profile_(profile) {
+  sources_.push_back(nullptr);
   for (int level = 1; level < kMostLevels; ++level)
     if (isAllowed(source(0).elements(), level)) sources_.push_back(nullptr);
 }
 
 const LineSource& LevelSampler::source(int level) {
   auto& source = sources_[static_cast<std::size_t>(level)];
-  if (!source) source = std::make_unique<LineSource>(scene_, oversamplingOf(level));
+  if (source) return *source;
+  const double begin = threadSeconds();
+  source = std::make_unique<LineSource>(scene_, oversamplingOf(level), profile_);
+  secondsOfSources_ += threadSeconds() - begin;
   return *source;
 }
 

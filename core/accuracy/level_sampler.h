@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/accuracy/levels.h"
-#include "core/friction/curve_averages.h"
+#include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
 #include "core/surface/line_source.h"
 
@@ -55,7 +55,8 @@ struct SamplingCost {
 
 class LevelSampler {
  public:
-  LevelSampler(const Scene& scene, const CurveOptions& options);
+  /// profile: instead of that in the scene's file; it outlives the sampler.
+  LevelSampler(const Scene& scene, const CurveOptions& options, const Profile* profile = nullptr);
 
   /// The lines of a level, 0 to levelsAllowed() - 1; finer ones would have too many nodes.
   const LineSource& source(int level);
@@ -72,6 +73,8 @@ class LevelSampler {
   bool sample(const Stratum& stratum, const States& states, std::int64_t lines);
 
   const SamplingCost& cost() const { return cost_; }
+  /// Processor time to read, transform and hold what the lines are made of.
+  double secondsOfSources() const { return secondsOfSources_; }
   std::int64_t lines() const;  // of all strata
 
  private:
@@ -80,9 +83,11 @@ class LevelSampler {
 
   const Scene& scene_;
   const CurveOptions& options_;
+  const Profile* profile_;
   std::vector<std::unique_ptr<LineSource>> sources_;  // of each level allowed, made when needed
   std::array<std::int64_t, 4 * kMostLevels> done_{};  // lines of each stratum
   SamplingCost cost_;
+  double secondsOfSources_ = 0;
 };
 
 }  // namespace asperity

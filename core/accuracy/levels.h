@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-#include "core/friction/running_mean.h"
+#include "core/friction/curve_point.h"
 
 namespace asperity {
 

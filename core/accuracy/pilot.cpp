@@ -4,18 +4,19 @@
 #include <cmath>
 
 #include "core/contact/steady_sliding.h"
-#include "core/friction/curve_averages.h"
+#include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
 #include "core/material/element_law.h"
 #include "core/scene/plan.h"
-#include "core/surface/profile_file.h"
 
 namespace asperity {
 namespace {
 
 constexpr std::int64_t kFewestElements = 64;
 constexpr double kTimedVelocities = 41, kTimedLines = 2;
-constexpr double kOfProgram = 3e6;  // bytes that threads and transforms of any run take
+constexpr double kOperationsOfRow = 18;  // to read one row of a profile's file
+constexpr double kBytesOfRow = 56;       // of a file's row: its text and two numbers
+constexpr double kOfProgram = 3e6;       // bytes that threads and transforms of any run take
 
 /// Sum of j^-power over j = first ... last, to about 1e-6.
 double sumOfPowers(double first, double last, double power) {
@@ -62,23 +63,42 @@ constexpr Shape kShapes[] = {{24, 12, 9}, {16, 8, 9}, {8, 4, 9}, {8, 4, 5},
 
 }  // namespace
 
-double elementsOf(const Scene& scene) {
-  const Surface& surface = scene.surface;
-  if (surface.elements > 0) return static_cast<double>(surface.elements);
-  return static_cast<double>(std::max<std::int64_t>(3, expectedRows(scene.folder / surface.file)));
+PilotScene::PilotScene(const Scene& its, const LineExtent& extent)
+    : scene(its), rows(extent.rows), rowsOfFile(extent.rows) {
+  scene.surface.length = extent.length;
+  scene.surface.elements = extent.elements;
 }
 
-Scene shortened(const Scene& scene, std::int64_t factor) {
-  Scene part = scene;
-  Surface& surface = part.surface;
-  if (factor <= 1 || surface.kind == SurfaceKind::Profile) return part;
-  const std::int64_t wanted = std::max(surface.elements / factor, kFewestElements);
-  if (wanted >= surface.elements) return part;
+double PilotScene::operations(double perPoint, double points) const {
+  return elements() * points * perPoint + static_cast<double>(rows) * kOperationsOfRow;
+}
+
+std::unique_ptr<const Profile> PilotScene::profile() const {
+  if (rows == 0) return nullptr;
+  auto profile = std::make_unique<Profile>(readProfileStart(scene, rows));
+  std::vector<double>& height = profile->height;
+  if (rows == rowsOfFile) return profile;
+  const double slope = (height.back() - height.front()) / static_cast<double>(height.size());
+  for (std::size_t i = 0; i < height.size(); ++i) height[i] -= slope * static_cast<double>(i);
+  return profile;
+}
+
+PilotScene shortened(const PilotScene& whole, std::int64_t factor) {
+  PilotScene part = whole;
+  Surface& surface = part.scene.surface;
+  const Surface& all = whole.scene.surface;
+  if (factor <= 1) return part;
+  const std::int64_t wanted = std::max(all.elements / factor, kFewestElements);
+  if (wanted >= all.elements) return part;
   surface.elements = wanted;
   if (isIsolated(surface)) return part;
-  const double share = static_cast<double>(wanted) / static_cast<double>(scene.surface.elements);
+  const double share = static_cast<double>(wanted) / static_cast<double>(all.elements);
   surface.length *= share;
-  part.load.normalForce *= share;
+  part.scene.load.normalForce *= share;
+  if (surface.kind == SurfaceKind::Profile) {
+    part.rows = std::max(std::llround(share * static_cast<double>(whole.rows)), 3LL);
+    return part;
+  }
   if (surface.kind == SurfaceKind::Sine) {
     const double waves = std::round(static_cast<double>(surface.waves) * share);
     surface.waves =
@@ -87,16 +107,18 @@ Scene shortened(const Scene& scene, std::int64_t factor) {
   }
   // The waves that are left keep their strength: one of them stands for 1 / share of the line's.
   surface.rmsHeight *=
-      std::pow(share, surface.hurst) * std::sqrt(sumOfModes(surface) / sumOfModes(scene.surface));
+      std::pow(share, surface.hurst) * std::sqrt(sumOfModes(surface) / sumOfModes(all));
   return part;
 }
 
-std::int64_t shorteningFor(const Scene& scene, double operations, double allowed) {
-  std::int64_t factor = 1;
-  while (operations * elementsOf(shortened(scene, factor)) > allowed &&
-         shortened(scene, 2 * factor).surface.elements < shortened(scene, factor).surface.elements)
-    factor *= 2;
-  return factor;
+PilotScene sampleWithin(const PilotScene& whole, double perPoint, double points, double allowed) {
+  PilotScene sample = whole;
+  for (std::int64_t factor = 2; sample.operations(perPoint, points) > allowed; factor *= 2) {
+    PilotScene shorter = shortened(whole, factor);
+    if (shorter.elements() >= sample.elements()) break;
+    sample = std::move(shorter);
+  }
+  return sample;
 }
 
 PilotPlan planPilot(const Scene& scene, int threads) {
@@ -104,9 +126,10 @@ PilotPlan planPilot(const Scene& scene, int threads) {
   const auto lines = static_cast<double>(isRandom ? scene.ensemble.realizations : 1);
   const auto velocities = static_cast<double>(scene.sweep.points);
   const auto points = static_cast<double>(pointsPerElementOfCurve(scene));
-  const double balance = operationsOfBalance(scene), all = elementsOf(scene) * points;
-  PilotPlan plan;
-  plan.runOperations = lines * all * (1 + balance * velocities);
+  const double balance = operationsOfBalance(scene);
+  const PilotScene whole(scene, lineExtent(scene));
+  PilotPlan plan{whole, whole};
+  plan.runOperations = lines * whole.operations(1 + balance * velocities, points);
   const double wall = plan.runOperations / std::min(static_cast<double>(threads), lines);
   const double allowed = std::clamp(0.1 * wall, kLeastPilot, kMostPilot);
   double perPoint = 0;
@@ -119,31 +142,31 @@ PilotPlan planPilot(const Scene& scene, int threads) {
     plan.velocities = logSpaced(scene.sweep.velocityFrom, scene.sweep.velocityTo,
                                 static_cast<std::int64_t>(fitting.velocities));
     perPoint = fitting.perPoint(balance);
-    if (perPoint * all <= allowed) break;
+    if (whole.operations(perPoint, points) <= allowed) break;
   }
-  plan.scene = shortened(scene, shorteningFor(scene, perPoint * points, allowed));
+  plan.sample = sampleWithin(whole, perPoint, points, allowed);
   // The resolution is that of the run, however many elements the pilot has.
   if (scene.accuracy.scheme != Scheme::Nodal)
-    plan.scene.accuracy.oversampling = static_cast<std::int64_t>(points);
+    plan.sample.scene.accuracy.oversampling = static_cast<std::int64_t>(points);
   const double timed = std::min(velocities, kTimedVelocities);
   const double withTimed = perPoint + kTimedLines * (1 + balance * timed);
-  if (withTimed * points * elementsOf(plan.scene) <= allowed) {
+  if (plan.sample.operations(withTimed, points) <= allowed) {
     perPoint = withTimed;
     plan.timedVelocities = logSpaced(scene.sweep.velocityFrom, scene.sweep.velocityTo,
                                      static_cast<std::int64_t>(timed));
   }
-  plan.shortening = elementsOf(scene) / elementsOf(plan.scene);
-  plan.operations = perPoint * points * elementsOf(plan.scene);
+  plan.shortening = whole.elements() / plan.sample.elements();
+  plan.operations = plan.sample.operations(perPoint, points);
   return plan;
 }
 
-double memoryOfCurve(const Scene& scene, int threads) {
+double memoryOfCurve(const PilotScene& run, int threads, std::int64_t finest) {
+  const Scene& scene = run.scene;
   const bool isRandom = scene.surface.kind == SurfaceKind::SelfAffine;
   const auto lines = static_cast<double>(isRandom ? scene.ensemble.realizations : 1);
   const double parallel = std::min(static_cast<double>(threads), lines);
   const Scheme scheme = scene.accuracy.scheme;
-  const double elements = elementsOf(scene);
-  const double nodes = elements * static_cast<double>(pointsPerElementOfCurve(scene));
+  const double elements = run.elements(), nodes = elements * static_cast<double>(finest);
   constexpr double kNumber = sizeof(double);
   // Numbers a node: Line, PreparedProfile with its blocks, and the buffers of the transform.
   const double ofLine = scheme == Scheme::Linear && isRandom ? 1 : 2;
@@ -156,6 +179,8 @@ double memoryOfCurve(const Scene& scene, int threads) {
   bytes += ofTransform * nodes * kNumber * (isRandom ? parallel : 1);
   if (isRandom) bytes += (0.5 + parallel) * elements * kNumber;  // amplitudes and phases
   if (!isRandom) bytes += 2 * nodes * kNumber;                   // of the only line
+  // The text of a file and its numbers are gone before the line is made.
+  bytes = std::max(bytes, kOfProgram + kBytesOfRow * static_cast<double>(run.rows));
   if (callsFor(scene, Purpose::Curve, Stage::SummitCorrelation))
     bytes += 18 * elements * kNumber * parallel;  // its transform at four nodes an element
   // Results of a batch of 32 lines wait for their turn, and those of the first are kept.

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <thread>
 
 #include "core/accuracy/pilot.h"
 #include "core/accuracy/target_curve.h"
 #include "core/base/processor_time.h"
 #include "core/contact/steady_solver.h"
+#include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/running_mean.h"
 #include "core/friction/study.h"
 #include "core/surface/line_source.h"
 
@@ -20,6 +21,8 @@ namespace {
 /// A line so much longer no longer lies in the caches, and a transform has more steps.
 constexpr double kSlowdownOfDoubling = 0.08;
 constexpr std::int64_t kTargetVelocities = 9;
+/// A point: of some lines on two levels at all those velocities.
+constexpr double kOperationsOfTarget = 5;
 constexpr std::int64_t kMostMeasuredNodes = std::int64_t{1} << 26;  // of the line measured against
 
 double median(std::vector<double> values) {
@@ -30,9 +33,10 @@ double median(std::vector<double> values) {
 /// One resolution of a scene's lines: slides them and takes the time.
 class Pilot {
  public:
-  Pilot(const Scene& scene, std::vector<double> velocities)
+  /// profile: of the scene where it is no other line; else null.
+  Pilot(const Scene& scene, const Profile* profile, std::vector<double> velocities)
       : scene_(scene),
-        source_(scene, pointsPerElementOfCurve(scene)),
+        source_(scene, pointsPerElementOfCurve(scene), profile),
         sliding_(scene),
         velocities_(std::move(velocities)),
         row_(velocities_.size()) {}
@@ -128,7 +132,7 @@ double differenceOf(const std::vector<RunningMean>& low, const std::vector<Runni
 /// Relative difference of mean friction between the scene and a finer one over the same lines.
 double resolutionDifference(const Scene& scene, const std::vector<double>& velocities,
                             std::int64_t lines, std::int64_t factor, const std::stop_token& stop) {
-  Pilot coarse(scene, velocities), fine(refined(scene, factor), velocities);
+  Pilot coarse(scene, nullptr, velocities), fine(refined(scene, factor), nullptr, velocities);
   const auto low = meansOver(coarse, velocities.size(), lines, stop);
   const auto high = meansOver(fine, velocities.size(), lines, stop);
   return differenceOf(low, high, remainder(scene, factor));
@@ -137,7 +141,7 @@ double resolutionDifference(const Scene& scene, const std::vector<double>& veloc
 /// How many times finer the line is that an error is measured against: 4, or what memory allows; 1:
 /// nothing finer.
 std::int64_t measuringFactor(const Scene& scene) {
-  const std::int64_t nodes = LineSource(scene, 1).elements() * pointsPerElementOfCurve(scene);
+  const std::int64_t nodes = lineExtent(scene).elements * pointsPerElementOfCurve(scene);
   return std::clamp<std::int64_t>(kMostMeasuredNodes / nodes, 1, 4);
 }
 
@@ -147,9 +151,9 @@ int threadsOf(int threads) {
 
 /// What the pilot's lines say: the coarse ones give spread and force balance, the finer ones with
 /// them the resolution.
-ErrorBudget errorOf(const PilotPlan& plan, Pilot& pilot, double lines,
+ErrorBudget errorOf(const PilotPlan& plan, const Profile* profile, Pilot& pilot, double lines,
                     const std::stop_token& stop) {
-  const Scene& scene = plan.scene;
+  const Scene& scene = plan.sample.scene;
   const std::size_t velocities = plan.velocities.size();
   ErrorBudget error;
   std::vector<RunningMean> means(velocities), coarse(velocities);
@@ -169,34 +173,45 @@ ErrorBudget errorOf(const PilotPlan& plan, Pilot& pilot, double lines,
       if (mean.mean() != 0) errors.push_back(std::sqrt(mean.variance() / lines) / mean.mean());
     if (!errors.empty()) error.standardError = rms(errors);
   }
-  Pilot finer(refined(scene, 2), plan.velocities);
+  Pilot finer(refined(scene, 2), profile, plan.velocities);
   const auto fine = meansOver(finer, velocities, plan.refinedLines, stop);
   const double difference = differenceOf(coarse, fine, remainder(scene, 2));
   (scene.accuracy.scheme == Scheme::Nodal ? error.modelDifference : error.resolution) = difference;
   return error;
 }
 
-/// The run's pilot is tried on fewer velocities, and on shorter lines where they are long.
+/// The run's own pilot is tried on fewer velocities, and on shorter lines where they are long. A
+/// line that is given has no pilot but the run itself, of which a small part is tried.
 Prediction predictTarget(const Scene& scene, int threads, const std::stop_token& stop) {
   const PilotPlan pilot = planPilot(scene, threads);
-  Scene sample = pilot.scene;
-  sample.accuracy = scene.accuracy;
-  sample.sweep.points = std::min<std::int64_t>(scene.sweep.points, kTargetVelocities);
-  const TargetPlan plan = planTarget(sample, stop);
-  const double larger = pilot.shortening * static_cast<double>(scene.sweep.points) /
-                        static_cast<double>(sample.sweep.points);
+  const bool isAveraged =
+      scene.surface.kind == SurfaceKind::SelfAffine && scene.ensemble.realizations > 1;
+  const auto points = static_cast<double>(pointsPerElementOfCurve(scene));
+  PilotScene sample =
+      isAveraged ? sampleWithin(pilot.run, kOperationsOfTarget, points, kMostPilot) : pilot.sample;
+  sample.scene.accuracy = scene.accuracy;
+  sample.scene.sweep.points = isAveraged
+                                  ? std::min<std::int64_t>(scene.sweep.points, kTargetVelocities)
+                                  : static_cast<std::int64_t>(pilot.velocities.size());
+  const double begin = threadSeconds();
+  const std::unique_ptr<const Profile> profile = sample.profile();
+  const double reading = threadSeconds() - begin;
+  const TargetPlan plan = planTarget(sample.scene, stop, profile.get());
+  const double longer = pilot.run.elements() / sample.elements();
+  const double more =
+      static_cast<double>(scene.sweep.points) / static_cast<double>(sample.scene.sweep.points);
   Prediction prediction;
   prediction.threads = threads;
-  prediction.seconds = larger * (plan.secondsOfPilot + plan.operations * plan.secondsOfOperation /
-                                                           static_cast<double>(threads));
+  const double sliding = plan.secondsOfPilot - plan.secondsOfSources +
+                         plan.operations * plan.secondsOfOperation / static_cast<double>(threads);
+  prediction.seconds = longer * (reading + plan.secondsOfSources + more * sliding);
   prediction.lines = plan.mostLines;
-  prediction.simulations = plan.simulations * static_cast<double>(scene.sweep.points) /
-                           static_cast<double>(sample.sweep.points);
-  prediction.pilotLines = kPilotLines;
+  prediction.simulations = plan.simulations * more;
+  prediction.pilotLines = isAveraged ? kPilotLines : 1;
   prediction.error.standardError = plan.standardError;
   prediction.error.resolution = plan.resolutionError;
   prediction.error.forceBalance = plan.largestResidual;
-  prediction.memory = memoryOfCurve(scene, threads);
+  prediction.memory = memoryOfCurve(pilot.run, threads, plan.finest);
   return prediction;
 }
 
@@ -215,19 +230,24 @@ Prediction predictCurve(const Scene& scene, int threads, const std::stop_token& 
   prediction.threads = threadsOf(threads);
   const PilotPlan plan = planPilot(scene, prediction.threads);
   const double begin = threadSeconds();
-  Pilot pilot(plan.scene, plan.velocities);
-  const double planning = threadSeconds() - begin;
+  const std::unique_ptr<const Profile> profile = plan.sample.profile();
+  const double reading = threadSeconds() - begin;
+  // The first transform of a process takes longer than all others, so the second one is timed.
+  LineSource(plan.sample.scene, 1, profile.get());
+  const double planned = threadSeconds();
+  Pilot pilot(plan.sample.scene, profile.get(), plan.velocities);
+  const double planning = reading + threadSeconds() - planned;
   const double lines = pilot.isRandom() ? static_cast<double>(scene.ensemble.realizations) : 1;
   prediction.pilotLines = plan.lines;
   prediction.operations = plan.operations;
   prediction.runOperations = plan.runOperations;
-  prediction.error = errorOf(plan, pilot, lines, stop);
+  prediction.error = errorOf(plan, profile.get(), pilot, lines, stop);
   const double parallel = std::min(static_cast<double>(prediction.threads), lines);
   prediction.lines = lines;
   prediction.simulations = lines * static_cast<double>(scene.sweep.points);
   double balance = pilot.secondsOfBalance();
   if (!plan.timedVelocities.empty()) {
-    Pilot timed(plan.scene, plan.timedVelocities);
+    Pilot timed(plan.sample.scene, profile.get(), plan.timedVelocities);
     timed.slide(0);  // fills the memory that the next one uses
     timed.slide(pilot.isRandom() ? 1 : 0);
     balance = timed.secondsOfLastBalance();
@@ -237,7 +257,7 @@ Prediction predictCurve(const Scene& scene, int threads, const std::stop_token& 
   const double line = making + balance * plan.shortening * static_cast<double>(scene.sweep.points);
   // The first line is slid alone; it is to be seen at once.
   prediction.seconds = planning * plan.shortening * slower + line * (1 + (lines - 1) / parallel);
-  prediction.memory = memoryOfCurve(scene, prediction.threads);
+  prediction.memory = memoryOfCurve(plan.run, prediction.threads, pointsPerElementOfCurve(scene));
   return prediction;
 }
 

@@ -1,18 +1,15 @@
 #include "core/accuracy/target_curve.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 #include "core/accuracy/level_sampler.h"
+#include "core/base/printed_number.h"
 #include "core/base/processor_time.h"
 #include "core/friction/study.h"
 #include "core/material/element_law.h"
-#include "core/base/printed_number.h"
 
 namespace asperity {
 namespace {
@@ -30,10 +27,10 @@ constexpr std::int64_t kFewestAtOnce = 4;
 
 class Targeting {
  public:
-  Targeting(const Scene& scene, const CurveOptions& options)
+  Targeting(const Scene& scene, const CurveOptions& options, const Profile* profile = nullptr)
       : scene_(resolved(scene)),
         options_(options),
-        sampler_(scene_, options_),
+        sampler_(scene_, options_, profile),
         columns_(scene_, sampler_.source(0)),
         isRandom_(sampler_.source(0).isRandom() && scene_.ensemble.realizations > 1),
         isFrictionless_(isFrictionless(scene_)) {
@@ -50,12 +47,13 @@ class Targeting {
 
   TargetPlan plan() {
     TargetPlan plan;
-    const double start = threadSeconds();
+    const double start = threadSeconds() - sampler_.secondsOfSources();
     const bool isWhole = isFrictionless_ ? runFrictionless()
                          : isRandom_     ? runPilot() && planAll()
                                          : runSingle();
     if (!isWhole) throw StudyStopped{};
     plan.secondsOfPilot = threadSeconds() - start;
+    plan.secondsOfSources = sampler_.secondsOfSources();
     plan.secondsOfOperation = plan.secondsOfPilot / std::max(1.0, sampler_.cost().operations);
     plan.largestResidual = sampler_.cost().largestResidual;
     double standard = 0, resolution = 0;
@@ -66,6 +64,7 @@ class Targeting {
         for (const std::int64_t count : half) lines += static_cast<double>(count);
       plan.mostLines = std::max(plan.mostLines, lines);
       plan.simulations += lines;
+      plan.finest = std::max(plan.finest, oversamplingOf(state.plan.last));
       if (isFrictionless_) continue;
       const double relative = state.plan.resolutionError / std::abs(sampledValue(state));
       resolution += relative * relative;
@@ -405,11 +404,11 @@ class Targeting {
 
 }  // namespace
 
-TargetPlan planTarget(const Scene& scene, const std::stop_token& stop) {
+TargetPlan planTarget(const Scene& scene, const std::stop_token& stop, const Profile* profile) {
   CurveOptions options;
   options.threads = 1;  // its processor time is this thread's
   options.stop = stop;
-  return Targeting(scene, options).plan();
+  return Targeting(scene, options, profile).plan();
 }
 
 TargetCurve targetCurve(const Scene& scene, const CurveOptions& options) {
@@ -418,18 +417,6 @@ TargetCurve targetCurve(const Scene& scene, const CurveOptions& options) {
 
 bool isFrictionless(const Scene& scene) {
   return lawOf(scene.elastomer).kind() == ElementKind::Elastic;
-}
-
-void requireTarget(const Curve& curve) {
-  if (curve.isTargetMet) return;
-  throw std::runtime_error(
-      fmt::format("accuracy.target_relative_error is not reached within the lines and memory "
-                  "allowed: {}",
-                  printedNumber(curve.achievedError, 2)));
-}
-
-Curve curveOf(const Scene& scene, const CurveOptions& options) {
-  return choosesAccuracy(scene) ? targetCurve(scene, options).curve : frictionCurve(scene, options);
 }
 
 }  // namespace asperity

@@ -13,6 +13,7 @@
 
 #include "core/accuracy/levels.h"
 #include "core/friction/ensemble.h"
+#include "core/surface/profile_file.h"
 
 namespace asperity {
 
@@ -42,15 +43,19 @@ TargetCurve targetCurve(const Scene& scene, const CurveOptions& options = {});
 struct TargetPlan {
   double operations = 0;          // nodes passed over after the pilot
   double secondsOfPilot = 0;      // processor time
+  double secondsOfSources = 0;    // of it, that any number of velocities needs once
   double secondsOfOperation = 0;  // measured in the pilot; for people only
   double mostLines = 0;           // at the velocity that needs most
   double simulations = 0;
+  std::int64_t finest = 1;  // points per element of the finest line
   /// Relative, root mean square over velocities; without friction not applicable.
   double standardError = kNotApplicable, resolutionError = kNotApplicable;
   double largestResidual = 0;
 };
 
-TargetPlan planTarget(const Scene& scene, const std::stop_token& stop = {});
+/// profile: instead of that in the scene's file.
+TargetPlan planTarget(const Scene& scene, const std::stop_token& stop = {},
+                      const Profile* profile = nullptr);
 
 /// Lines of the pilot, and how many a run may use at one velocity and level.
 inline constexpr std::int64_t kPilotLines = 2 * kFewestDirect, kMostLines = 1000000;
@@ -58,11 +63,5 @@ inline constexpr std::int64_t kPilotLines = 2 * kFewestDirect, kMostLines = 1000
 /// An elastic body dissipates nothing: its friction is rounding, and an error relative to it has no
 /// meaning. A curve to a target then states an interval about 0.
 bool isFrictionless(const Scene& scene);
-
-/// Throws std::runtime_error that says so where a curve misses its target.
-void requireTarget(const Curve& curve);
-
-/// Both, whichever the scene asks for.
-Curve curveOf(const Scene& scene, const CurveOptions& options = {});
 
 }  // namespace asperity

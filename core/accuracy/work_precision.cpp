@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "core/base/processor_time.h"
-#include "core/contact/balance_error.h"
+#include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
+#include "core/friction/curve_features.h"
+#include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/regions.h"
-#include "core/friction/running_mean.h"
 #include "core/material/element_law.h"
 #include "core/paper/literal_march.h"
 #include "core/surface/line_source.h"
@@ -249,8 +249,9 @@ class Comparison {
       lineSeconds.push_back(threadSeconds() - start);
       for (const std::size_t i : {std::size_t{1}, kVelocities - 2}) {
         const double begin = threadSeconds();
-        const LiteralResult result = literalMarch(line, conditionsOf(scene_, region.velocities[i]),
-                                                  scene_.load.normalForce, options);
+        const LiteralResult result =
+            literalMarch(line, slidingConditions(scene_, region.velocities[i]),
+                         scene_.load.normalForce, options);
         const double share = static_cast<double>(source_.elements()) /
                              static_cast<double>(std::max<std::int64_t>(1, result.steps));
         seconds.push_back((threadSeconds() - begin) * share);
@@ -293,14 +294,14 @@ class Comparison {
                   std::max<std::int64_t>(16, kMostNodes * 4 / source.elements())});
     std::vector<double> mu;
     Line line;
-    PreparedProfile travel;
+    PreparedProfile profile;
     std::vector<SteadyResult> row(1);
     RunningMean all;
     for (std::int64_t r = 0; r < count; ++r) {
       if (options_.stop.stop_requested()) throw StudyStopped{};
       source.makeInto(line, r);
-      prepareProfileInto(travel, line, scene.accuracy.scheme);
-      sliding.sweep(travel, scene.load, velocity, row);
+      prepareProfileInto(profile, line, scene.accuracy.scheme);
+      sliding.sweep(profile, scene.load, velocity, row);
       mu.push_back(row[0].mu);
       all.add(row[0].mu);
     }

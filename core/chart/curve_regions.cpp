@@ -81,7 +81,7 @@ std::vector<CurveRegion> regionsOf(const Known& known) {
   enum { kI, kII, kIII, kIV };
   const RegionBorders borders = regionBorders(known.velocities, known.mu);
   const std::size_t last = known.size() - 1;
-  const CurveMaximum top = maximumOf(known.velocities, known.mu);
+  const CurveMaximum top = curveMaximum(known.velocities, known.mu);
   Regions regions(known);
   if (top.velocity == known.velocities[0] && known.exponent(0) < -kFlat) {
     regions.add(kIV, known.velocities[last]);

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "core/chart/diagram.h"
+#include "core/friction/curve_features.h"
 #include "core/friction/curve_point.h"
-#include "core/friction/regions.h"
 #include "core/scene/scene.h"
 
 namespace asperity {

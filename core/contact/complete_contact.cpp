@@ -1,7 +1,7 @@
 #include "core/contact/complete_contact.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace asperity {
 namespace {
@@ -23,11 +23,11 @@ bool forLargestBlocks(const PreparedProfile& line, const Take& take) {
   return true;
 }
 
-/// Looks for depth that the line needs beyond what is known: p / 4G = d - rise - c rise'.
+/// Looks for depth that the line needs beyond what is known: p / 4G = d - z - c dz/ds.
 class Needed {
  public:
-  Needed(const PreparedProfile& line, double memory, double known)
-      : line_(line), memory_(memory), most_(known) {}
+  Needed(const PreparedProfile& line, double relaxationLength, double known)
+      : line_(line), relaxationLength_(relaxationLength), most_(known) {}
 
   double most() const { return most_; }
 
@@ -51,7 +51,7 @@ class Needed {
  private:
   bool isBounded(std::size_t level, std::size_t block) const {
     const SegmentBounds bounds = line_.block(level, block);
-    return bounds.highest + memory_ * bounds.steepest < most_;
+    return bounds.highest + relaxationLength_ * bounds.steepest < most_;
   }
 
   bool isEnoughFor(std::size_t level, std::size_t block) const {
@@ -72,45 +72,86 @@ class Needed {
   }
 
   double segmentNeed(std::size_t i) const {
-    const Cubic rise = line_.segment(i);
-    const double k = memory_ / line_.segmentLength(i);
-    const Cubic need{rise.c0 + k * rise.c1, rise.c1 + 2 * k * rise.c2, rise.c2 + 3 * k * rise.c3,
-                     rise.c3};
+    const Cubic z = line_.segment(i);
+    const double k = relaxationLength_ / line_.segmentLength(i);
+    const Cubic need{z.c0 + k * z.c1, z.c1 + 2 * k * z.c2, z.c2 + 3 * k * z.c3, z.c3};
     double most = std::max(need(0), need(1));
     for (const double t : stationaryPoints(need)) most = std::max(most, need(t));
     return most;
   }
 
   const PreparedProfile& line_;
-  double memory_, most_;
+  double relaxationLength_, most_;
 };
+
+/// Force at rest, looked up in the blocks: those above the depth carry nothing, those below it
+/// their mean, and only those that it cuts are opened. Single segments count by their mean.
+PassSums forceAtRest(const PreparedProfile& line, double depth) {
+  PassSums sums;
+  const auto carry = [&](const SegmentBounds& block, double length) {
+    if (depth * length <= block.heightIntegral) return;
+    sums.depth += depth * length - block.heightIntegral;
+    sums.stiffness += length;
+  };
+  const std::size_t top = line.blocks.size() - 1;
+  std::size_t level = top;
+  for (std::size_t i = 0, end = line.segments() - 2; i < end;) {
+    const std::size_t size = std::size_t{1} << (2 * level), block = i >> (2 * level);
+    const bool fits = (i & (size - 1)) == 0 && block < line.blockCount(level);
+    const SegmentBounds bounds = line.block(level, fits ? block : 0);
+    if (fits && (level == 0 || depth <= bounds.lowest || depth >= bounds.highest)) {
+      if (depth > bounds.lowest) carry(bounds, line.spacing * static_cast<double>(size));
+      i += size;
+      level = std::min(level + 1, top);
+    } else {
+      --level;
+    }
+  }
+  return sums;
+}
 
 }  // namespace
 
-bool isContactComplete(const PreparedProfile& line, double depth, double memoryLength) {
-  return Needed(line, memoryLength, depth).isEnough();
+bool isContactComplete(const PreparedProfile& line, double depth, double relaxationLength) {
+  return Needed(line, relaxationLength, depth).isEnough();
 }
 
-double completeAbove(const PreparedProfile& line, double memoryLength) {
-  Needed needed(line, memoryLength, 0);
+double completeAbove(const PreparedProfile& line, double relaxationLength) {
+  Needed needed(line, relaxationLength, 0);
   needed.raise();
   return needed.most();
 }
 
-StateSums completeState(const PreparedProfile& line, double depth, double memoryLength) {
+PassSums completeContactSums(const PreparedProfile& line, double depth, double relaxationLength) {
   double slopes = line.bounds(0).slopeSquared + line.bounds(line.segments() - 1).slopeSquared;
   forLargestBlocks(line, [&](std::size_t level, std::size_t block) {
     slopes += line.block(level, block).slopeSquared;
     return true;
   });
-  StateSums sums;
+  PassSums sums;
   // What the dashpots add to the pressure is as much below 0 as above over the period.
-  sums.depth = sums.pressure = (depth - line.meanRise) * line.length;
-  sums.work = sums.dissipation = memoryLength * slopes;
+  sums.depth = sums.pressure = (depth - line.meanHeight) * line.length;
+  sums.work = sums.dissipation = relaxationLength * slopes;
   sums.stiffness = sums.contactLength = line.length;
   sums.slopeSquared = slopes;
-  sums.absoluteSlope = std::numeric_limits<double>::quiet_NaN();
   return sums;
+}
+
+double depthAtRest(const PreparedProfile& line, double load, const std::stop_token& stop) {
+  constexpr int kMostSteps = 12;
+  constexpr double kCloseEnough = 1e-3;
+  double depth = completeContactDepth(line, load);
+  for (int step = 0; step < kMostSteps && !stop.stop_requested(); ++step) {
+    const PassSums sums = forceAtRest(line, depth);
+    if (!(sums.depth > 0)) break;
+    // Newton's step in the logarithms, in which the force is nearly straight.
+    const double next =
+        depth * std::exp(std::log(load / sums.depth) * sums.depth / (sums.stiffness * depth));
+    const bool close = std::abs(next - depth) <= kCloseEnough * depth;
+    depth = next;
+    if (close) break;
+  }
+  return depth;
 }
 
 }  // namespace asperity

@@ -1,65 +1,75 @@
 #include "core/contact/force_balance.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/contact/kernels/resolved_pass.h"
 
 namespace asperity {
-namespace {
 
-/// Newton's iteration with the bracket it has found so far.
-class Iteration {
- public:
-  Iteration(const PreparedProfile& line, double memory, double load)
-      // Full contact is the lightest way to carry a load at a depth: the root is not beyond it.
-      : line_(line),
-        memory_(memory),
-        load_(load),
-        low_(load / line.length),
-        high_(low_ + line.meanRise) {
-    best_.residual = std::numeric_limits<double>::infinity();
+void ForceBalance::start(const PreparedProfile& line, double load, double guess) {
+  load_ = load;
+  // Complete contact is the lightest way to carry a load at a depth: the root is not beyond it.
+  low_ = load / line.length;
+  high_ = complete_ = low_ + line.meanHeight;
+  depth_ = guess > low_ && guess < high_ ? guess : high_;
+  triedComplete_ = depth_ == high_;
+  residual_ = std::numeric_limits<double>::infinity();
+  passes_ = stalled_ = 0;
+  done_ = false;
+}
+
+void ForceBalance::take(const PassSums& sums) {
+  ++passes_;
+  const double residual = std::abs(sums.depth - load_) / load_;
+  const bool closer = residual < residual_;
+  stalled_ = closer ? 0 : stalled_ + (residual_ < kAcceptedResidual ? 1 : 0);
+  if (closer) {
+    residual_ = residual;
+    bestDepth_ = depth_;
+    bestSums_ = sums;
   }
+  (sums.depth > load_ ? high_ : low_) = depth_;
+  done_ = residual_ <= kWantedResidual || stalled_ >= kPatience || passes_ >= kMostPasses;
+  if (!done_) move(sums);
+}
 
-  Balance run(double guess) {
-    double depth = guess > low_ && guess < high_ ? guess : high_;
-    int stalled = 0;
-    while (best_.passes < kMostPasses && best_.residual > kWantedResidual && stalled < kPatience) {
-      const double next = step(depth, stalled);
-      if (next == depth) break;
-      depth = next;
-    }
-    return best_;
+/// Chooses the next depth.
+void ForceBalance::move(const PassSums& sums) {
+  constexpr double kRoundedStep = 1e-9;
+  const Pass pass{std::log1p((sums.depth - load_) / load_), sums.depth / (sums.stiffness * depth_),
+                  depth_};
+  // Newton's step in the logarithms first; then the cubic of ln d over ln F_N through the last two
+  // passes and their slopes, read at the target force.
+  double step = -pass.excess * pass.slope;
+  const double gap = last_.excess - pass.excess;
+  if (passes_ > 1 && gap != 0) {
+    const double t = -pass.excess / gap;
+    const double climb = std::log1p((last_.depth - pass.depth) / pass.depth);
+    const bool isBetween = std::abs(t) < 1;
+    const double cubic = isBetween ? hermiteRise(t, climb, gap, pass.slope, last_.slope) : step;
+    if (std::isfinite(cubic)) step = cubic;
   }
+  last_ = pass;
+  double next = depth_ * (1 + std::expm1(step));
+  // Near the end rounding of the force may have put the bracket beside the answer.
+  const bool isLast = std::abs(step) < kRoundedStep;
+  if (!isLast && !(next >= low_ && next <= high_)) next = 0.5 * (low_ + high_);
+  // In complete contact the force is linear.
+  const double newton = depth_ - (sums.depth - load_) / sums.stiffness;
+  if (!triedComplete_ && std::abs(newton / complete_ - 1) < kRoundedStep) next = complete_;
+  triedComplete_ |= next == complete_;
+  done_ = next == depth_;
+  depth_ = next;
+}
 
- private:
-  double step(double depth, int& stalled) {
-    const ForceSums sums = forceAt(line_, depth, memory_);
-    const double excess = sums.depth - load_;
-    ++best_.passes;
-    const double residual = std::abs(excess) / load_;
-    const bool closer = residual < best_.residual;
-    stalled = closer ? 0 : stalled + (best_.residual < kAcceptedResidual ? 1 : 0);
-    if (closer) {
-      best_.residual = residual;
-      best_.depth = depth;
-    }
-    (excess > 0 ? high_ : low_) = depth;
-    const double next = depth - excess / sums.stiffness;
-    return next >= low_ && next <= high_ ? next : 0.5 * (low_ + high_);
-  }
-
-  const PreparedProfile& line_;
-  double memory_, load_, low_, high_;
-  Balance best_;
-};
-
-}  // namespace
-
-Balance balanceResolved(const PreparedProfile& line, double memoryLength, double load,
+Balance balanceResolved(const PreparedProfile& line, double relaxationLength, double load,
                         double guess) {
-  return Iteration(line, memoryLength, load).run(guess);
+  ForceBalance balance;
+  balance.start(line, load, guess);
+  while (!balance.isDone())
+    balance.take(resolvedPass(line, balance.depth(), relaxationLength, Output::Force));
+  return balance.balance();
 }
 
 }  // namespace asperity

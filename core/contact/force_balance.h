@@ -1,10 +1,10 @@
-// The indentation at which a steadily sliding line carries a given force. Pure functions.
-// For resolved lines F_N(d) is increasing and convex: Newton's method from the right. For nodal
-// lines it jumps; where the target falls into a jump the element that enters is partly loaded.
+// The indentation at which a steadily sliding resolved line carries a given force. F_N(d) rises and
+// is convex, and in logarithms it is nearly straight: safeguarded Newton steps in ln d over ln F_N,
+// from the second pass on with the cubic through the last two passes. Nodal lines jump instead:
+// kernels/nodal_balance.h.
 #pragma once
 
-#include "core/contact/kernels/nodal_pass.h"
-#include "core/contact/kernels/pass_sums.h"
+#include "core/contact/kernels/pass.h"
 #include "core/contact/line/prepared_profile.h"
 
 namespace asperity {
@@ -19,6 +19,7 @@ inline constexpr int kMostPasses = 200;
 /// Passes without a smaller residual before the best one is taken.
 inline constexpr int kPatience = 2;
 
+/// How a balance ended.
 struct Balance {
   double depth = 0;     // m, indentation below the lowest point
   int passes = 0;       // over the line
@@ -26,17 +27,45 @@ struct Balance {
   bool isMet() const { return residual <= kAcceptedResidual; }
 };
 
-/// load = F_N / 4G (m^2, > 0). guess: a depth near the answer (m), or 0.
-Balance balanceResolved(const PreparedProfile& line, double memoryLength, double load,
-                        double guess = 0);
+/// The balance of one line at one velocity and force, one pass at a time: whoever runs the passes
+/// asks for a depth and brings back its sums, so that many balances can run side by side. A plain
+/// value; no allocation.
+class ForceBalance {
+ public:
+  /// load = F_N / 4G (m^2, > 0). guess: a depth near the answer (m), or 0.
+  void start(const PreparedProfile& line, double load, double guess);
 
-struct NodalBalance {
-  Balance balance;
-  NodalState state;  // at that depth; the marginal element counted by its share
-  double marginalShare =
-      1;  // of the load that the entering element would carry; 1: none is partial
+  bool isDone() const { return done_; }
+  /// The depth (m) of the next pass.
+  double depth() const { return depth_; }
+  /// Takes what a pass at depth() found.
+  void take(const PassSums& sums);
+
+  /// The best pass so far and its sums.
+  Balance balance() const { return {bestDepth_, passes_, residual_}; }
+  const PassSums& sums() const { return bestSums_; }
+
+ private:
+  struct Pass {
+    double excess;  // ln(F_N / target)
+    double slope;   // d ln depth / d ln F_N
+    double depth;   // m
+  };
+
+  void move(const PassSums& sums);
+
+  double load_ = 0;
+  double low_ = 0, high_ = 0;  // m, bracket of the answer
+  double complete_ = 0;        // m, the answer if contact is complete
+  double depth_ = 0, bestDepth_ = 0, residual_ = 0;
+  PassSums bestSums_;
+  Pass last_{};
+  int passes_ = 0, stalled_ = 0;
+  bool done_ = false, triedComplete_ = false;
 };
 
-NodalBalance balanceNodal(const PreparedProfile& line, double memoryLength, double load);
+/// The balance by plain passes. load = F_N / 4G (m^2, > 0). relaxationLength: c = v tau (m).
+Balance balanceResolved(const PreparedProfile& line, double relaxationLength, double load,
+                        double guess = 0);
 
 }  // namespace asperity

@@ -1,12 +1,13 @@
 #include "core/contact/steady_sliding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/contact/complete_contact.h"
-#include "core/contact/force_balance.h"
-#include "core/contact/kernels/nodal_pass.h"
+#include "core/contact/kernels/kernels.h"
 #include "core/contact/kernels/resolved_pass.h"
 #include "core/material/element_law.h"
 #include "core/scene/plan.h"
@@ -14,104 +15,119 @@
 namespace asperity {
 namespace {
 
-double memoryOf(const SlidingConditions& conditions) {
-  return conditions.velocity * conditions.relaxationTime;
-}
-
-void addBalance(SteadyResult& result, const Balance& balance) {
-  result.status = balance.isMet() ? SteadyStatus::Balanced : SteadyStatus::NotBalanced;
-  result.passes = balance.passes;
-  result.residual = balance.residual;
-}
-
-StateSums sumsAt(const PreparedProfile& line, double depth, double memory,
-                 NodeShape* shape = nullptr) {
-  return line.scheme == Scheme::Nodal ? nodalStateAt(line, depth, memory, shape).sums
-                                      : stateAt(line, depth, memory, shape);
+PassSums sumsAt(const PreparedProfile& line, double depth, double relaxationLength,
+                NodeShape* shape = nullptr) {
+  return line.scheme == Scheme::Nodal
+             ? nodalPass(line, depth, relaxationLength, shape).sums
+             : resolvedPass(line, depth, relaxationLength, Output::Everything, shape);
 }
 
 /// Complete contact is the whole line, of which a sum of a million lengths falls short.
-StateSums sumsAt(const PreparedProfile& line, double depth, double memory, bool isComplete) {
-  StateSums sums = sumsAt(line, depth, memory);
+PassSums sumsAt(const PreparedProfile& line, double depth, double relaxationLength,
+                bool isComplete) {
+  PassSums sums = sumsAt(line, depth, relaxationLength);
   if (isComplete) sums.contactLength = line.length;
   return sums;
 }
 
 }  // namespace
 
-SteadyResult steadyResultOf(const PreparedProfile& line, const SlidingConditions& conditions,
-                            double depth, const StateSums& sums) {
+SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
+                          double depth, const PassSums& sums) {
+  constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   const double stiffness = 4 * conditions.shearModulus;
-  const bool nodal = line.scheme == Scheme::Nodal;
+  // Of the two ways to the tangential force the dissipation has only positive terms, so it keeps
+  // its digits where friction is small. The paper's nodes have Eqs. (3) and (4) alone.
+  const bool isNodal = line.scheme == Scheme::Nodal;
+  const double normal = isNodal ? sums.pressure : sums.depth;
+  const double tangential = isNodal ? sums.work : sums.dissipation;
   SteadyResult result;
   result.indentation = depth;
-  result.normalForce = stiffness * (nodal ? sums.pressure : sums.depth);
-  // Of the two ways to the tangential force the dissipation has only positive terms, so it keeps
-  // its digits where friction is small. The paper's nodes have Eq. (4) alone.
-  result.tangentialForce = stiffness * (nodal ? sums.work : sums.dissipation);
+  result.normalForce = stiffness * normal;
+  result.tangentialForce = stiffness * tangential;
   // Pressed by nothing there is no coefficient.
-  result.mu = result.normalForce != 0 ? result.tangentialForce / result.normalForce
-                                      : std::numeric_limits<double>::quiet_NaN();
+  result.mu = normal != 0 ? tangential / normal : kNotANumber;
   result.contactFraction = std::min(sums.contactLength / line.length, 1.0);
-  result.rmsSlopeContact = sums.contactLength > 0
-                               ? std::sqrt(sums.slopeSquared / sums.contactLength)
-                               : std::numeric_limits<double>::quiet_NaN();
+  result.rmsSlopeContact =
+      sums.contactLength > 0 ? std::sqrt(sums.slopeSquared / sums.contactLength) : kNotANumber;
   result.powerIn = stiffness * sums.work * conditions.velocity;
   result.powerDissipated = stiffness * sums.dissipation * conditions.velocity;
   result.forceFromDepth = stiffness * sums.depth;
   result.forceFromPressure = stiffness * sums.pressure;
+  result.passes = 1;
   return result;
 }
 
-SteadyStatus statusOf(const SteadyResult& result) {
+SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
+                          const Balance& balance, const PassSums& sums) {
+  SteadyResult result = steadyResult(line, conditions, balance.depth, sums);
+  result.passes = balance.passes;
+  result.residual = balance.residual;
+  result.status = balanceStatus(result);
+  return result;
+}
+
+/// The two ways to the forces of separate elements differ by nature: only the residual counts.
+SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
+                          const NodalBalance& nodal) {
+  SteadyResult result = steadyResult(line, conditions, nodal.balance.depth, nodal.sums);
+  result.passes = nodal.balance.passes;
+  result.residual = nodal.balance.residual;
+  result.status = nodal.balance.isMet() ? SteadyStatus::Balanced : SteadyStatus::NotBalanced;
+  result.marginalShare = nodal.marginalShare;
+  return result;
+}
+
+SteadyStatus balanceStatus(const SteadyResult& result) {
   const bool isMet = result.residual <= kAcceptedResidual;
   const double apart = std::abs(result.forceFromPressure / result.forceFromDepth - 1);
   return isMet && apart <= kForcesAgree ? SteadyStatus::Balanced : SteadyStatus::NotBalanced;
 }
 
-SteadyResult resultOfNodal(const PreparedProfile& line, const SlidingConditions& conditions,
-                           const NodalBalance& nodal) {
-  SteadyResult result = steadyResultOf(line, conditions, nodal.balance.depth, nodal.state.sums);
-  addBalance(result, nodal.balance);
-  result.marginalShare = nodal.marginalShare;
-  return result;
+std::runtime_error balanceError(const SteadyResult& result, double velocity,
+                                const std::string& where) {
+  const std::string place = fmt::format("at velocity {:.4g} m/s{}", velocity, where);
+  if (result.residual <= kAcceptedResidual)
+    return std::runtime_error(
+        "contact is too short, or moduli are too far apart, for the digits that numbers have, " +
+        place);
+  return std::runtime_error(fmt::format("the force balance is not met {}: relative residual {:.2g}",
+                                        place, result.residual));
+}
+
+void requireBalance(const SteadyResult& result, double velocity, const std::string& where) {
+  if (result.status != SteadyStatus::Balanced) throw balanceError(result, velocity, where);
 }
 
 SteadyResult slideAtForce(const PreparedProfile& line, const SlidingConditions& conditions,
                           double normalForce, double guess) {
-  const double memory = memoryOf(conditions);
+  const double c = conditions.relaxationLength();
   const double load = normalForce / (4 * conditions.shearModulus);
   if (line.scheme == Scheme::Nodal) {
     countStage(Stage::ContactSearch);
-    return resultOfNodal(line, conditions, balanceNodal(line, memory, load));
+    return steadyResult(line, conditions, balanceNodal(line, c, load));
   }
-  const double whole = depthOfComplete(line, load);
-  const bool isComplete = isContactComplete(line, whole, memory);
+  const double whole = completeContactDepth(line, load);
+  const bool isComplete = isContactComplete(line, whole, c);
   Balance balance{whole, 1, 0};
   if (!isComplete) {
     countStage(Stage::ContactSearch);
-    balance = balanceResolved(line, memory, load, guess);
+    balance = balanceResolved(line, c, load, guess);
   }
-  const StateSums sums = sumsAt(line, balance.depth, memory, isComplete);
+  const PassSums sums = sumsAt(line, balance.depth, c, isComplete);
   if (isComplete) balance.residual = std::abs(sums.depth / load - 1);
-  SteadyResult result = steadyResultOf(line, conditions, balance.depth, sums);
-  addBalance(result, balance);
-  result.status = statusOf(result);
-  return result;
+  return steadyResult(line, conditions, balance, sums);
 }
 
 SteadyResult slideAtDepth(const PreparedProfile& line, const SlidingConditions& conditions,
                           double depth) {
-  const double memory = memoryOf(conditions);
-  const bool isComplete = line.scheme != Scheme::Nodal && isContactComplete(line, depth, memory);
+  const double c = conditions.relaxationLength();
+  const bool isComplete = line.scheme != Scheme::Nodal && isContactComplete(line, depth, c);
   if (!isComplete) countStage(Stage::ContactSearch);
-  SteadyResult result =
-      steadyResultOf(line, conditions, depth, sumsAt(line, depth, memory, isComplete));
-  result.passes = 1;
-  return result;
+  return steadyResult(line, conditions, depth, sumsAt(line, depth, c, isComplete));
 }
 
-SlidingConditions conditionsOf(const Scene& scene, double velocity) {
+SlidingConditions slidingConditions(const Scene& scene, double velocity) {
   const ElementLaw law = lawOf(scene.elastomer);
   return {law.equilibriumModulus, law.relaxationTime, velocity};
 }
@@ -124,7 +140,7 @@ SteadyResult slideAtLoad(const PreparedProfile& line, const SlidingConditions& c
 
 NodeShape shapeAt(const PreparedProfile& line, const SlidingConditions& conditions, double depth) {
   NodeShape shape;
-  sumsAt(line, depth, memoryOf(conditions), &shape);
+  sumsAt(line, depth, conditions.relaxationLength(), &shape);
   return shape;
 }
 

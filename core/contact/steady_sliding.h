@@ -1,11 +1,17 @@
-// Steady sliding of one line at one velocity: the answer in SI units.
+// Steady sliding of one line at one velocity, by the readable plain pass: the answer in SI units.
 // Kelvin elements with stiffness 4G and damping 4 eta per length (Li et al. 2013, Eqs. 1 to 4).
+// Here every path to a steady state, plain, swept or with arms, makes its SteadyResult.
 // Threading: functions of their arguments; a PreparedProfile is shared freely.
-// Failure: no exception; `status` says whether the balance was met, `residual` how far.
+// Failure: no exception but that of requireBalance; `status` says whether the balance was met,
+// `residual` how far.
 #pragma once
 
+#include <stdexcept>
+#include <string>
+
 #include "core/contact/force_balance.h"
-#include "core/contact/kernels/pass_sums.h"
+#include "core/contact/kernels/nodal_balance.h"
+#include "core/contact/kernels/pass.h"
 #include "core/contact/line/prepared_profile.h"
 #include "core/scene/scene.h"
 
@@ -21,6 +27,8 @@ struct SlidingConditions {
   double shearModulus = 0;    // Pa, G
   double relaxationTime = 0;  // s, tau; 0: elastic
   double velocity = 0;        // m/s, >= 0; the direction is the PreparedProfile's
+
+  double relaxationLength() const { return velocity * relaxationTime; }  // m, c
 };
 
 struct SteadyResult {
@@ -37,7 +45,7 @@ struct SteadyResult {
   double forceFromPressure = 0;  // N, integral of p over contact; equal in steady sliding
   double marginalShare = 1;      // nodal: load share of the element on the edge; 1: none
   int passes = 0;
-  double residual = 0;          // |F_N - wanted| / wanted; with arms also of their period
+  double residual = 0;          // |F_N - target| / target; with arms also of their period
   double periodicityError = 0;  // elements with arms: change over a period, relative
   double depthAtRest = 0;   // m, to some digits, under that force; of sweeps over resolved lines
   double muInterface = 0;   // of local friction, beside mu, which is that of the deformation
@@ -46,16 +54,27 @@ struct SteadyResult {
   double muTotal() const { return mu + muInterface; }
 };
 
-/// Sums of a pass in SI units; status, passes and residual are left to the caller.
-SteadyResult steadyResultOf(const PreparedProfile& line, const SlidingConditions& conditions,
-                            double depth, const StateSums& sums);
+/// The one place where friction is read from the contact: the sums of a pass at this depth (m) as a
+/// result in SI units. It counts as one pass and as balanced.
+SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
+                          double depth, const PassSums& sums);
+
+/// The same with passes, residual and status of the balance that led to it.
+SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
+                          const Balance& balance, const PassSums& sums);
+SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
+                          const NodalBalance& nodal);
 
 /// The status that residual and forces of a resolved line's result call for.
-SteadyStatus statusOf(const SteadyResult& result);
+SteadyStatus balanceStatus(const SteadyResult& result);
 
-/// A balance of the paper's elements in SI units.
-SteadyResult resultOfNodal(const PreparedProfile& line, const SlidingConditions& conditions,
-                           const NodalBalance& nodal);
+/// Describes what is wrong with an unbalanced result at this velocity (m/s): the balance is not
+/// met, or numbers have too few digits for it. where: " on realization 3", or empty.
+std::runtime_error balanceError(const SteadyResult& result, double velocity,
+                                const std::string& where = {});
+
+/// Throws it where the result is not balanced.
+void requireBalance(const SteadyResult& result, double velocity, const std::string& where = {});
 
 /// At a constant normal force (N, > 0). guess: indentation nearby (m), or 0; it changes the cost,
 /// not the answer beyond the residual.
@@ -68,7 +87,7 @@ SteadyResult slideAtDepth(const PreparedProfile& line, const SlidingConditions& 
 
 /// What the scene says of the elastomer, at this velocity; without its arms, which only
 /// core/contact/steady_solver.h knows.
-SlidingConditions conditionsOf(const Scene& scene, double velocity);
+SlidingConditions slidingConditions(const Scene& scene, double velocity);
 
 /// At the scene's load, whichever it is.
 SteadyResult slideAtLoad(const PreparedProfile& line, const SlidingConditions& conditions,
@@ -76,5 +95,23 @@ SteadyResult slideAtLoad(const PreparedProfile& line, const SlidingConditions& c
 
 /// Shape of the elastomer at that indentation, at the line's nodes in travel order.
 NodeShape shapeAt(const PreparedProfile& line, const SlidingConditions& conditions, double depth);
+
+/// Local friction in contact, beside what the deformation costs: a constant coefficient (Amontons
+/// and Coulomb) or a constant tangential load on each length in contact (Tabor). It changes no
+/// deformation and is reported apart. This is its part of the coefficient of friction while
+/// sliding. contactLength: m; 0 without a force.
+inline double localFriction(const Interface& interface, double normalForce, double contactLength) {
+  if (!(normalForce > 0)) return 0;
+  if (interface.frictionCoefficient > 0) return interface.frictionCoefficient;
+  return interface.shearStress * contactLength / normalForce;
+}
+
+/// The tangential load (N/m) of local friction on a place under the line load p (N/m), while
+/// sliding; 0 where nothing touches.
+inline double localFrictionLoad(const Interface& interface, double pressure) {
+  if (!(pressure > 0)) return 0;
+  if (interface.frictionCoefficient > 0) return interface.frictionCoefficient * pressure;
+  return interface.shearStress;
+}
 
 }  // namespace asperity

@@ -2,7 +2,6 @@
 
 #include "core/base/input_error.h"
 #include "core/contact/complete_contact.h"
-#include "core/contact/interface.h"
 #include "core/contact/sweep.h"
 #include "core/scene/effects.h"
 #include "core/scene/plan.h"

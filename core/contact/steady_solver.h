@@ -1,6 +1,6 @@
-// Steady sliding as a scene describes it: the one place where its plan becomes a kernel. Elastic
-// and Kelvin elements take their own, with nothing of arms in it; local friction is added where
-// there is some. Threading: const members may be called by several threads at once.
+// Steady sliding as a scene describes it: the one place that chooses the computation. Elastic
+// and Kelvin elements have one of their own, without arms; local friction is added where there is
+// some. Threading: const members may be called by several threads at once.
 // Failure: the constructor throws InputError where the scene's effects exclude each other or it
 // has no steady state; after that `status` of a result says how it went.
 #pragma once
@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/contact/arms/arm_sliding.h"
+#include "core/contact/arms/arm_balance.h"
 #include "core/contact/arms/retardation.h"
 #include "core/contact/steady_sliding.h"
 #include "core/material/element_law.h"
@@ -17,7 +17,7 @@
 
 namespace asperity {
 
-/// A result with what its elements remember.
+/// A result with the strains of its elements' arms.
 struct SteadyState {
   SteadyResult result;
   ArmBalance arms;  // of elements with arms; else empty

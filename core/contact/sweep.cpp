@@ -7,47 +7,119 @@
 
 #include "core/base/flush_denormals.h"
 #include "core/contact/complete_contact.h"
-#include "core/contact/depth_at_rest.h"
-#include "core/contact/initial_guess.h"
-#include "core/contact/kernels/cubic_kernel.h"
-#include "core/contact/kernels/lane_pass.h"
-#include "core/contact/kernels/linear_kernel.h"
-#include "core/contact/kernels/nodal_group.h"
-#include "core/contact/kernels/stream_balance.h"
+#include "core/contact/force_balance.h"
+#include "core/contact/kernels/kernels.h"
+#include "core/contact/kernels/nodal_balance.h"
 #include "core/scene/plan.h"
 
 namespace asperity {
 namespace {
 
-SteadyResult resultOf(const PreparedProfile& line, double stiffness, double velocity,
-                      const PassSums& sums, double depth) {
-  constexpr double kNotGathered = std::numeric_limits<double>::quiet_NaN();
-  SteadyResult result;
-  result.indentation = depth;
-  result.normalForce = stiffness * sums.depth;
-  result.forceFromDepth = result.normalForce;
-  result.forceFromPressure = stiffness * sums.pressure;
-  result.tangentialForce = stiffness * sums.dissipation;
-  result.mu = sums.dissipation / sums.depth;
-  result.contactFraction = std::min(sums.contactLength / line.length, 1.0);
-  result.rmsSlopeContact =
-      sums.contactLength > 0 ? std::sqrt(sums.slopeSquared / sums.contactLength) : kNotGathered;
-  result.powerDissipated = result.tangentialForce * velocity;
-  result.powerIn = kNotGathered;
-  return result;
+constexpr std::size_t kCoarsest = 4;
+constexpr double kHardly = 1e-3;  // less says that this line may well be in complete contact
+
+/// Depths found so far at several forces and velocities of one line, and what they say about the
+/// next one. They change what a balance costs, not its answer beyond the residual.
+///
+/// results[row * velocities.size() + column], a row for each force (N, ascending), a column for
+/// each velocity (m/s, ascending); passes is 0 where a result is still to come.
+struct InitialGuess {
+  std::span<const double> forces, velocities;
+  std::span<SteadyResult> results;
+  /// Those of another line with the same spectrum, or none: depths over those at rest are alike.
+  std::span<const SteadyResult> others;
+  /// Depths (m) of the line at rest, of the last few rows, row k at k % kRests.
+  static constexpr std::size_t kRests = 4;
+  std::array<double, kRests> rests{};
+
+  SteadyResult& at(std::size_t row, std::size_t column) const {
+    return results[row * velocities.size() + column];
+  }
+  bool isKnown(std::size_t row, std::size_t column) const { return at(row, column).passes > 0; }
+
+  /// A depth (m) near the answer there.
+  double guess(std::size_t row, std::size_t column) const;
+
+ private:
+  double expected(std::size_t row, std::size_t column) const;
+  double excess(std::size_t row, std::size_t column) const;
+  double fromForces(std::size_t row, std::size_t column) const;
+};
+
+/// ln(depth / depth at rest) of the other line: 0 at rest and in full contact, negative in between.
+double InitialGuess::expected(std::size_t row, std::size_t column) const {
+  if (others.empty()) return 0;
+  const SteadyResult& other = others[row * velocities.size() + column];
+  if (!(other.depthAtRest > 0)) return 0;
+  const double sinking = std::log(other.indentation / other.depthAtRest);
+  return sinking < -kHardly ? sinking : 0;
+}
+
+/// What this line has beyond that.
+double InitialGuess::excess(std::size_t row, std::size_t column) const {
+  return std::log(at(row, column).indentation / rests[row % kRests]) - expected(row, column);
+}
+
+/// The excess by Lagrange's polynomial in the logarithm of the force, through the rows before.
+double InitialGuess::fromForces(std::size_t row, std::size_t column) const {
+  constexpr std::size_t kMostRows = kRests - 1;
+  std::size_t rows = 0;
+  double x[kMostRows], y[kMostRows];
+  while (rows < std::min(row, kMostRows) && isKnown(row - 1 - rows, column)) {
+    x[rows] = std::log(forces[row - 1 - rows]);
+    y[rows] = excess(row - 1 - rows, column);
+    ++rows;
+  }
+  const double to = std::log(forces[row]);
+  double sum = 0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    double share = y[i];
+    for (std::size_t k = 0; k < rows; ++k)
+      if (k != i) share *= (to - x[k]) / (x[i] - x[k]);
+    sum += share;
+  }
+  return sum;
+}
+
+double InitialGuess::guess(std::size_t row, std::size_t column) const {
+  const std::size_t count = velocities.size();
+  std::size_t left = column, right = column;
+  while (left > 0 && !isKnown(row, left - 1)) --left;
+  while (right + 1 < count && !isKnown(row, right + 1)) ++right;
+  const auto error = [&](std::size_t known) { return excess(row, known) - fromForces(row, known); };
+  const bool hasLeft = left > 0, hasRight = right + 1 < count;
+  double correction = 0;
+  if (hasLeft && hasRight) {
+    const double low = std::log(velocities[left - 1]), high = std::log(velocities[right + 1]);
+    const double t = (std::log(velocities[column]) - low) / (high - low);
+    correction = (1 - t) * error(left - 1) + t * error(right + 1);
+  } else if (hasLeft || hasRight) {
+    correction = error(hasLeft ? left - 1 : right + 1);
+  }
+  const double sinking = expected(row, column) + fromForces(row, column) + correction;
+  return rests[row % kRests] * std::exp(std::min(sinking, 0.0));
+}
+
+/// The n-th of `count` columns in the order in which they are best computed: every fourth, then
+/// those halfway, and so on, so that most lie between known ones.
+std::size_t columnInOrder(std::size_t n, std::size_t count) {
+  const std::size_t first = (count + kCoarsest - 1) / kCoarsest;
+  if (n < first) return n * kCoarsest;
+  n -= first;
+  for (std::size_t stride = kCoarsest; stride > 1; stride /= 2) {
+    const std::size_t half = stride / 2;
+    const std::size_t here = count > half ? (count - half + stride - 1) / stride : 0;
+    if (n < here) return half + n * stride;
+    n -= here;
+  }
+  return count - 1;
 }
 
 /// Whether contact is complete, and then what a pass would find: no edge of contact is sought.
-bool takeComplete(const PreparedProfile& line, double depth, double memory, PassSums& sums) {
-  if (!isContactComplete(line, depth, memory)) return false;
-  const StateSums state = completeState(line, depth, memory);
-  sums = {state.depth,
-          state.stiffness,
-          state.pressure,
-          state.dissipation,
-          state.contactLength,
-          state.slopeSquared,
-          0};
+bool takeComplete(const PreparedProfile& line, double depth, double relaxationLength,
+                  PassSums& sums) {
+  if (!isContactComplete(line, depth, relaxationLength)) return false;
+  sums = completeContactSums(line, depth, relaxationLength);
   return true;
 }
 
@@ -56,40 +128,34 @@ class SweepQueue final : public PassQueue {
  public:
   SweepQueue(const PreparedProfile& line, const SlidingConditions& conditions,
              const InitialGuess& table, const std::stop_token& stop)
-      : line_(line),
-        stiffness_(4 * conditions.shearModulus),
-        tau_(conditions.relaxationTime),
-        table_(table),
-        stop_(stop) {}
+      : line_(line), conditions_(conditions), table_(table), stop_(stop) {}
 
   bool isStopped() const override { return stop_.stop_requested(); }
 
-  bool begin(std::size_t lane, PassRequest& task) override {
+  bool begin(std::size_t lane, PassRequest& request) override {
     Lane& one = lanes_[lane];
     do {
       if (begun_ == table_.results.size() || isStopped()) return false;
       startNext(one);
     } while (isComplete(one));
     hasSearched_ = true;
-    const double lowest = one.load / line_.length;
-    one.balance.start(lowest, lowest + line_.meanRise, table_.guess(one.row, one.column));
-    task = taskOf(one);
+    one.balance.start(line_, one.load, table_.guess(one.row, one.column));
+    request = requestFor(one);
     return true;
   }
 
   bool hasSearched() const { return hasSearched_; }
 
-  bool next(std::size_t lane, const PassSums& sums, PassRequest& task) override {
+  bool next(std::size_t lane, const PassSums& sums, PassRequest& request) override {
     Lane& one = lanes_[lane];
-    one.balance.take(sums, one.load);
-    looksOf(one.column) = sums.segmentsInspected;
+    one.balance.take(sums);
+    segmentsInspected(one.column) = sums.segmentsInspected;
     if (!one.balance.isDone()) {
-      task = taskOf(one);
+      request = requestFor(one);
       return !isStopped();
     }
-    finish(one, one.balance.bestSums(), one.balance.bestDepth(), one.balance.passes(),
-           one.balance.residual());
-    return begin(lane, task);
+    finish(one, one.balance.balance(), one.balance.sums());
+    return begin(lane, request);
   }
 
  private:
@@ -97,7 +163,7 @@ class SweepQueue final : public PassQueue {
     std::size_t row, column;
     double load;  // m^2, per 4G
     double rest;  // m
-    StreamBalance balance;
+    ForceBalance balance;
   };
 
   void startNext(Lane& one) {
@@ -105,7 +171,7 @@ class SweepQueue final : public PassQueue {
     one.row = begun_ / columns;
     one.column = columnInOrder(begun_ % columns, columns);
     ++begun_;
-    one.load = table_.forces[one.row] / stiffness_;
+    one.load = table_.forces[one.row] / (4 * conditions_.shearModulus);
     double& rest = table_.rests[one.row % InitialGuess::kRests];
     if (one.row != restRow_) {
       rest = depthAtRest(line_, one.load, stop_);
@@ -115,43 +181,41 @@ class SweepQueue final : public PassQueue {
   }
 
   bool isComplete(const Lane& one) {
-    const double depth = depthOfComplete(line_, one.load);
+    const double depth = completeContactDepth(line_, one.load);
     PassSums sums;
-    if (!takeComplete(line_, depth, memoryOf(one), sums)) return false;
-    finish(one, sums, depth, 1, std::abs(sums.depth / one.load - 1));
+    if (!takeComplete(line_, depth, at(one.column).relaxationLength(), sums)) return false;
+    finish(one, {depth, 1, std::abs(sums.depth / one.load - 1)}, sums);
     return true;
   }
 
-  void finish(const Lane& one, const PassSums& sums, double depth, int passes, double residual) {
+  void finish(const Lane& one, const Balance& balance, const PassSums& sums) {
     SteadyResult& result = table_.at(one.row, one.column);
-    result = resultOf(line_, stiffness_, table_.velocities[one.column], sums, depth);
-    result.passes = passes;
-    result.residual = residual;
+    result = steadyResult(line_, at(one.column), balance, sums);
     result.depthAtRest = one.rest;
-    result.status = statusOf(result);
   }
 
-  double memoryOf(const Lane& one) const { return table_.velocities[one.column] * tau_; }
+  SlidingConditions at(std::size_t column) const {
+    return {conditions_.shearModulus, conditions_.relaxationTime, table_.velocities[column]};
+  }
 
   /// Long passes are cut, by what the last one at this velocity cost, or might.
-  PassRequest taskOf(const Lane& one) {
-    constexpr double kLooksOfPart = 48, kMostParts = 4096, kSegmentsToALook = 1024;
-    double& segmentsInspected = looksOf(one.column);
-    if (segmentsInspected == 0)
-      segmentsInspected = static_cast<double>(line_.segments()) / kSegmentsToALook;
-    const double parts = std::clamp(segmentsInspected / kLooksOfPart, 1.0, kMostParts);
-    return {one.balance.depth(), memoryOf(one), static_cast<int>(parts)};
+  PassRequest requestFor(const Lane& one) {
+    constexpr double kInspectedByPart = 48, kMostParts = 4096, kSegmentsToOneInspected = 1024;
+    double& inspected = segmentsInspected(one.column);
+    if (inspected == 0) inspected = static_cast<double>(line_.segments()) / kSegmentsToOneInspected;
+    const double parts = std::clamp(inspected / kInspectedByPart, 1.0, kMostParts);
+    return {one.balance.depth(), at(one.column).relaxationLength(), static_cast<int>(parts)};
   }
-  double& looksOf(std::size_t column) { return looks_[column % looks_.size()]; }
+  double& segmentsInspected(std::size_t column) { return inspected_[column % inspected_.size()]; }
 
   const PreparedProfile& line_;
-  double stiffness_, tau_;
+  SlidingConditions conditions_;
   InitialGuess table_;
   std::stop_token stop_;
   std::size_t begun_ = 0, restRow_ = std::numeric_limits<std::size_t>::max();
   bool hasSearched_ = false;
   std::array<Lane, kMostStreams> lanes_;
-  std::array<double, 64> looks_{};
+  std::array<double, 64> inspected_{};  // by the last pass at each velocity
 };
 
 /// One pass for each velocity at a given depth.
@@ -169,15 +233,15 @@ class DepthQueue final : public PassQueue {
 
   bool isStopped() const override { return stop_.stop_requested(); }
 
-  bool begin(std::size_t lane, PassRequest& task) override {
+  bool begin(std::size_t lane, PassRequest& request) override {
     for (; begun_ < velocities_.size() && !isStopped(); ++begun_) {
-      const double memory = velocities_[begun_] * conditions_.relaxationTime;
+      const double c = at(begun_).relaxationLength();
       PassSums sums;
-      if (takeComplete(line_, depth_, memory, sums)) {
+      if (takeComplete(line_, depth_, c, sums)) {
         finish(begun_, sums);
         continue;
       }
-      task = {depth_, memory, 1};
+      request = {depth_, c, 1};
       columns_[lane] = begun_++;
       hasSearched_ = true;
       return true;
@@ -185,18 +249,19 @@ class DepthQueue final : public PassQueue {
     return false;
   }
 
-  bool next(std::size_t lane, const PassSums& sums, PassRequest& task) override {
+  bool next(std::size_t lane, const PassSums& sums, PassRequest& request) override {
     finish(columns_[lane], sums);
-    return begin(lane, task);
+    return begin(lane, request);
   }
 
   bool hasSearched() const { return hasSearched_; }
 
  private:
   void finish(std::size_t column, const PassSums& sums) {
-    results_[column] =
-        resultOf(line_, 4 * conditions_.shearModulus, velocities_[column], sums, depth_);
-    results_[column].passes = 1;
+    results_[column] = steadyResult(line_, at(column), depth_, sums);
+  }
+  SlidingConditions at(std::size_t column) const {
+    return {conditions_.shearModulus, conditions_.relaxationTime, velocities_[column]};
   }
 
   const PreparedProfile& line_;
@@ -211,7 +276,10 @@ class DepthQueue final : public PassQueue {
 };
 
 void runPasses(const PreparedProfile& line, PassQueue& queue) {
-  line.scheme == Scheme::Linear ? passStraight(line, queue) : passLanes(line, queue);
+  if (line.scheme == Scheme::Linear)
+    runLinearPasses(line, queue);
+  else
+    runCubicPasses(line, queue);
 }
 
 /// Depths to start from: the trend of the last two answers, which fall with velocity.
@@ -233,18 +301,25 @@ LaneValues guessesFor(std::span<const double> velocities, std::span<const double
 }
 
 /// Neighbouring velocities of the separate elements go side by side, group after group.
-bool sweepNodal(const PreparedProfile& line, const SlidingConditions& conditions, const Load& load,
-                std::span<const double> velocities, std::span<SteadyResult> results,
-                const std::stop_token& stop) {
-  NodalGroup group(line, conditions, load);
+bool sweepNodal(const PreparedProfile& line, const SlidingConditions& conditions,
+                double normalForce, std::span<const double> velocities,
+                std::span<SteadyResult> results, const std::stop_token& stop) {
+  const double load = normalForce / (4 * conditions.shearModulus);
   const std::size_t lanes = laneCount();
-  LaneValues guesses{};
+  LaneValues guesses{}, relaxationLengths{};
+  std::array<NodalBalance, kMostLanes> balances;
   for (std::size_t i = 0; i < velocities.size(); i += lanes) {
     const std::size_t count = std::min(lanes, velocities.size() - i);
-    if (i > 0)
-      guesses = guessesFor(velocities.subspan(i, count), velocities.first(i), results.first(i));
-    if (!group.solve(velocities.subspan(i, count), results.subspan(i, count), guesses, stop))
+    const std::span<const double> group = velocities.subspan(i, count);
+    if (i > 0) guesses = guessesFor(group, velocities.first(i), results.first(i));
+    for (std::size_t lane = 0; lane < count; ++lane)
+      relaxationLengths[lane] = group[lane] * conditions.relaxationTime;
+    if (!balanceNodalLanes(line, {relaxationLengths.data(), count}, load, guesses, stop,
+                           {balances.data(), count}))
       return false;
+    for (std::size_t lane = 0; lane < count; ++lane)
+      results[i + lane] = steadyResult(
+          line, {conditions.shearModulus, conditions.relaxationTime, group[lane]}, balances[lane]);
   }
   return true;
 }
@@ -264,13 +339,10 @@ bool slideAtForces(const PreparedProfile& line, const SlidingConditions& conditi
     return !stop.stop_requested();
   }
   countStage(Stage::ContactSearch);
-  for (std::size_t row = 0; row < forces.size(); ++row) {
-    Load load;
-    load.normalForce = forces[row];
-    if (!sweepNodal(line, conditions, load, velocities,
+  for (std::size_t row = 0; row < forces.size(); ++row)
+    if (!sweepNodal(line, conditions, forces[row], velocities,
                     results.subspan(row * velocities.size(), velocities.size()), stop))
       return false;
-  }
   return true;
 }
 
@@ -282,8 +354,11 @@ bool slideSweep(const PreparedProfile& line, const SlidingConditions& conditions
                          others);
   const FlushDenormals flush;
   if (line.scheme == Scheme::Nodal) {
-    countStage(Stage::ContactSearch);
-    return sweepNodal(line, conditions, load, velocities, results, stop);
+    // There is nothing to search for at a given depth.
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+      results[i] = slideAtDepth(
+          line, {conditions.shearModulus, conditions.relaxationTime, velocities[i]}, load.depth);
+    return true;
   }
   DepthQueue queue(line, conditions, load.depth, velocities, results, stop);
   runPasses(line, queue);

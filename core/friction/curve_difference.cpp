@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/input_error.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/realizations.h"
 #include "core/scene/effects.h"
-#include "core/base/input_error.h"
 #include "core/scene/parameters.h"
 #include "core/surface/line_source.h"
 
@@ -61,47 +61,28 @@ DifferencePoint pointOf(double velocity, const PairedMeans& means) {
 
 }  // namespace
 
-void PairedMeans::Moments::add(double value) {
-  count += 1;
-  const double step = value - mean;
-  mean += step / count;
-  squares += step * (value - mean);
-}
-
-double PairedMeans::Moments::meanWith(const Moments& other) const {
-  const double all = count + other.count;
-  return all > 0 ? mean + (other.mean - mean) * (other.count / all) : kNotApplicable;
-}
-
-double PairedMeans::Moments::standardErrorWith(const Moments& other) const {
-  const double all = count + other.count;
-  if (all < 2) return kNotApplicable;
-  const double apart = other.mean - mean;
-  const double sum = squares + other.squares + apart * apart * count * other.count / all;
-  return std::sqrt(sum / (all - 1) / all);
-}
-
 void PairedMeans::addPair(double a, double b) {
-  const double before = a - a_.mean;
+  const double before = a_.count() > 0 ? a - a_.mean() : 0;
   a_.add(a);
   b_.add(b);
-  products_ += before * (b - b_.mean);
+  products_ += before * (b - b_.mean());
 }
 
 /// With n pairs, N_a and N_b lines of each and ratio R, mean_b - R mean_a is a sum of independent
 /// terms: of a pair (b / N_b - R a / N_a), of a line that only one side has its own part.
 PairedMeans::Ratio PairedMeans::ratio() const {
   Ratio ratio{meanB() / meanA(), kNotApplicable};
-  const double n = a_.count;
+  const auto count = [](const RunningMean& mean) { return static_cast<double>(mean.count()); };
+  const double n = count(a_), onlyA = count(onlyA_), onlyB = count(onlyB_);
   if (n < 2 || !std::isfinite(ratio.value)) return ratio;
-  const double wa = ratio.value / (n + onlyA_.count), wb = 1 / (n + onlyB_.count);
+  const double wa = ratio.value / (n + onlyA), wb = 1 / (n + onlyB);
+  const double covariance = products_ / (n - 1);
   const double ofPairs =
-      (wb * wb * b_.squares - 2 * wa * wb * products_ + wa * wa * a_.squares) / (n - 1);
+      wb * wb * b_.variance() - 2 * wa * wb * covariance + wa * wa * a_.variance();
   // Lines of one side alone vary as all of that side do.
-  const double ofA = std::pow(a_.standardErrorWith(onlyA_), 2) * (n + onlyA_.count);
-  const double ofB = std::pow(b_.standardErrorWith(onlyB_), 2) * (n + onlyB_.count);
+  const double ofA = both(a_, onlyA_).variance(), ofB = both(b_, onlyB_).variance();
   const double variance =
-      n * std::max(0.0, ofPairs) + onlyA_.count * wa * wa * ofA + onlyB_.count * wb * wb * ofB;
+      n * std::max(0.0, ofPairs) + onlyA * wa * wa * ofA + onlyB * wb * wb * ofB;
   ratio.standardError = std::sqrt(variance) / std::abs(meanA());
   return ratio;
 }

@@ -70,19 +70,17 @@ class PairedMeans {
     double standardError = kNotApplicable;  // needs two pairs
   };
   Ratio ratio() const;
-  double meanA() const { return a_.meanWith(onlyA_); }
-  double meanB() const { return b_.meanWith(onlyB_); }
-  double standardErrorB() const { return b_.standardErrorWith(onlyB_); }
+  double meanA() const { return both(a_, onlyA_).mean(); }
+  double meanB() const { return both(b_, onlyB_).mean(); }
+  double standardErrorB() const { return both(b_, onlyB_).standardError(); }
 
  private:
-  /// Count, mean and sum of squared deviations.
-  struct Moments {
-    double count = 0, mean = 0, squares = 0;
-    void add(double value);
-    double meanWith(const Moments& other) const;
-    double standardErrorWith(const Moments& other) const;
-  };
-  Moments a_, b_, onlyA_, onlyB_;
+  static RunningMean both(RunningMean some, const RunningMean& others) {
+    some.add(others);
+    return some;
+  }
+
+  RunningMean a_, b_, onlyA_, onlyB_;
   double products_ = 0;  // sum of the products of deviations of pairs
 };
 

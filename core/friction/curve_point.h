@@ -1,14 +1,24 @@
-// One row of a friction curve. Plain values; the columns of interface.md in the same order.
+// The rows of a friction curve: one row, and how it is made of averages over realizations at one
+// velocity and of columns that come from the analytical law. Every way to compute a curve uses
+// these. Plain values; one thread at a time.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "core/scene/scene.h"
+#include "core/surface/line.h"
+
 namespace asperity {
+
+class LineSource;
+struct SteadyResult;
 
 /// Not applicable: empty in CSV, null in JSON, not drawn.
 inline constexpr double kNotApplicable = std::numeric_limits<double>::quiet_NaN();
 
+/// One row of a friction curve, in the order of its columns.
 struct CurvePoint {
   double velocity = 0;                            // m/s
   double mu = 0;                                  // mean over realizations
@@ -30,6 +40,71 @@ struct CurvePoint {
   /// Of `nodal`: mean over realizations of the share of its load that the element on the edge of
   /// contact bears, where F_N(d) jumps past the force; 1 where it does not jump.
   double marginalShare = kNotApplicable;
+};
+
+/// Mean and spread of a stream of numbers (Welford's recurrence).
+class RunningMean {
+ public:
+  void add(double value) {
+    ++count_;
+    const double step = value - mean_;
+    mean_ += step / static_cast<double>(count_);
+    squares_ += step * (value - mean_);
+  }
+  /// Adds all numbers of another stream (Chan, Golub and LeVeque 1983).
+  void add(const RunningMean& other) {
+    if (other.count_ == 0) return;
+    const std::int64_t all = count_ + other.count_;
+    const double part = static_cast<double>(other.count_) / static_cast<double>(all);
+    const double step = other.mean_ - mean_;
+    squares_ += other.squares_ + step * step * part * static_cast<double>(count_);
+    mean_ += step * part;
+    count_ = all;
+  }
+  double mean() const { return count_ > 0 ? mean_ : kNotApplicable; }
+  /// Of one number, with n - 1; needs two.
+  double variance() const {
+    return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : kNotApplicable;
+  }
+  /// Of the mean; needs two.
+  double standardError() const { return std::sqrt(variance() / static_cast<double>(count_)); }
+  std::int64_t count() const { return count_; }
+
+ private:
+  std::int64_t count_ = 0;
+  double mean_ = 0, squares_ = 0;
+};
+
+/// Averages of everything in a row but mu's standard error.
+struct CurveAverages {
+  RunningMean mu, muInterface, contactFraction, rmsSlopeContact, indentation, normalForce,
+      tangentialForce, marginalShare;
+  RunningMean rmsSlope, normalizedMu;  // of the whole line, and mu over that of its own line
+
+  /// Pressed by nothing a line has no coefficient; what is averaged is counted.
+  void add(const SteadyResult& result);
+  /// With contact, slope and indentation, and mu and its realizations.
+  CurvePoint point(double velocity) const;
+};
+
+/// Eqs. (5) to (14) for the lines of a scene. Pure after construction.
+class LawColumns {
+ public:
+  LawColumns(const Scene& scene, const LineSource& source);
+
+  /// Adds muLaw, normalizedMu and the dimensionless numbers; takes away muInterface where the scene
+  /// has no local friction, muRatioOfMeans where it gives the force, and marginalShare where the
+  /// scheme is not nodal. Lines that differ in their slope are normalized each by its own.
+  void addTo(CurvePoint& point, const CurveAverages& averages) const;
+
+ private:
+  double normalized(double mu, const CurveAverages& averages) const;
+
+  Scene scene_;
+  LineStatistics line_;
+  double length_;  // m
+  bool isRandom_, hasArms_, hasInterface_;
+  bool slopesDiffer_;  // from line to line
 };
 
 }  // namespace asperity

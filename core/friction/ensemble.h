@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/friction/curve_point.h"
+#include "core/scene/plan.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -45,5 +46,10 @@ std::vector<double> logSpaced(double from, double to, std::int64_t points);
 
 /// The same of a scene's velocities, m/s.
 std::vector<double> sweepVelocities(const Sweep& sweep);
+
+/// What the scene calls for (planOf), with one of its lines at hand: only then is it known whether
+/// contact is complete and the search for its edges is left out. Costs a line and a few passes.
+/// Failure: as SteadySolver and LineSource.
+std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose);
 
 }  // namespace asperity

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/base/jobs.h"
-#include "core/contact/balance_error.h"
 #include "core/contact/steady_solver.h"
 
 namespace asperity {
@@ -17,15 +16,16 @@ using Results = std::vector<SteadyResult>;
 /// What a thread uses again for one realization after another, of later ensembles too: the system
 /// takes longer to give and to take back the pages of a long line than it takes to fill them, and a
 /// cancelled ensemble would wait for that. Lines far shorter than the last one begin afresh.
-struct Memory {
+struct Buffers {
   Line line;
-  PreparedProfile travel;
+  PreparedProfile profile;
 
-  static Memory& forNodes(std::int64_t nodes) {
+  static Buffers& forNodes(std::int64_t nodes) {
     constexpr std::int64_t kMostSpare = 16;
-    thread_local Memory memory;
-    if (static_cast<std::int64_t>(memory.line.height.capacity()) > kMostSpare * nodes) memory = {};
-    return memory;
+    thread_local Buffers buffers;
+    if (static_cast<std::int64_t>(buffers.line.height.capacity()) > kMostSpare * nodes)
+      buffers = {};
+    return buffers;
   }
 };
 
@@ -48,12 +48,12 @@ class Realizations {
  private:
   /// Cut short where stop is requested.
   Results slide(std::int64_t realization) {
-    Memory& memory = Memory::forNodes(task_.source.nodes());
+    Buffers& buffers = Buffers::forNodes(task_.source.nodes());
     const Scheme scheme = task_.scene.accuracy.scheme;
     // A long line takes as long as all the rest.
     const Slopes slopes = scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted;
-    if (!task_.source.makeInto(memory.line, realization, slopes, stop_) ||
-        !prepareProfileInto(memory.travel, memory.line, scheme, Direction::Forward, stop_))
+    if (!task_.source.makeInto(buffers.line, realization, slopes, stop_) ||
+        !prepareProfileInto(buffers.profile, buffers.line, scheme, Direction::Forward, stop_))
       return {};
     std::size_t count = 0;
     for (const LoadCase& one : task_.cases) count += one.velocities.size();
@@ -65,8 +65,8 @@ class Realizations {
       left = left.subspan(row.size());
       const auto other = others.first(others.empty() ? 0 : row.size());
       others = others.subspan(other.size());
-      if (!sliding_.sweep(memory.travel, one.load, one.velocities, row, stop_, other)) return {};
-      for (SteadyResult& result : row) result.rmsSlopeLine = memory.travel.rmsSlope;
+      if (!sliding_.sweep(buffers.profile, one.load, one.velocities, row, stop_, other)) return {};
+      for (SteadyResult& result : row) result.rmsSlopeLine = buffers.profile.rmsSlope;
       requireBalances(one, row, realization);
     }
     return results;

@@ -109,7 +109,7 @@ double Study::marginalFraction(std::size_t j, std::size_t i) const {
 }
 
 LawInput Study::lawInput(std::size_t j, std::size_t i) const {
-  const SlidingConditions conditions = conditionsOf(scene_, velocities(j)[i]);
+  const SlidingConditions conditions = slidingConditions(scene_, velocities(j)[i]);
   return {conditions.shearModulus, conditions.relaxationTime, length_,        line_.rmsHeight,
           line_.rmsSlope,          scene_.surface.hurst,      normalForce(j), velocities(j)[i]};
 }

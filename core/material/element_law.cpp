@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/base/input_error.h"
 #include "core/base/range_text.h"
-#include "core/material/temperature_shift.h"
 
 namespace asperity {
 namespace {
@@ -64,6 +64,22 @@ double ElementLaw::springModulus() const {
 
 double ElementLaw::glassyModulus() const {
   return viscosity > 0 ? std::numeric_limits<double>::infinity() : springModulus();
+}
+
+double shiftFactor(const TemperatureShift& shift, double temperature) {
+  const double above = temperature - shift.referenceTemperature;
+  if (above == 0) return 1;
+  if (!(above > -shift.c2))
+    throw InputError("", "elastomer.temperature",
+                     fmt::format("{} K is not above {} K, reference_temperature - c2, where the "
+                                 "shift ends",
+                                 temperature, shift.referenceTemperature - shift.c2));
+  const double decades = -shift.c1 * above / (shift.c2 + above);
+  if (!(std::abs(decades) <= kMostDecades))
+    throw InputError("", "elastomer.temperature",
+                     fmt::format("{} K shifts the times by {:.3g} decades; allowed is {}",
+                                 temperature, decades, kMostDecades));
+  return std::pow(10, decades);
 }
 
 ElementLaw lawOf(const Elastomer& elastomer) {

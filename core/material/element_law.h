@@ -33,6 +33,16 @@ struct ElementLaw {
   bool operator==(const ElementLaw&) const = default;
 };
 
+/// Decades beyond which a shift says nothing any more.
+inline constexpr double kMostDecades = 30;
+
+/// The factor a_T > 0 by which temperature multiplies every relaxation time and the viscosity:
+/// log10 a_T = -c1 (T - T_r) / (c2 + T - T_r), Williams, Landel and Ferry, J. Am. Chem. Soc. 77,
+/// 3701 (1955). Valid from the glass transition to about 100 K above it; the moduli stay as they
+/// are, so mu(v, T) = mu(v a_T, T_r). Exactly 1 at the reference temperature. Throws InputError
+/// (elastomer.temperature) at or below T_r - c2, where there is no shift, and beyond kMostDecades.
+double shiftFactor(const TemperatureShift& shift, double temperature);
+
 /// Throws InputError where the elastomer cannot be: nothing in it, a standard solid without its
 /// one arm, a temperature without a shift.
 ElementLaw lawOf(const Elastomer& elastomer);

@@ -17,7 +17,7 @@ namespace {
 
 struct Contact {
   Line line;
-  PreparedProfile travel;
+  PreparedProfile profile;
   SteadyResult steady;
   std::vector<double> depth, pressure;  // at the line's nodes; m and N/m
 };
@@ -25,12 +25,12 @@ struct Contact {
 Contact contactOf(const Scene& scene) {
   const LineSource source(scene, pointsPerElementOfCurve(scene));  // as all figures
   Contact contact{source.make(0), {}, {}, {}, {}};
-  contact.travel = prepareProfile(contact.line, scene.accuracy.scheme);
-  const SlidingConditions conditions = conditionsOf(scene, scene.sliding.velocity);
-  contact.steady = slideAtLoad(contact.travel, conditions, scene.load);
-  const NodeShape shape = shapeAt(contact.travel, conditions, contact.steady.indentation);
-  contact.depth = inLineOrder(contact.travel, shape.depth);
-  contact.pressure = inLineOrder(contact.travel, shape.pressure);
+  contact.profile = prepareProfile(contact.line, scene.accuracy.scheme);
+  const SlidingConditions conditions = slidingConditions(scene, scene.sliding.velocity);
+  contact.steady = slideAtLoad(contact.profile, conditions, scene.load);
+  const NodeShape shape = shapeAt(contact.profile, conditions, contact.steady.indentation);
+  contact.depth = inLineOrder(contact.profile, shape.depth);
+  contact.pressure = inLineOrder(contact.profile, shape.pressure);
   for (double& pressure : contact.pressure) pressure *= 4 * scene.elastomer.shearModulus;
   return contact;
 }
@@ -38,7 +38,7 @@ Contact contactOf(const Scene& scene) {
 std::string tableOf(const Contact& contact) {
   std::string text =
       joinedColumns({"position", "line_height", "surface_height", "pressure"}) + "\n";
-  const double down = contact.travel.lowestHeight + contact.steady.indentation;
+  const double down = contact.profile.lowestHeight + contact.steady.indentation;
   for (std::size_t i = 0; i < contact.line.nodes(); ++i)
     text += fmt::format("{},{},{},{}\n", static_cast<double>(i) * contact.line.spacing,
                         contact.line.height[i] - down, -contact.depth[i], contact.pressure[i]);
@@ -78,7 +78,7 @@ Claim balanceClaim(const Contact& contact) {
 
 Claim unilateralClaim(const Contact& contact) {
   double worst = 0, largest = 0;
-  const double down = contact.travel.lowestHeight + contact.steady.indentation;
+  const double down = contact.profile.lowestHeight + contact.steady.indentation;
   for (std::size_t i = 0; i < contact.line.nodes(); ++i) {
     worst = std::max(worst, down - contact.line.height[i] - contact.depth[i]);
     largest = std::max(largest, contact.depth[i]);

@@ -5,7 +5,7 @@
 
 #include "core/base/jobs.h"
 #include "core/contact/march/time_march.h"
-#include "core/friction/fit.h"
+#include "core/friction/curve_features.h"
 #include "core/paper/literal_march.h"
 #include "core/surface/line_source.h"
 
@@ -65,14 +65,14 @@ struct Start {
 
 Start steadyStart(const Line& line, Scheme scheme, const SlidingConditions& conditions,
                   double force) {
-  const PreparedProfile travel = prepareProfile(line, scheme);
-  const SteadyResult steady = slideAtForce(travel, conditions, force);
-  const NodeShape shape = shapeAt(travel, conditions, steady.indentation);
-  return {inLineOrder(travel, shape.depth), steady.indentation, travel.lowestHeight};
+  const PreparedProfile profile = prepareProfile(line, scheme);
+  const SteadyResult steady = slideAtForce(profile, conditions, force);
+  const NodeShape shape = shapeAt(profile, conditions, steady.indentation);
+  return {inLineOrder(profile, shape.depth), steady.indentation, profile.lowestHeight};
 }
 
 Reading literal(const Line& line, const Scene& scene, double velocity, const LiteralSteps& steps) {
-  const SlidingConditions conditions = conditionsOf(scene, velocity);
+  const SlidingConditions conditions = slidingConditions(scene, velocity);
   const double force = scene.load.normalForce;
   const Start start = steadyStart(line, Scheme::Nodal, conditions, force);
   LiteralOptions march;
@@ -88,7 +88,7 @@ Reading literal(const Line& line, const Scene& scene, double velocity, const Lit
 Reading fineSteps(const std::shared_ptr<const Line>& line, const Scene& scene, double velocity,
                   std::int64_t perSpacing, const FineSteps& steps) {
   const double force = scene.load.normalForce;
-  const Start start = steadyStart(*line, Scheme::Cubic, conditionsOf(scene, velocity), force);
+  const Start start = steadyStart(*line, Scheme::Cubic, slidingConditions(scene, velocity), force);
   TimeMarch march(line, start.lowest, lawOf(scene.elastomer));
   march.setState(start.depth, start.indentation);
   const MarchLoad load{LoadKind::Force, force, 0};

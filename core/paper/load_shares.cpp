@@ -19,7 +19,7 @@ LoadShares::LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int
     for (const LoadCase& one : cases_)
       for (const double velocity : one.velocities) {
         if (options.stop.stop_requested()) return;
-        sums.push_back(sumsOf(line, conditionsOf(scene, velocity), one.load.normalForce));
+        sums.push_back(sumsOf(line, slidingConditions(scene, velocity), one.load.normalForce));
       }
   });
   if (options.stop.stop_requested()) throw StudyStopped{};

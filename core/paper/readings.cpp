@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/friction/curve_features.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/fit.h"
 
 namespace asperity {
 namespace {
@@ -30,7 +30,7 @@ double velocityExponent(const Study& study, std::size_t j, std::size_t first, st
 }
 
 Plateau plateauOf(const Study& study, std::size_t j, int leftOut) {
-  const CurveMaximum maximum = maximumOf(study.velocities(j), normalizedCurve(study, j, leftOut));
+  const CurveMaximum maximum = curveMaximum(study.velocities(j), normalizedCurve(study, j, leftOut));
   return {maximum.velocity, maximum.value};
 }
 

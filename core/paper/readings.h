@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/friction/regions.h"
+#include "core/friction/curve_features.h"
 #include "core/friction/study.h"
 
 namespace asperity {

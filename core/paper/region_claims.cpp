@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/friction/ensemble.h"
 #include "core/chart/curve_regions.h"
-#include "core/paper/load_shares.h"
-#include "core/friction/fit.h"
+#include "core/friction/curve_features.h"
+#include "core/friction/ensemble.h"
 #include "core/material/element_law.h"
+#include "core/paper/load_shares.h"
 
 namespace asperity {
 namespace {

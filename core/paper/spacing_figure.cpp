@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include "core/friction/curve_features.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
 #include "core/paper/figures_each.h"
-#include "core/friction/fit.h"
 #include "core/scene/columns.h"
 
 namespace asperity {

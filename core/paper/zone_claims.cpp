@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/friction/curve_features.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/load_shares.h"
-#include "core/friction/fit.h"
 
 namespace asperity {
 namespace {

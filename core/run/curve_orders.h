@@ -44,7 +44,7 @@ class CurveOrders {
   /// under the scene's number; else a new one is ordered.
   void post(const PostedScene& scene);
 
-  /// What is under way or ordered is given up, and stays as far as it is.
+  /// Gives up the curve that is under way or ordered; it stays as far as it is.
   void stop();
   /// The same curve from its beginning.
   void start();

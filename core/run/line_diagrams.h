@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/chart/diagram.h"
-#include "core/friction/fit.h"
+#include "core/friction/curve_features.h"
 #include "core/run/frame.h"
 #include "core/scene/scene.h"
 #include "core/surface/line.h"

@@ -30,6 +30,7 @@ void throwIfStopped(const std::stop_token& stop) {
 /// A motion or the first part of one, cut so that steps keep their length.
 struct Piece {
   Scene scene;
+  const Profile* profile = nullptr;  // instead of that in the scene's file
   std::int64_t leastSteps = Transient::kLeastSteps;
   double windows = 1;
 };
@@ -40,8 +41,8 @@ double nodesOf(const RigidLine& rigid) {
 
 /// `part` of the motion, in whole parts of its least number of steps; of far more steps than those
 /// any part, because then no step is as long as the least number says.
-Piece pieceOf(const Scene& scene, double steps, double part) {
-  Piece piece{scene};
+Piece pieceOf(const Scene& scene, double steps, double part, const Profile* profile = nullptr) {
+  Piece piece{scene, profile};
   const auto all = static_cast<double>(Transient::kLeastSteps);
   const double kept = part * all < 1 ? part * all : std::min(std::ceil(part * all), all);
   piece.leastSteps = std::max<std::int64_t>(1, static_cast<std::int64_t>(kept));
@@ -147,7 +148,7 @@ Measured measure(const Scene& scene, const std::shared_ptr<const RigidLine>& rig
   error.timeStep = relativeDifference(mu, marchThrough(piece, rigid, 2, stop).mu);
   Piece fine = piece;
   fine.scene = refined(piece.scene);
-  const auto fineLine = std::make_shared<const RigidLine>(fine.scene);
+  const auto fineLine = std::make_shared<const RigidLine>(fine.scene, 0, piece.profile);
   const double difference = relativeDifference(mu, marchThrough(fine, fineLine, 1, stop).mu);
   (scene.accuracy.scheme == Scheme::Nodal ? error.modelDifference : error.resolution) = difference;
   error.settling = settlingOf(scene, rigid, Transient::kLeastSteps,
@@ -155,34 +156,37 @@ Measured measure(const Scene& scene, const std::shared_ptr<const RigidLine>& rig
   return measured;
 }
 
-/// Bytes of the march: what every element has, and its amplitudes.
+/// Bytes of the march: what every element has, and its amplitudes; with the march on fewer nodes
+/// that tells its error.
 double memoryOf(const Transient& transient, double elements) {
-  constexpr double kOfElement = 22;  // numbers of march, line, travel line and transform
+  constexpr double kOfElement = 36;  // numbers of march, line, travel line and transform
   const auto modes = static_cast<double>(transient.march().modes().modes());
   return elements * (kOfElement + modes) * sizeof(double);
 }
 
 /// The scene, or with a shorter line where the fewest steps of all elements are more than allowed.
-Scene sampleFor(const Scene& scene, double weight, double allowed) {
-  const std::int64_t points = pointsPerElement(scene);
-  const double ofElement =
-      kMarches * kLeastWindows * kWindow * weight * static_cast<double>(points);
-  Scene sample = shortened(scene, shorteningFor(scene, ofElement, allowed));
-  if (scene.accuracy.scheme != Scheme::Nodal) sample.accuracy = {scene.accuracy.scheme, points, 0};
+PilotScene sampleFor(const PilotScene& whole, double weight, double allowed) {
+  const Accuracy& accuracy = whole.scene.accuracy;
+  const std::int64_t points = pointsPerElement(whole.scene);
+  PilotScene sample = sampleWithin(whole, kMarches * kLeastWindows * kWindow * weight,
+                                   static_cast<double>(points), allowed);
+  if (accuracy.scheme != Scheme::Nodal) sample.scene.accuracy = {accuracy.scheme, points, 0};
   return sample;
 }
 
 /// A motion at time 0, and what it took to get there.
 struct Beginning {
-  explicit Beginning(const Scene& its)
-      : scene(its),
+  explicit Beginning(const PilotScene& sample)
+      : scene(sample.scene),
         start(threadSeconds()),
-        rigid(std::make_shared<const RigidLine>(scene)),
+        profile(sample.profile()),
+        rigid(std::make_shared<const RigidLine>(scene, 0, profile.get())),
         transient(scene, rigid),
         seconds(threadSeconds() - start) {}
 
   Scene scene;
   double start;
+  std::unique_ptr<const Profile> profile;
   std::shared_ptr<const RigidLine> rigid;
   Transient transient;
   double seconds;
@@ -192,19 +196,20 @@ struct Beginning {
 
 Prediction predictMotion(const Scene& scene, const std::stop_token& stop) {
   const double weight = weightOf(lawOf(scene.elastomer)), leastSteps = kLeastWindows * kWindow;
+  const PilotScene whole(scene, lineExtent(scene));
   // A shorter line has as many steps, so it says first how much the pilot may do.
-  const double steps = Beginning(sampleFor(scene, weight, kLeastWork)).transient.countSteps();
+  const double steps = Beginning(sampleFor(whole, weight, kLeastWork)).transient.countSteps();
   Prediction prediction;
   prediction.steps = steps;
-  prediction.elements = elementsOf(scene) * static_cast<double>(pointsPerElement(scene));
+  prediction.elements = whole.elements() * static_cast<double>(pointsPerElement(scene));
   prediction.runOperations = steps * prediction.elements * weight;
   const double allowed = std::clamp(0.1 * prediction.runOperations, kLeastWork, kMostWork);
-  const Beginning begin(sampleFor(scene, weight, allowed));
+  const Beginning begin(sampleFor(whole, weight, allowed));
   const double elements = nodesOf(*begin.rigid), larger = prediction.elements / elements;
   prediction.lines = prediction.simulations = 1;
   prediction.memory = memoryOf(begin.transient, prediction.elements);
   const double wanted = std::max(allowed / (kMarches * elements * weight), leastSteps);
-  const Piece piece = pieceOf(begin.scene, steps, wanted / steps);
+  const Piece piece = pieceOf(begin.scene, steps, wanted / steps, begin.profile.get());
   const Measured measured = measure(begin.scene, begin.rigid, piece, stop);
   prediction.operations = kMarches * measured.march.steps * elements * weight;
   prediction.error = measured.error;

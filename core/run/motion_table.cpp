@@ -6,11 +6,13 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "core/base/input_error.h"
 #include "core/base/jobs.h"
 #include "core/base/printed_number.h"
+#include "core/base/read_number.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/study.h"
@@ -30,13 +32,20 @@ constexpr double kMostRows = 5e6;           // of all lines
 constexpr std::int64_t kParts = 400;        // of a motion's duration, in its picture
 constexpr std::int64_t kStepsToTell = 256;  // between two calls of `progress`
 
+/// The number with 15 digits, which a sum of steps has, so that 0.5 is not 0.49999999999999994.
+double withoutRounding(double time) {
+  double rounded = time;
+  readNumber(fmt::format("{:.15g}", time), rounded);
+  return rounded;
+}
+
 /// In the order of the table; the realization follows.
 struct MotionColumn {
   ColumnName name;
   double (*value)(const TransientSample& row);
 };
 constexpr std::array<MotionColumn, 11> kMotionColumns{{
-    {"time", [](const TransientSample& row) { return row.time; }},
+    {"time", [](const TransientSample& row) { return withoutRounding(row.time); }},
     {"displacement", [](const TransientSample& row) { return row.distance; }},
     {"velocity", [](const TransientSample& row) { return row.velocity; }},
     {"normal_force", [](const TransientSample& row) { return row.normalForce; }},
@@ -124,6 +133,62 @@ class MotionMeans {
   double errors_ = 0, values_ = 0, known_ = 0;
 };
 
+/// The lowest and the highest value of every part of a motion, in the order in which they came: a
+/// picture of them shows each peak of all the steps, however many there are.
+class MotionEnvelope {
+ public:
+  explicit MotionEnvelope(double duration) : duration_(duration) {}
+
+  void add(const TransientSample& row) {
+    const auto at = static_cast<std::int64_t>(row.time / duration_ * kStrokes);
+    Part& part = parts_[static_cast<std::size_t>(std::clamp<std::int64_t>(at, 0, kStrokes - 1))];
+    if (part.steps++ == 0) part.first = row.time;
+    part.last = row.time;
+    for (std::size_t i = 0; i < kDrawn.size(); ++i) {
+      const double value = row.*kDrawn[i];
+      Extremes& known = part.extremes[i];
+      if (value < known.low) known = {value, known.high, false};
+      if (value > known.high) known = {known.low, value, true};
+    }
+    if (std::isfinite(row.muError)) part.muError = std::max(part.muError, row.muError);
+  }
+
+  /// One moment of a part with one step, two of the others.
+  std::vector<TransientSample> samples() const {
+    std::vector<TransientSample> samples;
+    for (const Part& part : parts_)
+      for (int end = 0; end < std::min(part.steps, 2); ++end) {
+        TransientSample& sample = samples.emplace_back();
+        sample.time = end == 0 ? part.first : part.last;
+        for (std::size_t i = 0; i < kDrawn.size(); ++i) {
+          const Extremes& known = part.extremes[i];
+          const bool isHigh = known.isHighLast == (end == 1);
+          sample.*kDrawn[i] = isHigh ? known.high : known.low;
+        }
+        if (part.muError > 0) sample.muError = part.muError;
+      }
+    return samples;
+  }
+
+ private:
+  static constexpr std::int64_t kStrokes = 1500;  // more than a usual picture has pixels across
+  static constexpr std::array kDrawn{
+      &TransientSample::velocity, &TransientSample::mu, &TransientSample::indentation,
+      &TransientSample::contactFraction, &TransientSample::contactLength};
+  struct Extremes {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    bool isHighLast = true;
+  };
+  struct Part {
+    int steps = 0;
+    double first = 0, last = 0, muError = 0;
+    std::array<Extremes, kDrawn.size()> extremes{};
+  };
+
+  double duration_;
+  std::vector<Part> parts_ = std::vector<Part>(kStrokes);
+};
+
 /// Tells the steps of all lines from whichever thread marches.
 class StepCounter {
  public:
@@ -144,13 +209,15 @@ class StepCounter {
 
 /// Every step of one line.
 void marchLine(Transient transient, std::int64_t every, const MotionOptions& options,
-               StepCounter& counter, std::vector<TransientSample>& rows, MotionMeans& means) {
+               StepCounter& counter, std::vector<TransientSample>& rows, MotionMeans& means,
+               MotionEnvelope* envelope) {
   double before = 0;
   std::int64_t untold = 0;
   for (std::int64_t step = 1; !transient.isOver(); ++step) {
     if (options.stop.stop_requested()) return;
     const TransientSample row = transient.singleStep();
     means.add(row, row.time - before);
+    if (envelope) envelope->add(row);
     before = row.time;
     if (step % every == 0 || transient.isOver()) rows.push_back(row);
     if (++untold < kStepsToTell && !transient.isOver()) continue;
@@ -194,6 +261,7 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
   table.hasInterface = hasLocalFriction(scene);
   table.lines.resize(static_cast<std::size_t>(options.lines));
   std::vector<MotionMeans> means(table.lines.size(), MotionMeans(scene.sliding.duration));
+  MotionEnvelope envelope(scene.sliding.duration);  // of a line that is drawn by itself
   StepCounter counter(options, options.lines * static_cast<std::int64_t>(steps));
   Jobs(options.threads).run(options.lines, [&](std::int64_t line) {
     if (options.stop.stop_requested()) return;
@@ -201,12 +269,13 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
     Transient transient =
         line == 0 ? beginning : Transient(scene, std::make_shared<const RigidLine>(scene, line));
     transient.estimateErrors(scene);
-    marchLine(std::move(transient), table.every, options, counter, table.lines[place],
-              means[place]);
+    marchLine(std::move(transient), table.every, options, counter, table.lines[place], means[place],
+              options.lines == 1 ? &envelope : nullptr);
   });
   if (options.stop.stop_requested()) throw StudyStopped{};
   for (std::size_t i = 1; i < means.size(); ++i) means[0].add(means[i]);
   table.mean = means[0].means(options.lines);
+  table.drawn = options.lines == 1 ? envelope.samples() : table.mean;
   table.muError = means[0].error();
   table.relativeError = means[0].relativeError();
   return table;
@@ -255,8 +324,8 @@ std::string motionJson(const Scene& scene, const MotionTable& table) {
 }
 
 DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {
-  DiagramSheet sheet = transientSheet(scene, table.mean, table.spacing, table.length);
-  sheet.diagrams.push_back(contactStrip(scene, table.mean));
+  DiagramSheet sheet = transientSheet(scene, table.drawn, table.spacing, table.length);
+  sheet.diagrams.push_back(contactStrip(scene, table.drawn));
   sheet.title = scene.title;
   sheet.subtitle = parametersInWords(scene);
   if (sheet.status.empty()) sheet.note.clear();  // without a guide there is none to explain

@@ -31,6 +31,9 @@ struct MotionOptions {
 struct MotionTable {
   std::vector<std::vector<TransientSample>> lines;  // of single steps
   std::vector<TransientSample> mean;  // of all lines, over equal parts of the duration
+  /// What a picture shows: of one line the lowest and highest values of short parts of the
+  /// duration, so that it shows the peaks of all steps; of several lines their mean.
+  std::vector<TransientSample> drawn;
   std::int64_t every = 1;
   double muError = kNotApplicable;        // estimated, of the discretization: root mean square
   double relativeError = kNotApplicable;  // the same over the root mean square of mu
@@ -48,7 +51,7 @@ nlohmann::ordered_json motionProvenance(const std::string& verb, const Scene& sc
                                         const MotionTable& table);
 std::string motionJson(const Scene& scene, const MotionTable& table);
 
-/// Velocity, friction, indentation and contact over time: means of all lines.
+/// Velocity, friction, indentation and contact over time.
 DiagramSheet motionSheet(const Scene& scene, const MotionTable& table);
 
 }  // namespace asperity

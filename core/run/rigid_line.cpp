@@ -13,8 +13,8 @@ namespace asperity {
 RigidLine::RigidLine(Line made, Scheme scheme)
     : line(std::make_shared<Line>(std::move(made))), travel(prepareProfile(*line, scheme)) {}
 
-RigidLine::RigidLine(const Scene& scene, std::int64_t realization)
-    : RigidLine(LineSource(scene, pointsPerElement(scene)).make(realization),
+RigidLine::RigidLine(const Scene& scene, std::int64_t realization, const Profile* profile)
+    : RigidLine(LineSource(scene, pointsPerElement(scene), profile).make(realization),
                 scene.accuracy.scheme) {
   countStage(Stage::Line);
 }

@@ -9,12 +9,14 @@
 #include "core/contact/march/time_march.h"
 #include "core/contact/steady_solver.h"
 #include "core/scene/scene.h"
+#include "core/surface/profile_file.h"
 
 namespace asperity {
 
 struct RigidLine {
-  /// At the scene's own accuracy.
-  explicit RigidLine(const Scene& scene, std::int64_t realization = 0);
+  /// At the scene's own accuracy. profile: instead of that in the scene's file.
+  explicit RigidLine(const Scene& scene, std::int64_t realization = 0,
+                     const Profile* profile = nullptr);
   /// Realization 0 with so many points to an element.
   static RigidLine withPoints(const Scene& scene, std::int64_t points);
 

@@ -8,9 +8,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "core/accuracy/target_curve.h"
-#include "core/base/input_error.h"
-#include "core/friction/ensemble.h"
+#include "core/accuracy/compute_curve.h"
 #include "core/run/simulation.h"
 
 namespace asperity {
@@ -138,7 +136,7 @@ struct Runner::Body {
       offer(work.number, last);
     };
     try {
-      Curve curve = curveOf(*work.scene.scene, curveOptions);
+      Curve curve = computeCurve(*work.scene.scene, curveOptions);
       if (!curve.isComplete || last.isComplete) return;
       last.points = std::move(curve.points);
       for (const CurvePoint& point : last.points)

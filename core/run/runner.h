@@ -33,7 +33,7 @@ struct RunnerOptions {
   std::function<void()> curveNews{};
 
   double secondsPerFrame() const { return 1 / framesPerSecond; }
-  /// Of the period, or of a motion's duration.
+  /// The part of the period, or of a motion's duration, that passes from frame to frame.
   double partPerFrame() const { return secondsPerFrame() / secondsPerPeriod; }
 };
 
@@ -51,7 +51,7 @@ class Runner {
   /// The same for a scene that has nothing to do with the one before: it begins at time 0.
   std::uint64_t open(Scene scene);
 
-  /// What frames hold besides, from now on; while paused there is another frame with it.
+  /// Frames hold these fields from now on; while paused, one more frame is made with them.
   void want(const FrameFields& fields);
 
   void play();

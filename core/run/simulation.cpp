@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/balance_error.h"
-#include "core/contact/interface.h"
-#include "core/contact/march/dissipation.h"
+#include "core/contact/march/time_march.h"
+#include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
 #include "core/run/contact_age.h"
 #include "core/run/rigid_line.h"
@@ -73,7 +72,7 @@ struct Simulation::Ready {
     sliding.emplace(*scene);
     steady = sliding->at(rigid->travel, scene->sliding.velocity);
     requireBalance(steady.result, velocity());
-    if (!std::isfinite(steady.result.mu)) throw unmetBalance(steady.result, velocity());
+    if (!std::isfinite(steady.result.mu)) throw balanceError(steady.result, velocity());
     const SteadyShape shape = sliding->shape(rigid->travel, velocity(), steady);
     greatestPressure = std::ranges::max(shape.nodes.pressure);
   }
@@ -358,7 +357,8 @@ Frame Simulation::marchedFrame() const {
   frame.spacing = ready_->line().spacing;
   frame.pressure = march().pressure();
   for (const double depth : march().depth()) frame.surfaceHeight.push_back(-depth);
-  for (const double rise : march().rise()) frame.lineHeight.push_back(rise - march().indentation());
+  for (const double height : march().heightAboveMinimum())
+    frame.lineHeight.push_back(height - march().indentation());
   frame.rmsHeight = ready_->line().rmsHeight;
   frame.rmsSlope = ready_->line().rmsSlope;
   addFields(frame);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/balance_error.h"
-#include "core/contact/march/dissipation.h"
+#include "core/contact/march/time_march.h"
+#include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
 #include "core/run/contact_age.h"
 #include "core/scene/effects.h"

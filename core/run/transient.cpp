@@ -5,8 +5,7 @@
 
 #include <stdexcept>
 
-#include "core/contact/balance_error.h"
-#include "core/contact/interface.h"
+#include "core/contact/steady_sliding.h"
 #include "core/run/contact_age.h"
 #include "core/scene/effects.h"
 #include "core/scene/plan.h"
@@ -160,11 +159,23 @@ double Transient::shortestStep() const {
   return std::min(longestStep_, rigid_->line->spacing / fastest) / division_;
 }
 
+/// Whole numbers of equal steps, because sums of them drift off.
+double Transient::timeAfter(double dt) {
+  if (dt != runStep_) {
+    run_ = 0;
+    runStep_ = dt;
+    runBegin_ = time_;
+  }
+  ++run_;
+  return runBegin_ + run_ * runStep_;
+}
+
 void Transient::stepOnce(double dt, Means& means) {
-  const double distance = motion_.distanceAt(time_ + dt) - motion_.distanceAt(time_);
+  const double next = timeAfter(dt);
+  const double distance = motion_.distanceAt(next) - motion_.distanceAt(time_);
   last_ = march_.step(marchLoadOf(load_), dt, distance);
   means.add(last_, dt, distance);
-  time_ += dt;
+  time_ = next;
   ++steps_;
 }
 
@@ -193,6 +204,7 @@ TransientSample Transient::marchTo(double time) {
     if (endsAtMark(dt)) {
       stepOnce(mark - time_, means);
       time_ = mark;  // to the last bit
+      runStep_ = 0;
     } else if (steps_ > before && !canReach(time)) {
       break;
     } else {

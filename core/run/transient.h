@@ -69,6 +69,7 @@ class Transient {
   double markAfter(double time) const;
   double estimateSteps() const;
   bool endsAtMark(double dt) const;
+  double timeAfter(double dt);
   void stepOnce(double dt, Means& means);
   void addError(TransientSample& sample);
 
@@ -83,6 +84,8 @@ class Transient {
   MarchStep last_;
   double relaxation_;  // s, of Kelvin elements; NaN of others
   double time_ = 0;
+  /// Equal steps in a row: their number, their length (s) and when they began (s).
+  double run_ = 0, runStep_ = 0, runBegin_ = 0;
   std::uint64_t steps_ = 0;
   std::vector<Transient> coarse_;  // none or one
   double coarseness_ = 1;          // its spacing over that of this one

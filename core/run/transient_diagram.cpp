@@ -9,6 +9,7 @@
 #include "core/base/printed_number.h"
 #include "core/friction/law.h"
 #include "core/material/element_law.h"
+#include "core/scene/effects.h"
 #include "core/scene/motion.h"
 
 namespace asperity {
@@ -43,7 +44,8 @@ Diagram strip(const Scene& scene, std::span<const TransientSample> samples, Diag
   return diagram;
 }
 
-/// What is known of the error as a band around the values, under their line.
+/// What is known of the error as a band around the values, under their line; the axis has room for
+/// it where it reaches 0, as of a body without friction.
 void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
   DiagramSeries band;
   band.isBand = true;
@@ -53,7 +55,15 @@ void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
     if (std::isfinite(sample.muError))
       band.points.push_back({sample.time, sample.mu, std::max(sample.mu - sample.muError, 0.0),
                              sample.mu + sample.muError});
-  if (band.points.size() > 1) diagram.series.insert(diagram.series.begin(), std::move(band));
+  if (band.points.size() < 2) return;
+  const double low = std::ranges::min(band.points, {}, &DiagramPoint::low).low;
+  const double high = std::ranges::max(band.points, {}, &DiagramPoint::high).high;
+  if (low < diagram.y.from || high > diagram.y.to) {
+    const AxisEnds ends = axisEnds(low, high, 0);
+    diagram.y.from = std::min(diagram.y.from, ends.from);
+    diagram.y.to = std::max(diagram.y.to, ends.to);
+  }
+  diagram.series.insert(diagram.series.begin(), std::move(band));
 }
 
 /// s, when the velocity last jumped before `now`; a start from rest jumps at 0. NaN: never.
@@ -82,14 +92,17 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
   DiagramSheet sheet;
   sheet.columns = 1;
   sheet.sharesAxis = true;
-  sheet.diagrams = {strip(scene, samples, {"velocity v", "m/s", AxisScale::Linear},
-                          &TransientSample::velocity, 0),
-                    strip(scene, samples, {"friction \u03BC", "", AxisScale::Linear},
-                          &TransientSample::mu, floors.friction),
-                    strip(scene, samples, {"indentation d", "m", AxisScale::Linear},
-                          &TransientSample::indentation, floors.indentation),
-                    strip(scene, samples, {"contact length \u2113", "m", AxisScale::Linear},
-                          &TransientSample::contactLength, floors.contactLength)};
+  sheet.diagrams = {
+      strip(scene, samples, {"velocity v", "m/s", AxisScale::Linear}, &TransientSample::velocity,
+            0),
+      strip(scene, samples,
+            {hasLocalFriction(scene) ? "friction \u03BC, deformation alone" : "friction \u03BC", "",
+             AxisScale::Linear},
+            &TransientSample::mu, floors.friction),
+      strip(scene, samples, {"indentation d", "m", AxisScale::Linear},
+            &TransientSample::indentation, floors.indentation),
+      strip(scene, samples, {"contact length \u2113", "m", AxisScale::Linear},
+            &TransientSample::contactLength, floors.contactLength)};
   addErrorBand(sheet.diagrams[1], samples);
   if (willRelax(scene))
     sheet.note =

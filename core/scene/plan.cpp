@@ -4,28 +4,17 @@
 
 #include <atomic>
 
+#include "core/material/element_law.h"
 #include "core/scene/effects.h"
-#include "core/material/temperature_shift.h"
 
 namespace asperity {
 namespace {
 
-constexpr std::array<std::string_view, kStages> kNames{"line",
-                                                       "roll-off",
-                                                       "summit correlation",
-                                                       "temperature shift",
-                                                       "free surface",
-                                                       "arms",
-                                                       "start from rest",
-                                                       "steady pass",
-                                                       "contact search",
-                                                       "closure of the period",
-                                                       "force balance",
-                                                       "time march",
-                                                       "interface friction",
-                                                       "velocity sweep",
-                                                       "averaging",
-                                                       "stored shape"};
+constexpr std::array<std::string_view, kStages> kNames{
+    "line",          "roll-off",        "summit correlation", "temperature shift", "free surface",
+    "arms",          "start from rest", "steady pass",        "contact search",    "periodicity",
+    "force balance", "time march",      "interface friction", "velocity sweep",    "averaging",
+    "stored shape"};
 
 bool hasElastomer(Purpose purpose) {
   return purpose != Purpose::Surface;
@@ -122,11 +111,11 @@ std::string whySearch(const Scene& scene, bool runs) {
              : "edges of contact are found inside the segments wherever contact is not complete";
 }
 
-std::string whyClosure(const Scene& scene, bool runs) {
+std::string whyPeriodicity(const Scene& scene, bool runs) {
   if (runs) return "arms must be after a period as they were before";
   return lawOf(scene.elastomer).arms.empty()
              ? "the lowest point is always in contact: the period closes in one pass"
-             : "there is no steady state to close";
+             : "there is no steady state";
 }
 
 std::string whyBalance(const Scene& scene, bool runs) {
@@ -164,10 +153,10 @@ std::string whyShape(const Scene&, bool runs) {
 }
 
 using Why = std::string (*)(const Scene&, bool runs);
-constexpr std::array<Why, kStages> kReasons{whyLine,        whyRollOff, whySummits,   whyShift,
-                                            whyFreeSurface, whyArms,    whyStart,     whySteadyPass,
-                                            whySearch,      whyClosure, whyBalance,   whyMarch,
-                                            whyInterface,   whySweep,   whyAveraging, whyShape};
+constexpr std::array<Why, kStages> kReasons{
+    whyLine,      whyRollOff,    whySummits,   whyShift,       whyFreeSurface, whyArms,
+    whyStart,     whySteadyPass, whySearch,    whyPeriodicity, whyBalance,     whyMarch,
+    whyInterface, whySweep,      whyAveraging, whyShape};
 
 std::array<std::atomic<std::uint64_t>, kStages> counts{};
 
@@ -197,7 +186,7 @@ bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
     case Stage::SteadyPass:
     case Stage::ContactSearch:
       return hasSteadyState(scene, purpose);
-    case Stage::Closure:
+    case Stage::Periodicity:
       return hasSteadyState(scene, purpose) && lawOf(scene.elastomer).kind() == ElementKind::Arms;
     case Stage::ForceBalance:
       return scene.load.kind == LoadKind::Force;

@@ -25,7 +25,7 @@ enum class Stage {
   StartFromRest,      // static equilibrium at v = 0
   SteadyPass,         // one shape, stationary in the line's frame
   ContactSearch,      // of its edges, where contact is not complete
-  Closure,            // of the arms over a period
+  Periodicity,        // of the arms: the same strains again after a period
   ForceBalance,       // the indentation at which the force is carried
   TimeMarch,          // step after step
   Interface,          // local friction

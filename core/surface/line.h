@@ -1,8 +1,10 @@
-// One period of a rigid line, as its nodes and the slopes on either side of them. A plain value;
-// between two nodes the line is whatever the scheme makes of it (core/contact/line/prepared_profile.h).
+// One period of a rigid line, as its nodes and the slopes on either side of them: a plain value;
+// between two nodes the line is whatever the scheme makes of it
+// (core/contact/line/prepared_profile.h). And the lines that are given by a formula.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace asperity {
@@ -21,5 +23,24 @@ struct Line {
     return slopeBefore.empty() ? slopeAfter[node] : slopeBefore[node];
   }
 };
+
+/// The same for every realization, because amplitudes are not random; with summit correlation the
+/// slope varies by some per cent, and this is that of realization 0: Line::rmsSlope has its own.
+struct LineStatistics {
+  double rmsHeight = 0;  // m
+  double rmsSlope = 0;
+};
+
+// Lines given by a formula. Pure functions; the lowest point of wedge and parabola is the node in
+// the middle, or next to it where the number of nodes is odd.
+
+/// z = amplitude cos(2 pi waves x / length).
+Line sineLine(double length, std::size_t nodes, double amplitude, std::int64_t waves);
+
+/// z = slope |x|.
+Line wedgeLine(double length, std::size_t nodes, double slope);
+
+/// z = x^2 / (2 radius).
+Line parabolaLine(double length, std::size_t nodes, double radius);
 
 }  // namespace asperity

@@ -6,14 +6,12 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/base/range_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
-#include "core/base/range_text.h"
-#include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
-#include "core/surface/shapes.h"
+#include "core/surface/random_phases.h"
 #include "core/surface/spectrum.h"
-#include "core/surface/summit_correlation.h"
 
 namespace asperity {
 namespace {
@@ -21,11 +19,49 @@ namespace {
 constexpr std::int64_t kMostNodes = std::int64_t{1} << 26;
 constexpr std::int64_t kNodesOfProduct = 4;  // per element, of a product of waves: not aliased
 
+/// What `read` makes of the scene's file; errors name the key that names the file.
+template <class Read>
+auto readFile(const Scene& scene, const Read& read) {
+  try {
+    return read(scene.folder / scene.surface.file);
+  } catch (const InputError& error) {
+    throw InputError("", "surface.file", error.what());
+  }
+}
+
+/// The length (m) of a profile: the scene's, or that of the file's positions.
+double profileLength(const Surface& surface, double lengthOfFile) {
+  const double length = surface.length > 0 ? surface.length : lengthOfFile;
+  if (length == 0)
+    throw InputError("", "surface.length", "is missing; the profile has heights without positions");
+  const Parameter& row = *findParameter("surface.length");
+  const AllowedRange range = *allowedRange(row);
+  if (length < range.minimum || length > range.maximum)
+    throw InputError("", "surface.file",
+                     fmt::format("{}: its length {} m is outside {}", surface.file,
+                                 plainNumber(length), allowedText(row)));
+  return length;
+}
+
 }  // namespace
 
-LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
+LineExtent lineExtent(const Scene& scene) {
+  const Surface& surface = scene.surface;
+  if (surface.kind != SurfaceKind::Profile)
+    return {surface.length, surface.elements, 0, surface.rmsHeight};
+  const ProfileExtent file = readFile(scene, profileExtent);
+  return {profileLength(surface, file.length), surface.elements > 0 ? surface.elements : file.rows,
+          file.rows, file.rmsHeight};
+}
+
+Profile readProfileStart(const Scene& scene, std::int64_t rows) {
+  return readFile(scene, [rows](const auto& file) { return readProfileStart(file, rows); });
+}
+
+LineSource::LineSource(const Scene& scene, std::int64_t oversampling, const Profile* profile)
     : surface_(scene.surface), length_(surface_.length), elements_(surface_.elements) {
-  if (surface_.kind == SurfaceKind::Profile) readProfileOf(scene);
+  if (surface_.kind == SurfaceKind::Profile)
+    setProfile(profile ? *profile : readFile(scene, readProfile));
   if (elements_ * oversampling > kMostNodes)
     throw InputError("", "surface.elements",
                      fmt::format("{} times oversampling {} is more than {} points", elements_,
@@ -40,7 +76,7 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling)
     transform_.emplace(nodes_);
   if (isRandom()) {
     const FourierLine modes = spectrum(0);
-    statistics_ = {rmsHeightOf(modes), rmsSlopeOf(modes)};
+    statistics_ = {rmsHeight(modes), rmsSlope(modes)};
   } else {
     if (transform_)
       setFromSpectrum(profile_, Slopes::Wanted, only_, {});
@@ -62,26 +98,11 @@ void LineSource::setAmplitudes(const Scene& scene) {
   for (double& amplitude : amplitudes_) amplitude /= 2;
 }
 
-void LineSource::readProfileOf(const Scene& scene) {
-  const Profile profile = [&] {
-    try {
-      return readProfile(scene.folder / surface_.file);
-    } catch (const InputError& error) {
-      throw InputError("", "surface.file", error.what());
-    }
-  }();
-  if (length_ == 0) length_ = profile.length;
-  if (length_ == 0)
-    throw InputError("", "surface.length", "is missing; the profile has heights without positions");
-  const Parameter& row = *findParameter("surface.length");
-  const AllowedRange range = *allowedRange(row);
-  if (length_ < range.minimum || length_ > range.maximum)
-    throw InputError("", "surface.file",
-                     fmt::format("{}: its length {} m is outside {}", surface_.file,
-                                 plainNumber(length_), allowedText(row)));
+void LineSource::setProfile(const Profile& profile) {
+  length_ = profileLength(surface_, profile.length);
   if (elements_ == 0) elements_ = static_cast<std::int64_t>(profile.height.size());
   profile_ = FourierTransform(profile.height.size()).analyse(profile.height, length_);
-  const std::size_t most = modesOf(static_cast<std::size_t>(elements_));
+  const std::size_t most = modeCount(static_cast<std::size_t>(elements_));
   if (profile_.coefficients.size() > most) profile_.coefficients.resize(most);
 }
 
@@ -127,8 +148,8 @@ bool LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& 
     return false;
   // Amplitudes are not random, but where waves are multiplied.
   const bool isKnown = isRandom() && !summits_ && statistics_.rmsHeight > 0;
-  line.rmsHeight = isKnown ? statistics_.rmsHeight : rmsHeightOf(modes);
-  line.rmsSlope = isKnown ? statistics_.rmsSlope : rmsSlopeOf(modes);
+  line.rmsHeight = isKnown ? statistics_.rmsHeight : rmsHeight(modes);
+  line.rmsSlope = isKnown ? statistics_.rmsSlope : rmsSlope(modes);
   return true;
 }
 

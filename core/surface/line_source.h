@@ -1,6 +1,6 @@
 // The lines of a scene: reads its profile once, plans its transforms once, then makes any
 // realization. Threading: make() may be called by several threads at once.
-// Failure: the constructor throws InputError (unreadable profile, waves beyond the elements).
+// Failure: InputError (unreadable profile, waves beyond the elements).
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,31 @@
 #include <stop_token>
 
 #include "core/scene/scene.h"
-#include "core/surface/fourier.h"
 #include "core/surface/line.h"
+#include "core/surface/profile_file.h"
+#include "core/surface/spectrum.h"
 
 namespace asperity {
-
-/// The same for every realization, because amplitudes are not random; with summit correlation the
-/// slope varies by some per cent, and this is that of realization 0: Line::rmsSlope has its own.
-struct LineStatistics {
-  double rmsHeight = 0;  // m
-  double rmsSlope = 0;
-};
 
 /// Whether a line's slopes are wanted; without, slopeAfter is empty.
 enum class Slopes { Wanted, NotWanted };
 
+/// How large the lines of a scene are, without making one.
+struct LineExtent {
+  double length = 0;          // m
+  std::int64_t elements = 0;  // per period
+  std::int64_t rows = 0;      // of a profile's file; 0: no profile
+  double rmsHeight = 0;       // m; of a profile about, and of other lines as the scene states it
+};
+LineExtent lineExtent(const Scene& scene);
+
+/// The profile of a scene: the first `rows` rows of its file.
+Profile readProfileStart(const Scene& scene, std::int64_t rows);
+
 class LineSource {
  public:
-  /// Lines with elements * oversampling nodes.
-  LineSource(const Scene& scene, std::int64_t oversampling);
+  /// Lines with elements * oversampling nodes. profile: instead of that in the scene's file.
+  LineSource(const Scene& scene, std::int64_t oversampling, const Profile* profile = nullptr);
 
   /// Realization 0, 1, ... ; the same line for the same scene and number, always.
   Line make(std::int64_t realization) const;
@@ -51,7 +57,7 @@ class LineSource {
 
  private:
   void setAmplitudes(const Scene& scene);
-  void readProfileOf(const Scene& scene);
+  void setProfile(const Profile& profile);
   Line makeShape() const;
   void spectrumInto(FourierLine& line, std::int64_t number) const;
   bool setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line,

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "core/base/file_kind.h"
 #include "core/base/input_error.h"
@@ -69,18 +71,33 @@ bool mayBeOneNumber(std::string_view line, std::size_t namedColumns) {
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& name) : rest_(text), name_(name) {
+  explicit Reader(const std::string& name) : name_(name) {}
+
+  /// The beginning of a file.
+  void begin(std::string_view text) {
     if (const std::string_view kind = foreignKindOf(text); !kind.empty())
       fail(fmt::format("is {}; a profile is CSV in UTF-8", kind));
-    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    take(text);
   }
 
-  Profile read() {
+  /// Whole lines that follow, next to the ones before or further on in the file.
+  void take(std::string_view text) {
+    rest_ = text;
     while (!rest_.empty()) takeLine();
+  }
+
+  /// Of all rows taken, or of the first `most` of them.
+  Profile profile(std::size_t most = kMostRows) {
     if (height_.size() < 3)
       fail(fmt::format("has {} rows of numbers; at least 3 are needed", height_.size()));
+    if (height_.size() > most) height_.resize(most);
+    if (position_.size() > most) position_.resize(most);
     return {position_.empty() ? 0 : lengthOfPositions(), std::move(height_)};
   }
+
+  const std::vector<double>& positions() const { return position_; }  // empty: heights alone
+  const std::vector<double>& heights() const { return height_; }
 
  private:
   /// Messages name places, not what stands there: a scene may name any file.
@@ -164,21 +181,128 @@ class Reader {
   std::vector<double> position_, height_;
 };
 
+// ---- A large file, told from parts of it ------------------------------------------------------
+
+constexpr std::size_t kSmallFile = std::size_t{1} << 15;  // bytes, that are read whole
+constexpr std::size_t kOfBeginning = std::size_t{1} << 14, kOfEnd = std::size_t{1} << 12;
+constexpr std::size_t kOfPlace = std::size_t{1} << 9;
+constexpr std::size_t kPlaces = 64;  // evenly spread over the file
+
+/// Without the line that the last byte cuts off.
+std::string_view wholeLines(std::string_view text) {
+  const std::size_t end = text.rfind('\n');
+  return end == std::string_view::npos ? std::string_view{} : text.substr(0, end + 1);
+}
+
+/// Without the line that the first byte cuts off.
+std::string_view fromNextLine(std::string_view text) {
+  const std::size_t end = text.find('\n');
+  return end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+}
+
+/// The first whole line after a place in the middle of a file, with its end.
+std::string_view nextLine(std::string_view text) {
+  const std::string_view lines = fromNextLine(text);
+  return lines.substr(0, lines.find('\n') + 1);
+}
+
+double rmsOf(std::span<const double> heights) {
+  double sum = 0, squares = 0;
+  const auto count = static_cast<double>(heights.size());
+  for (const double height : heights) sum += height;
+  for (const double height : heights) squares += std::pow(height - sum / count, 2);
+  return std::sqrt(squares / count);
+}
+
+ProfileExtent extentOf(const Profile& profile) {
+  return {static_cast<std::int64_t>(profile.height.size()), profile.length, rmsOf(profile.height)};
+}
+
+/// Rows and length of a file from its first rows and its last one, the height from places between.
+/// Empty where they do not fit together; throws InputError where they are no rows of a profile.
+std::optional<ProfileExtent> extentOfParts(const RegularFile& file, const std::string& name) {
+  const std::string start = file.read(0, kOfBeginning);
+  const std::string_view lines = wholeLines(start);
+  Reader beginning(name);
+  beginning.begin(lines);
+  Reader reader = beginning;
+  const std::size_t first = reader.heights().size();
+  const double spacing = beginning.profile().length / static_cast<double>(first);
+
+  double bytes = 0;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(kPlaces);
+    const auto place = static_cast<std::uint64_t>(part * static_cast<double>(file.size()));
+    const std::string text = file.read(place, kOfPlace);
+    const std::string_view line = nextLine(text);
+    bytes += static_cast<double>(line.size());
+    reader.take(line);
+  }
+  const std::size_t spread = reader.heights().size() - first;
+  if (spread == 0) return {};
+  const double expected =
+      static_cast<double>(first) +
+      static_cast<double>(file.size() - lines.size()) * static_cast<double>(spread) / bytes;
+  const std::vector<double>& heights = reader.heights();
+  ProfileExtent extent{std::llround(expected), 0, rmsOf(std::span(heights).subspan(first))};
+
+  const std::string end = file.read(file.size() - kOfEnd, kOfEnd);
+  reader.take(fromNextLine(end));
+  if (reader.heights().size() == first + spread) return {};  // the last row is further up
+  if (spacing > 0) {
+    const double way = reader.positions().back() - reader.positions().front();
+    extent.rows = std::llround(way / spacing) + 1;
+    extent.length = spacing * static_cast<double>(extent.rows);
+    const double ofExpected = static_cast<double>(extent.rows) / expected;
+    if (ofExpected < 0.5 || ofExpected > 2) return {};
+  }
+  if (extent.rows > static_cast<std::int64_t>(kMostRows)) return {};
+  return extent;
+}
+
 }  // namespace
 
 Profile parseProfile(std::string_view text, const std::string& name) {
-  return Reader(text, name).read();
+  Reader reader(name);
+  reader.begin(text);
+  return reader.profile();
 }
 
 Profile readProfile(const std::filesystem::path& file) {
   return parseProfile(readRegularFile(file, kLargestProfile), file.string());
 }
 
-std::int64_t expectedRows(const std::filesystem::path& file) {
-  constexpr std::uintmax_t kBytesOfRow = 24;
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  return error ? 0 : static_cast<std::int64_t>(size / kBytesOfRow);
+ProfileExtent profileExtent(const std::filesystem::path& file) {
+  const RegularFile regular(file);
+  if (regular.size() > kSmallFile && regular.size() <= kLargestProfile) {
+    try {
+      if (const auto extent = extentOfParts(regular, file.string())) return *extent;
+    } catch (const InputError&) {
+      // Parts do not know the number of the row that is wrong; reading the whole file tells it.
+    }
+  }
+  return extentOf(readProfile(file));
+}
+
+Profile readProfileStart(const std::filesystem::path& file, std::int64_t rows) {
+  const RegularFile regular(file);
+  const auto wanted = static_cast<std::size_t>(rows);
+  Reader reader(file.string());
+  std::string text;
+  for (std::uint64_t place = 0; place < regular.size() && reader.heights().size() < wanted;) {
+    const std::string part = regular.read(place, kOfBeginning);
+    if (part.empty()) break;  // it has become shorter
+    text += part;
+    const bool isFirst = place == 0;
+    place += part.size();
+    const std::string_view lines = place < regular.size() ? wholeLines(text) : text;
+    if (isFirst)
+      reader.begin(lines);
+    else
+      reader.take(lines);
+    text.erase(0, lines.size());
+  }
+  return reader.profile(wanted);
 }
 
 }  // namespace asperity

@@ -19,7 +19,19 @@ Profile parseProfile(std::string_view text, const std::string& name);
 
 Profile readProfile(const std::filesystem::path& file);
 
-/// How many rows a file of its size may have, without reading it; 0 where there is none.
-std::int64_t expectedRows(const std::filesystem::path& file);
+/// The size of a profile, told from some places of its file.
+struct ProfileExtent {
+  std::int64_t rows = 0;  // exact where the file has uniform positions, else to a few per cent
+  double length = 0;      // m; 0 where the file has heights alone
+  double rmsHeight = 0;   // m, to some per cent
+};
+
+/// Reads the beginning, the end and a few places between of a large file, and the whole of a small
+/// one or of one whose parts do not fit together. A fault in the middle of a large file is left to
+/// readProfile.
+ProfileExtent profileExtent(const std::filesystem::path& file);
+
+/// The first `rows` rows (at least 3) of a file, as a profile.
+Profile readProfileStart(const std::filesystem::path& file, std::int64_t rows);
 
 }  // namespace asperity

@@ -1,10 +1,14 @@
-// Spectra of self-affine lines. Pure functions.
+// Lines as sums of Fourier modes: spectra of self-affine lines, and the transforms to nodes and
+// back. Pure functions but for the transforms.
 // Convention: C(q) is the two-sided one-dimensional power spectral density with
 // h^2 = 2 integral C dq and grad^2 = 2 integral C q^2 dq (Li et al. 2013).
 #pragma once
 
 #include <complex>
 #include <cstddef>
+#include <memory>
+#include <span>
+#include <stop_token>
 #include <vector>
 
 namespace asperity {
@@ -16,14 +20,57 @@ struct FourierLine {
 };
 
 /// Modes that N elements carry: 1 to below N/2, the Nyquist mode dropped.
-std::size_t modesOf(std::size_t elements);
+std::size_t modeCount(std::size_t elements);
 
-/// Amplitudes a_k (m) of z = sum a_k cos(q_k x + phase_k), k = 1 ... modesOf(elements), with
+/// Amplitudes a_k (m) of z = sum a_k cos(q_k x + phase_k), k = 1 ... modeCount(elements), with
 /// C(q) ~ q^(-2H-1), constant below mode number `rollOff`, and sum a_k^2 / 2 = rmsHeight^2 exactly.
 std::vector<double> selfAffineAmplitudes(std::size_t elements, double hurst, double rmsHeight,
                                          double rollOff = 0);
 
-double rmsHeightOf(const FourierLine& line);  // m
-double rmsSlopeOf(const FourierLine& line);
+double rmsHeight(const FourierLine& line);  // m
+double rmsSlope(const FourierLine& line);
+
+/// Sums of Fourier modes at equally spaced nodes and back, by FFTW with estimated plans, so that
+/// the same input gives the same bits in every run. Threading: may be used by several threads at
+/// once; making one is serialised inside (FFTW's planner is not reentrant).
+class FourierTransform {
+ public:
+  explicit FourierTransform(std::size_t nodes);
+  ~FourierTransform();
+  FourierTransform(FourierTransform&&) noexcept;
+
+  std::size_t nodes() const;
+
+  /// Height (m) of the line at x_i = i length / nodes. Modes above the nodes' Nyquist limit must be
+  /// absent. Returns false where `stop` was requested, which is looked at before and after the
+  /// transform itself; heights are then missing.
+  bool evaluate(const FourierLine& line, std::vector<double>& height,
+                const std::stop_token& stop = {}) const;
+
+  /// Its slope there, from the spectrum; likewise.
+  bool evaluateSlope(const FourierLine& line, std::vector<double>& slope,
+                     const std::stop_token& stop = {}) const;
+
+  /// The band-limited line through the nodes: mean removed, Nyquist mode dropped.
+  FourierLine analyse(std::span<const double> height, double length) const;
+
+ private:
+  template <class Factor>
+  bool transform(const FourierLine& line, std::vector<double>& target, const Factor& factor,
+                 const std::stop_token& stop) const;
+
+  struct Plans;
+  std::unique_ptr<Plans> plans_;
+};
+
+/// A line whose short waves are stronger on the summits, or in the valleys, of its long ones, as of
+/// worn or of filled surfaces. Same rms height; a line of random phases has no such correlation.
+/// Not a model of any one process: it shows what a spectrum alone does not say. z = z_long +
+/// z_short sqrt(1 + kappa m), m = -z_long / rms(z_long), |kappa m| kept below 1; long and short
+/// part at the geometric mean of the lowest and the highest wave number; then cut to the modes of
+/// `line` and scaled to its rms height. kappa > 0: rougher on the summits, which are the low places
+/// and touch first. `fine` evaluates it at several nodes per shortest wave.
+FourierLine withSummitCorrelation(const FourierLine& line, double kappa,
+                                  const FourierTransform& fine);
 
 }  // namespace asperity

@@ -2,10 +2,41 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_GB">
 <context>
+    <name>asperity::FrictionChart</name>
+    <message>
+        <source>v = %1 m/s</source>
+        <translation>v = %1 m/s</translation>
+    </message>
+    <message>
+        <source>in contact %1 %</source>
+        <translation>in Kontakt %1 %</translation>
+    </message>
+    <message>
+        <source>Eq. (11): %1</source>
+        <translation>Gl. (11): %1</translation>
+    </message>
+    <message>
+        <source>difference %1</source>
+        <translation>Unterschied %1</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>mit %1</translation>
+    </message>
+</context>
+<context>
     <name>Words</name>
     <message>
-        <source>above %1 few summits carry the load (region IV): F_N / (4 eta v), the height that the contacts of one period climb together, is below 0.1 h; the border belongs to the finite period and moves with it</source>
-        <translation>über %1 tragen wenige Gipfel die Last (Bereich IV): F_N / (4 eta v), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h; die Grenze gehört zur endlichen Periode und wandert mit ihr</translation>
+        <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
+        <translation>Tangential- durch Normalkraft, während das Elastomer nach einer Änderung noch relaxiert, abgelesen aus den Zeitschritten seit dem letzten Bild.</translation>
+    </message>
+    <message>
+        <source>Tangential over normal force at this moment of the motion, a mean over the time since the last picture. After ± stands the estimated error of elements and time steps.</source>
+        <translation>Tangential- durch Normalkraft in diesem Augenblick der Bewegung, im Mittel über die Zeit seit dem letzten Bild. Nach ± steht der geschätzte Fehler durch Elemente und Zeitschritte.</translation>
+    </message>
+    <message>
+        <source>Tangential over normal force in steady sliding: of this line at this velocity, computed without time steps.</source>
+        <translation>Tangential- durch Normalkraft bei stationärem Gleiten: dieser Linie bei dieser Geschwindigkeit, ohne Zeitschritte berechnet.</translation>
     </message>
     <message>
         <source>A rough rigid line</source>
@@ -68,12 +99,56 @@
         <translation>viskoelastisch, G = %1, %2 Arme</translation>
     </message>
     <message>
+        <source>nothing is dissipated</source>
+        <translation>nichts wird dissipiert</translation>
+    </message>
+    <message>
+        <source>%1 total, %2 % in the free surface</source>
+        <translation>%1 insgesamt, %2 % in der freien Oberfläche</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
         <source>vertical exaggeration %1×</source>
         <translation>%1-fach überhöht</translation>
     </message>
     <message>
+        <source>no colours: contact lies between two points</source>
+        <translation>keine Farben: Kontakt liegt zwischen zwei Punkten</translation>
+    </message>
+    <message>
+        <source>no colours: nothing touches</source>
+        <translation>keine Farben: nichts berührt sich</translation>
+    </message>
+    <message>
+        <source>no colours: nothing is dissipated at rest</source>
+        <translation>keine Farben: in Ruhe wird nichts dissipiert</translation>
+    </message>
+    <message>
+        <source>no colours: nothing is dissipated</source>
+        <translation>keine Farben: nichts wird dissipiert</translation>
+    </message>
+    <message>
+        <source>no colours: all of the surface is in contact</source>
+        <translation>keine Farben: die ganze Oberfläche ist in Kontakt</translation>
+    </message>
+    <message>
+        <source>no colours: at rest nothing leaves contact</source>
+        <translation>keine Farben: in Ruhe verlässt nichts den Kontakt</translation>
+    </message>
+    <message>
+        <source>no colours: nothing has left contact yet</source>
+        <translation>keine Farben: noch nichts hat den Kontakt verlassen</translation>
+    </message>
+    <message>
         <source>coefficient of friction</source>
         <translation>Reibungszahl</translation>
+    </message>
+    <message>
+        <source>coefficient of friction at the end, of the line shown</source>
+        <translation>Reibungszahl der gezeigten Linie am Ende</translation>
     </message>
     <message>
         <source>in contact</source>
@@ -84,20 +159,28 @@
         <translation>Eindringung</translation>
     </message>
     <message>
-        <source>%1 scenes, %2 of them failed.</source>
-        <translation>%1 Szenen, davon %2 fehlgeschlagen.</translation>
+        <source>%1 (line shown: %2)</source>
+        <translation>%1 (gezeigte Linie: %2)</translation>
     </message>
     <message>
-        <source>%1 scenes.</source>
-        <translation>%1 Szenen.</translation>
+        <source>coefficient of friction, mean of %1 lines</source>
+        <translation>Reibungszahl, Mittel über %1 Linien</translation>
+    </message>
+    <message>
+        <source>One scene, and it failed.</source>
+        <translation>Eine Szene, und sie ist fehlgeschlagen.</translation>
     </message>
     <message>
         <source>One scene.</source>
         <translation>Eine Szene.</translation>
     </message>
     <message>
-        <source>One scene, and it failed.</source>
-        <translation>Eine Szene, und sie ist fehlgeschlagen.</translation>
+        <source>%1 scenes, %2 of them failed.</source>
+        <translation>%1 Szenen, davon %2 fehlgeschlagen.</translation>
+    </message>
+    <message>
+        <source>%1 scenes.</source>
+        <translation>%1 Szenen.</translation>
     </message>
     <message>
         <source>All on one sheet</source>
@@ -108,44 +191,12 @@
         <translation>Blatt %1</translation>
     </message>
     <message>
-        <source>coefficient of friction at the end, of the line shown</source>
-        <translation>Reibungszahl der gezeigten Linie am Ende</translation>
-    </message>
-    <message>
-        <source>coefficient of friction, mean of %1 lines</source>
-        <translation>Reibungszahl, Mittel über %1 Linien</translation>
-    </message>
-    <message>
-        <source>%1 (line shown: %2)</source>
-        <translation>%1 (gezeigte Linie: %2)</translation>
-    </message>
-    <message>
         <source>all results as a table</source>
         <translation>alle Ergebnisse als Tabelle</translation>
     </message>
     <message>
         <source>Made by Asperity %1.</source>
         <translation>Erstellt mit Asperity %1.</translation>
-    </message>
-    <message>
-        <source>nothing is dissipated</source>
-        <translation>nichts wird dissipiert</translation>
-    </message>
-    <message>
-        <source>%1 rows</source>
-        <translation>%1 Zeilen</translation>
-    </message>
-    <message>
-        <source>%1 rows of each of %2 lines</source>
-        <translation>%1 Zeilen von jeder der %2 Linien</translation>
-    </message>
-    <message>
-        <source>estimated error of mu by elements and time steps %1 (%2 %)</source>
-        <translation>geschätzter Fehler von μ durch Elemente und Zeitschritte %1 (%2 %)</translation>
-    </message>
-    <message>
-        <source>%1 in all, %2 % in the free surface</source>
-        <translation>%1 insgesamt, %2 % in der freien Oberfläche</translation>
     </message>
     <message>
         <source>difference</source>
@@ -196,12 +247,12 @@
         <translation>dimensionslose Geschwindigkeit tau v Steigung / (sqrt(2) h) = %1 (Gl. 13)</translation>
     </message>
     <message>
-        <source>%1 velocities</source>
-        <translation>%1 Geschwindigkeiten</translation>
-    </message>
-    <message>
         <source>one velocity</source>
         <translation>eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 velocities</source>
+        <translation>%1 Geschwindigkeiten</translation>
     </message>
     <message>
         <source>one realization</source>
@@ -216,16 +267,16 @@
         <translation>%1 % der Gleichgewichte mit einem teilweise belasteten Element</translation>
     </message>
     <message>
-        <source>at %1 velocities friction is below what the elements resolve, see the column notes</source>
-        <translation>bei %1 Geschwindigkeiten liegt die Reibung unter dem, was die Elemente auflösen, siehe Spalte notes</translation>
-    </message>
-    <message>
         <source>relative error at most %1 at every velocity, target met</source>
         <translation>relativer Fehler bei jeder Geschwindigkeit höchstens %1; Ziel erreicht</translation>
     </message>
     <message>
         <source>relative error at most %1 at every velocity, target not met</source>
         <translation>relativer Fehler bei jeder Geschwindigkeit höchstens %1; Ziel nicht erreicht</translation>
+    </message>
+    <message>
+        <source>at %1 velocities friction is below what the elements resolve, see the column notes</source>
+        <translation>bei %1 Geschwindigkeiten liegt die Reibung unter dem, was die Elemente auflösen, siehe Spalte notes</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -236,24 +287,24 @@
         <translation>%1 % der Laufzeit</translation>
     </message>
     <message>
-        <source>wrote %1 frames to %2</source>
-        <translation>%1 Bilder geschrieben in %2</translation>
+        <source>%1 rows of each of %2 lines</source>
+        <translation>%1 Zeilen von jeder der %2 Linien</translation>
     </message>
     <message>
-        <source>wrote %1 frames in %2</source>
-        <translation>%1 Bilder geschrieben nach %2</translation>
+        <source>%1 rows</source>
+        <translation>%1 Zeilen</translation>
     </message>
     <message>
-        <source>wrote one frame to %1</source>
-        <translation>Ein Bild geschrieben in %1</translation>
-    </message>
-    <message>
-        <source>wrote one frame in %1</source>
-        <translation>Ein Bild geschrieben nach %1</translation>
+        <source>estimated error of mu by elements and time steps %1 (%2 %)</source>
+        <translation>geschätzter Fehler von μ durch Elemente und Zeitschritte %1 (%2 %)</translation>
     </message>
     <message>
         <source>one was there already</source>
         <translation>eines war schon da</translation>
+    </message>
+    <message>
+        <source>%1 were there already</source>
+        <translation>%1 waren schon da</translation>
     </message>
     <message>
         <source>removed one frame that an earlier, longer sequence left</source>
@@ -264,8 +315,20 @@
         <translation>%1 Bilder entfernt, die von einer früheren, längeren Folge übrig waren</translation>
     </message>
     <message>
-        <source>%1 were there already</source>
-        <translation>%1 waren schon da</translation>
+        <source>wrote one frame to %1</source>
+        <translation>Ein Bild geschrieben in %1</translation>
+    </message>
+    <message>
+        <source>wrote one frame in %1</source>
+        <translation>Ein Bild geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>wrote %1 frames to %2</source>
+        <translation>%1 Bilder geschrieben in %2</translation>
+    </message>
+    <message>
+        <source>wrote %1 frames in %2</source>
+        <translation>%1 Bilder geschrieben nach %2</translation>
     </message>
     <message>
         <source>length %1 m, %2 points, rms height %3 m, rms slope %4</source>
@@ -336,6 +399,10 @@
         <translation>und lässt aus</translation>
     </message>
     <message>
+        <source>above %1 few summits carry the load (region IV): F_N / (4 eta v), the height that the contacts of one period climb together, is below 0.1 h; the border belongs to the finite period and moves with it</source>
+        <translation>über %1 tragen wenige Gipfel die Last (Bereich IV): F_N / (4 eta v), die Höhe, die alle Kontakte einer Periode zusammen erklimmen, liegt unter 0,1 h; die Grenze gehört zur endlichen Periode und wandert mit ihr</translation>
+    </message>
+    <message>
         <source>predicted</source>
         <translation>vorhergesagt</translation>
     </message>
@@ -355,53 +422,13 @@
         <source>wrote %1</source>
         <translation>geschrieben: %1</translation>
     </message>
-    <message>
-        <source>position</source>
-        <translation>Ort</translation>
-    </message>
-    <message>
-        <source>no colours: nothing touches</source>
-        <translation>keine Farben: nichts berührt sich</translation>
-    </message>
-    <message>
-        <source>no colours: contact lies between two points</source>
-        <translation>keine Farben: Kontakt liegt zwischen zwei Punkten</translation>
-    </message>
-    <message>
-        <source>no colours: nothing is dissipated at rest</source>
-        <translation>keine Farben: in Ruhe wird nichts dissipiert</translation>
-    </message>
-    <message>
-        <source>no colours: nothing is dissipated</source>
-        <translation>keine Farben: nichts wird dissipiert</translation>
-    </message>
-    <message>
-        <source>no colours: all of the surface is in contact</source>
-        <translation>keine Farben: die ganze Oberfläche ist in Kontakt</translation>
-    </message>
-    <message>
-        <source>no colours: at rest nothing leaves contact</source>
-        <translation>keine Farben: in Ruhe verlässt nichts den Kontakt</translation>
-    </message>
-    <message>
-        <source>no colours: nothing has left contact yet</source>
-        <translation>keine Farben: noch nichts hat den Kontakt verlassen</translation>
-    </message>
-    <message>
-        <source>Tangential over normal force at this moment of the motion, a mean over the time since the last picture. After ± stands the estimated error of elements and time steps.</source>
-        <translation>Tangential- durch Normalkraft in diesem Augenblick der Bewegung, im Mittel über die Zeit seit dem letzten Bild. Nach ± steht der geschätzte Fehler durch Elemente und Zeitschritte.</translation>
-    </message>
-    <message>
-        <source>Tangential over normal force in steady sliding: of this line at this velocity, computed without time steps.</source>
-        <translation>Tangential- durch Normalkraft bei stationärem Gleiten: dieser Linie bei dieser Geschwindigkeit, ohne Zeitschritte berechnet.</translation>
-    </message>
-    <message>
-        <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
-        <translation>Tangential- durch Normalkraft, während das Elastomer nach einer Änderung noch relaxiert, abgelesen aus den Zeitschritten seit dem letzten Bild.</translation>
-    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
+    <message>
+        <source>measuring every method on this scene&apos;s lines …</source>
+        <translation>Jedes Verfahren wird auf den Linien dieser Szene gemessen …</translation>
+    </message>
     <message>
         <source>quick</source>
         <translation>schnell</translation>
@@ -419,8 +446,12 @@
         <translation>Kein Ziel</translation>
     </message>
     <message>
-        <source>Scheme, oversampling and realizations as the parameters say</source>
+        <source>Scheme, oversampling and realizations as set in the parameters</source>
         <translation>Verfahren, Überabtastung und Realisierungen nach den Parametern</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Compare methods</source>
@@ -431,64 +462,75 @@
         <translation>Misst Fehler über Zeit jedes Verfahrens auf den Linien dieser Szene</translation>
     </message>
     <message>
-        <source>“Compare methods” measures what accuracy costs for this scene.</source>
-        <translation>„Verfahren vergleichen“ misst, was Genauigkeit bei dieser Szene kostet.</translation>
-    </message>
-    <message>
         <source>target: %1 of μ at every velocity</source>
         <translation>Ziel: %1 von μ bei jeder Geschwindigkeit</translation>
     </message>
     <message>
-        <source>no target: as scheme and realizations say</source>
+        <source>no target: scheme and realizations as set</source>
         <translation>kein Ziel: nach Verfahren und Realisierungen</translation>
-    </message>
-    <message>
-        <source>measured: %1, standard error %2</source>
-        <translation>gemessen: %1, Standardfehler %2</translation>
     </message>
     <message>
         <source>measured: %1, error %2</source>
         <translation>gemessen: %1, Fehler %2</translation>
     </message>
     <message>
+        <source>measured: %1, standard error %2</source>
+        <translation>gemessen: %1, Standardfehler %2</translation>
+    </message>
+    <message>
         <source>predicting …</source>
         <translation>Vorhersage läuft …</translation>
+    </message>
+    <message>
+        <source>predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)</source>
+        <translation>vorhergesagte Bewegung: %1 für %2 Schritte, Fehler %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
     </message>
     <message>
         <source>predicted: %1, error %2 (resolution %3, realizations %4)</source>
         <translation>vorhergesagt: %1, Fehler %2 (Auflösung %3, Realisierungen %4)</translation>
     </message>
     <message>
-        <source>Cancel (%1 %)</source>
-        <translation>Abbrechen (%1 %)</translation>
+        <source>“Compare methods” measures what accuracy costs for this scene.</source>
+        <translation>„Verfahren vergleichen“ misst, was Genauigkeit bei dieser Szene kostet.</translation>
     </message>
     <message>
         <source>cancelled</source>
         <translation>abgebrochen</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
+        <source>Cancel (%1 %)</source>
+        <translation>Abbrechen (%1 %)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::Appearance</name>
+    <message>
+        <source>Light colours</source>
+        <translation>Helle Farben</translation>
     </message>
     <message>
-        <source>measuring every method on this scene&apos;s lines …</source>
-        <translation>Jedes Verfahren wird auf den Linien dieser Szene gemessen …</translation>
+        <source>Dark colours</source>
+        <translation>Dunkle Farben</translation>
     </message>
     <message>
-        <source>predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)</source>
-        <translation>vorhergesagte Bewegung: %1 für %2 Schritte, Fehler %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Same as system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
     </message>
 </context>
 <context>
     <name>asperity::ArmsEditor</name>
-    <message>
-        <source>Remove this arm</source>
-        <translation>Diesen Arm entfernen</translation>
-    </message>
-    <message>
-        <source>remove arm %1</source>
-        <translation>Arm %1 entfernen</translation>
-    </message>
     <message>
         <source>modulus of arm %1 (%2)</source>
         <translation>Modul von Arm %1 (%2)</translation>
@@ -496,6 +538,14 @@
     <message>
         <source>relaxation time of arm %1 (%2)</source>
         <translation>Relaxationszeit von Arm %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Remove this arm</source>
+        <translation>Diesen Arm entfernen</translation>
+    </message>
+    <message>
+        <source>remove arm %1</source>
+        <translation>Arm %1 entfernen</translation>
     </message>
     <message>
         <source>modulus</source>
@@ -541,10 +591,6 @@
 <context>
     <name>asperity::ClaimsTable</name>
     <message>
-        <source>Undecided: within two standard errors of that border, or without a standard error.</source>
-        <translation>Unentschieden: höchstens zwei Standardfehler neben dieser Grenze oder ohne Standardfehler.</translation>
-    </message>
-    <message>
         <source>Measured: %1.</source>
         <translation>Gemessen: %1.</translation>
     </message>
@@ -553,7 +599,11 @@
         <translation>Gilt, wenn: %1.</translation>
     </message>
     <message>
-        <source>what the paper says of this figure, and whether it holds</source>
+        <source>Undecided: within two standard errors of that border, or without a standard error.</source>
+        <translation>Unentschieden: höchstens zwei Standardfehler neben dieser Grenze oder ohne Standardfehler.</translation>
+    </message>
+    <message>
+        <source>what the paper says about this figure, and whether it holds</source>
         <translation>was die Arbeit zu dieser Abbildung sagt und ob es gilt</translation>
     </message>
     <message>
@@ -584,6 +634,10 @@
         <translation>Kurve vergleichen mit</translation>
     </message>
     <message>
+        <source>Compare the curve (needs no target)</source>
+        <translation>Kurve vergleichen (nur ohne Ziel)</translation>
+    </message>
+    <message>
         <source>Computes the curve in this way, too, on the same lines, and plots the difference below it</source>
         <translation>Berechnet die Kurve auf denselben Linien auch auf diese Weise und zeigt den Unterschied darunter</translation>
     </message>
@@ -607,13 +661,13 @@
         <source> lines</source>
         <translation> Linien</translation>
     </message>
-    <message>
-        <source>Compare the curve (needs no target)</source>
-        <translation>Kurve vergleichen (nur ohne Ziel)</translation>
-    </message>
 </context>
 <context>
     <name>asperity::ContactCanvas</name>
+    <message>
+        <source>software (OSMesa)</source>
+        <translation>Software (OSMesa)</translation>
+    </message>
     <message>
         <source>contact view</source>
         <translation>Kontaktansicht</translation>
@@ -621,10 +675,6 @@
     <message>
         <source>The contact cannot be drawn here: %1</source>
         <translation>Der Kontakt lässt sich hier nicht zeichnen: %1</translation>
-    </message>
-    <message>
-        <source>software (OSMesa)</source>
-        <translation>Software (OSMesa)</translation>
     </message>
 </context>
 <context>
@@ -636,6 +686,10 @@
     <message>
         <source>Keeps this curve to compare others with</source>
         <translation>Behält diese Kurve zum Vergleich mit anderen</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>Lösen</translation>
     </message>
     <message>
         <source>Unpin all</source>
@@ -674,10 +728,6 @@
         <translation>Kurvenbild kopieren</translation>
     </message>
     <message>
-        <source>Unpin</source>
-        <translation>Lösen</translation>
-    </message>
-    <message>
         <source>Save curve</source>
         <translation>Kurve speichern</translation>
     </message>
@@ -699,6 +749,164 @@
     <message>
         <source>at rest</source>
         <translation>in Ruhe</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::DocumentCommands</name>
+    <message>
+        <source>Open scene…</source>
+        <translation>Szene öffnen…</translation>
+    </message>
+    <message>
+        <source>Save scene</source>
+        <translation>Szene speichern</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save scene as…</source>
+        <translation>Szene speichern unter…</translation>
+    </message>
+    <message>
+        <source>Undo %1</source>
+        <translation>%1 rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>%1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Back to the scene as opened</source>
+        <translation>Zurück zur Szene wie geöffnet</translation>
+    </message>
+    <message>
+        <source>All parameters to their defaults</source>
+        <translation>Alle Parameter auf ihre Vorgaben</translation>
+    </message>
+    <message>
+        <source>Open scene</source>
+        <translation>Szene öffnen</translation>
+    </message>
+    <message>
+        <source>Scenes, and what was made from one (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif *.webp);;Scenes (*.json);;All files (*)</source>
+        <translation>Szenen und was aus einer entstand (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif *.webp);;Szenen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>It reads a file that does not lie beside it: %1</source>
+        <translation>Sie liest eine Datei, die nicht daneben liegt: %1</translation>
+    </message>
+    <message>
+        <source>It takes about %1 GB of memory.</source>
+        <translation>Sie braucht etwa %1 GB Speicher.</translation>
+    </message>
+    <message>
+        <source>Its curve takes about %1 minutes of processor time.</source>
+        <translation>Ihre Kurve braucht etwa %1 Minuten Rechenzeit.</translation>
+    </message>
+    <message>
+        <source>Asperity</source>
+        <translation>Asperity</translation>
+    </message>
+    <message>
+        <source>Open the scene in “%1”?</source>
+        <translation>Die Szene in „%1“ öffnen?</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json)</source>
+        <translation>Szenen (*.json)</translation>
+    </message>
+    <message>
+        <source>The scene was changed. Save the changes?</source>
+        <translation>Die Szene wurde geändert. Änderungen speichern?</translation>
+    </message>
+    <message>
+        <source>“%1” was changed. Save the changes?</source>
+        <translation>„%1“ wurde geändert. Änderungen speichern?</translation>
+    </message>
+    <message>
+        <source>They go into a new file.</source>
+        <translation>Sie kommen in eine neue Datei.</translation>
+    </message>
+    <message>
+        <source>They go into %1.</source>
+        <translation>Sie kommen nach %1.</translation>
+    </message>
+    <message>
+        <source>Otherwise they are lost.</source>
+        <translation>Sonst gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>Liste leeren</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::Exports</name>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Copy as command line</source>
+        <translation>Als Befehlszeile kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the curve&apos;s command line</source>
+        <translation>Befehlszeile der Kurve kopieren</translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Das Bild ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf)</source>
+        <translation>Bilder (*.png *.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>On the clipboard: %1</source>
+        <translation>In der Zwischenablage: %1</translation>
     </message>
 </context>
 <context>
@@ -752,41 +960,25 @@
     </message>
 </context>
 <context>
-    <name>asperity::FrictionChart</name>
+    <name>asperity::FigurePages</name>
     <message>
-        <source>v = %1 m/s</source>
-        <translation>v = %1 m/s</translation>
+        <source>All figures</source>
+        <translation>Alle Abbildungen</translation>
     </message>
     <message>
-        <source>in contact %1 %</source>
-        <translation>in Kontakt %1 %</translation>
+        <source>Figures</source>
+        <translation>Abbildungen</translation>
     </message>
     <message>
-        <source>Eq. (11): %1</source>
-        <translation>Gl. (11): %1</translation>
-    </message>
-    <message>
-        <source>difference %1</source>
-        <translation>Unterschied %1</translation>
-    </message>
-    <message>
-        <source>with %1</source>
-        <translation>mit %1</translation>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
     <name>asperity::GalleryPage</name>
     <message>
-        <source>The picture is on the clipboard</source>
-        <translation>Das Bild ist in der Zwischenablage</translation>
-    </message>
-    <message>
         <source>Figures of the paper, computed here and now</source>
         <translation>Abbildungen der Arbeit, hier und jetzt berechnet</translation>
-    </message>
-    <message>
-        <source>✕</source>
-        <translation>✕</translation>
     </message>
     <message>
         <source>Back to the contact (Esc)</source>
@@ -833,7 +1025,7 @@
         <translation>&amp;Berechnen</translation>
     </message>
     <message>
-        <source>This figure, from lines made anew (Enter in the list)</source>
+        <source>Computes this figure from new lines (Enter in the list)</source>
         <translation>Diese Abbildung aus neu erzeugten Linien (Eingabetaste in der Liste)</translation>
     </message>
     <message>
@@ -841,12 +1033,8 @@
         <translation>Abb&amp;rechen</translation>
     </message>
     <message>
-        <source>Ends what is computed and what waits</source>
+        <source>Stops this computation and all that wait</source>
         <translation>Beendet die laufende und alle wartenden Berechnungen</translation>
-    </message>
-    <message>
-        <source>progress of the computation</source>
-        <translation>Fortschritt der Berechnung</translation>
     </message>
     <message>
         <source>&amp;Open as scene</source>
@@ -871,6 +1059,10 @@
     <message>
         <source>The table as CSV, or the claims as JSON</source>
         <translation>Die Tabelle als CSV oder die Aussagen als JSON</translation>
+    </message>
+    <message>
+        <source>progress of the computation</source>
+        <translation>Fortschritt der Berechnung</translation>
     </message>
     <message>
         <source>%1 is not computed yet.</source>
@@ -901,6 +1093,10 @@
         <translation>Tabelle (*.csv);;Aussagen (*.json)</translation>
     </message>
     <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Das Bild ist in der Zwischenablage</translation>
+    </message>
+    <message>
         <source>Saving %1…</source>
         <translation>%1 wird gespeichert…</translation>
     </message>
@@ -912,36 +1108,20 @@
 <context>
     <name>asperity::MainWindow</name>
     <message>
-        <source>velocity, friction, indentation and contact length in time</source>
-        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
-    </message>
-    <message>
-        <source>More commands</source>
-        <translation>Weitere Befehle</translation>
-    </message>
-    <message>
-        <source>This is the scene before; the changed one is being computed</source>
-        <translation>Dies ist die Szene davor; die geänderte wird noch berechnet</translation>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>close</source>
         <translation>schließen</translation>
     </message>
     <message>
-        <source>coefficient of friction against velocity</source>
-        <translation>Reibungszahl über der Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>Asperity</source>
-        <translation>Asperity</translation>
-    </message>
-    <message>
         <source>Pause</source>
         <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Start</translation>
     </message>
     <message>
         <source>Step</source>
@@ -952,20 +1132,44 @@
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>Open scene…</source>
-        <translation>Szene öffnen…</translation>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <source>Dark colours</source>
-        <translation>Dunkle Farben</translation>
+        <source>About Asperity</source>
+        <translation>Über Asperity</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Asperity[*]</source>
+        <translation>Asperity[*]</translation>
+    </message>
+    <message>
+        <source>%1[*] – Asperity</source>
+        <translation>%1[*] – Asperity</translation>
+    </message>
+    <message>
+        <source>This is the previous scene; the changed one is being computed</source>
+        <translation>Dies ist die vorige Szene; die geänderte wird noch berechnet</translation>
+    </message>
+    <message>
+        <source>The curve&apos;s picture is on the clipboard</source>
+        <translation>Das Bild der Kurve ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
     </message>
     <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;Scenes</source>
@@ -992,8 +1196,12 @@
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>About Asperity</source>
-        <translation>Über Asperity</translation>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Same as system</source>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Commands</source>
@@ -1004,12 +1212,8 @@
         <translation>Szenen</translation>
     </message>
     <message>
-        <source>Play</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>Light colours</source>
-        <translation>Helle Farben</translation>
+        <source>More commands</source>
+        <translation>Weitere Befehle</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Asperity %1&lt;/h3&gt;</source>
@@ -1018,286 +1222,6 @@
     <message>
         <source>Shows how a viscoelastic elastomer slides over a randomly rough rigid line, after Li et al., &lt;i&gt;Friction between a viscoelastic body and a rigid surface with random self-affine roughness&lt;/i&gt;, Physical Review Letters 111, 034301 (2013).&lt;br&gt;&lt;br&gt;The elements of the elastomer are independent of each other: long-range elastic coupling is not in the model.&lt;br&gt;&lt;br&gt;Free software, GPL-3.0-or-later.</source>
         <translation>Zeigt, wie ein viskoelastisches Elastomer über eine zufällig raue starre Linie gleitet, nach Li et al., &lt;i&gt;Friction between a viscoelastic body and a rigid surface with random self-affine roughness&lt;/i&gt;, Physical Review Letters 111, 034301 (2013).&lt;br&gt;&lt;br&gt;Die Elemente des Elastomers sind voneinander unabhängig: Eine langreichweitige elastische Kopplung ist nicht im Modell.&lt;br&gt;&lt;br&gt;Freie Software, GPL-3.0-or-later.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>All figures</source>
-        <translation>Alle Abbildungen</translation>
-    </message>
-    <message>
-        <source>Figures</source>
-        <translation>Abbildungen</translation>
-    </message>
-    <message>
-        <source>Open scene</source>
-        <translation>Szene öffnen</translation>
-    </message>
-    <message>
-        <source>Scenes, and what was made from one (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif *.webp);;Scenes (*.json);;All files (*)</source>
-        <translation>Szenen und was aus einer entstand (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif *.webp);;Szenen (*.json);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Save scene</source>
-        <translation>Szene speichern</translation>
-    </message>
-    <message>
-        <source>Scenes (*.json)</source>
-        <translation>Szenen (*.json)</translation>
-    </message>
-    <message>
-        <source>Friction curve</source>
-        <translation>Reibungskurve</translation>
-    </message>
-    <message>
-        <source>Motion in time</source>
-        <translation>Zeitverlauf</translation>
-    </message>
-    <message>
-        <source>Accuracy</source>
-        <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Bild kopieren</translation>
-    </message>
-    <message>
-        <source>Save picture…</source>
-        <translation>Bild speichern…</translation>
-    </message>
-    <message>
-        <source>Copy as command line</source>
-        <translation>Als Befehlszeile kopieren</translation>
-    </message>
-    <message>
-        <source>Copy the curve&apos;s command line</source>
-        <translation>Befehlszeile der Kurve kopieren</translation>
-    </message>
-    <message>
-        <source>The picture is on the clipboard</source>
-        <translation>Das Bild ist in der Zwischenablage</translation>
-    </message>
-    <message>
-        <source>Save picture</source>
-        <translation>Bild speichern</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.svg *.pdf)</source>
-        <translation>Bilder (*.png *.svg *.pdf)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
-    </message>
-    <message>
-        <source>On the clipboard: %1</source>
-        <translation>In der Zwischenablage: %1</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Back to the scene as opened</source>
-        <translation>Zurück zur Szene wie geöffnet</translation>
-    </message>
-    <message>
-        <source>All parameters to their defaults</source>
-        <translation>Alle Parameter auf ihre Vorgaben</translation>
-    </message>
-    <message>
-        <source>Undo %1</source>
-        <translation>%1 rückgängig machen</translation>
-    </message>
-    <message>
-        <source>Redo %1</source>
-        <translation>%1 wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Asperity[*]</source>
-        <translation>Asperity[*]</translation>
-    </message>
-    <message>
-        <source>%1[*] – Asperity</source>
-        <translation>%1[*] – Asperity</translation>
-    </message>
-    <message>
-        <source>All parameters</source>
-        <translation>Alle Parameter</translation>
-    </message>
-    <message>
-        <source>The scene was changed. Save the changes?</source>
-        <translation>Die Szene wurde geändert. Änderungen speichern?</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Save scene as…</source>
-        <translation>Szene speichern unter…</translation>
-    </message>
-    <message>
-        <source>Open recent</source>
-        <translation>Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>Clear this list</source>
-        <translation>Liste leeren</translation>
-    </message>
-    <message>
-        <source>Full screen</source>
-        <translation>Vollbild</translation>
-    </message>
-    <message>
-        <source>Presentation</source>
-        <translation>Präsentation</translation>
-    </message>
-    <message>
-        <source>Leave full screen</source>
-        <translation>Vollbild verlassen</translation>
-    </message>
-    <message>
-        <source>Restore layout</source>
-        <translation>Anordnung wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Tabs</source>
-        <translation>Reiter</translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation>Farben</translation>
-    </message>
-    <message>
-        <source>Show %1</source>
-        <translation>%1 zeigen</translation>
-    </message>
-    <message>
-        <source>As the desktop</source>
-        <translation>Wie der Desktop</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
-        <source>The curve&apos;s picture is on the clipboard</source>
-        <translation>Das Bild der Kurve ist in der Zwischenablage</translation>
-    </message>
-    <message>
-        <source>Velocity</source>
-        <translation>Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Guided tour</source>
-        <translation>Rundgang</translation>
-    </message>
-    <message>
-        <source>Tour: back</source>
-        <translation>Rundgang: zurück</translation>
-    </message>
-    <message>
-        <source>Tour: next</source>
-        <translation>Rundgang: weiter</translation>
-    </message>
-    <message>
-        <source>Keyboard shortcuts</source>
-        <translation>Tastenkürzel</translation>
-    </message>
-    <message>
-        <source>New here? A tour of six steps shows what there is to see.</source>
-        <translation>Neu hier? Ein Rundgang in sechs Schritten zeigt, was es zu sehen gibt.</translation>
-    </message>
-    <message>
-        <source>Take the tour</source>
-        <translation>Rundgang beginnen</translation>
-    </message>
-    <message>
-        <source>about the scene</source>
-        <translation>über die Szene</translation>
-    </message>
-    <message>
-        <source>spectrum of the rigid line</source>
-        <translation>Spektrum der starren Linie</translation>
-    </message>
-    <message>
-        <source>Spectrum</source>
-        <translation>Spektrum</translation>
-    </message>
-    <message>
-        <source>pressures and slopes in contact</source>
-        <translation>Drücke und Steigungen im Kontakt</translation>
-    </message>
-    <message>
-        <source>Statistics</source>
-        <translation>Statistik</translation>
-    </message>
-    <message>
-        <source>“%1” was changed. Save the changes?</source>
-        <translation>„%1“ wurde geändert. Änderungen speichern?</translation>
-    </message>
-    <message>
-        <source>Open the scene in “%1”?</source>
-        <translation>Die Szene in „%1“ öffnen?</translation>
-    </message>
-    <message>
-        <source>It reads a file that does not lie beside it: %1</source>
-        <translation>Sie liest eine Datei, die nicht daneben liegt: %1</translation>
-    </message>
-    <message>
-        <source>It takes about %1 GB of memory.</source>
-        <translation>Sie braucht etwa %1 GB Speicher.</translation>
-    </message>
-    <message>
-        <source>Its curve takes about %1 minutes of processor time.</source>
-        <translation>Ihre Kurve braucht etwa %1 Minuten Rechenzeit.</translation>
-    </message>
-    <message>
-        <source>&amp;Open</source>
-        <translation>Ö&amp;ffnen</translation>
-    </message>
-    <message>
-        <source>They go into a new file.</source>
-        <translation>Sie kommen in eine neue Datei.</translation>
-    </message>
-    <message>
-        <source>They go into %1.</source>
-        <translation>Sie kommen nach %1.</translation>
-    </message>
-    <message>
-        <source>Otherwise they are lost.</source>
-        <translation>Sonst gehen sie verloren.</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Verwerfen</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -1314,6 +1238,22 @@
 <context>
     <name>asperity::ParameterPanel</name>
     <message>
+        <source>chosen: %1</source>
+        <translation>gewählt: %1</translation>
+    </message>
+    <message>
+        <source>chosen: %1 / %2</source>
+        <translation>gewählt: %1 / %2</translation>
+    </message>
+    <message>
+        <source>as in file</source>
+        <translation>wie Datei</translation>
+    </message>
+    <message>
+        <source>choose a profile file</source>
+        <translation>Profildatei wählen</translation>
+    </message>
+    <message>
         <source>Rigid line</source>
         <translation>Starre Linie</translation>
     </message>
@@ -1328,6 +1268,10 @@
     <message>
         <source>Sliding</source>
         <translation>Gleiten</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>Grenzfläche</translation>
     </message>
     <message>
         <source>Friction curve</source>
@@ -1346,26 +1290,6 @@
         <translation>Profile (*.csv);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>as in file</source>
-        <translation>wie Datei</translation>
-    </message>
-    <message>
-        <source>chosen: %1</source>
-        <translation>gewählt: %1</translation>
-    </message>
-    <message>
-        <source>chosen: %1 / %2</source>
-        <translation>gewählt: %1 / %2</translation>
-    </message>
-    <message>
-        <source>choose a profile file</source>
-        <translation>Profildatei wählen</translation>
-    </message>
-    <message>
-        <source>Interface</source>
-        <translation>Grenzfläche</translation>
-    </message>
-    <message>
         <source>parameters</source>
         <translation>Parameter</translation>
     </message>
@@ -1373,20 +1297,12 @@
 <context>
     <name>asperity::ParameterRow</name>
     <message>
-        <source>choose file…</source>
-        <translation>Datei wählen…</translation>
+        <source>Back to the default, one arm</source>
+        <translation>Zurück zur Vorgabe, ein Arm</translation>
     </message>
     <message>
         <source>Back to the default, %1</source>
         <translation>Zurück zur Vorgabe, %1</translation>
-    </message>
-    <message>
-        <source>As the file says</source>
-        <translation>Wie in der Datei</translation>
-    </message>
-    <message>
-        <source>Back to the default, chosen by the scene</source>
-        <translation>Zurück zur Vorgabe, von der Szene gewählt</translation>
     </message>
     <message>
         <source>no file</source>
@@ -1405,12 +1321,20 @@
         <translation>%1 zurücksetzen</translation>
     </message>
     <message>
-        <source>A number alone counts in the unit beside it, one with an exponent (1e7) in %1; any unit may be typed with it.</source>
-        <translation>Eine Zahl allein gilt in der Einheit daneben, eine mit Exponent (1e7) in %1; jede Einheit darf dazu getippt werden.</translation>
+        <source>Back to the default, chosen by the scene</source>
+        <translation>Zurück zur Vorgabe, von der Szene gewählt</translation>
     </message>
     <message>
-        <source>Back to the default, one arm</source>
-        <translation>Zurück zur Vorgabe, ein Arm</translation>
+        <source>choose file…</source>
+        <translation>Datei wählen…</translation>
+    </message>
+    <message>
+        <source>As the file says</source>
+        <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>A number alone counts in the unit beside it, one with an exponent (1e7) in %1; any unit may be typed with it.</source>
+        <translation>Eine Zahl allein gilt in der Einheit daneben, eine mit Exponent (1e7) in %1; jede Einheit darf dazu getippt werden.</translation>
     </message>
     <message>
         <source>a length</source>
@@ -1557,8 +1481,75 @@
 <context>
     <name>asperity::SceneDocument</name>
     <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>All parameters</source>
+        <translation>Alle Parameter</translation>
+    </message>
+    <message>
+        <source>Back to the scene as opened</source>
+        <translation>Zurück zur Szene wie geöffnet</translation>
+    </message>
+    <message>
         <source>%1 parameters</source>
         <translation>%1 Parameter</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SceneTabs</name>
+    <message>
+        <source>velocity, friction, indentation and contact length in time</source>
+        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
+    </message>
+    <message>
+        <source>about the scene</source>
+        <translation>über die Szene</translation>
+    </message>
+    <message>
+        <source>coefficient of friction against velocity</source>
+        <translation>Reibungszahl über der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>spectrum of the rigid line</source>
+        <translation>Spektrum der starren Linie</translation>
+    </message>
+    <message>
+        <source>pressures and slopes in contact</source>
+        <translation>Drücke und Steigungen im Kontakt</translation>
+    </message>
+    <message>
+        <source>Friction curve</source>
+        <translation>Reibungskurve</translation>
+    </message>
+    <message>
+        <source>Motion in time</source>
+        <translation>Zeitverlauf</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Tabs</source>
+        <translation>Reiter</translation>
     </message>
 </context>
 <context>
@@ -1574,6 +1565,14 @@
 </context>
 <context>
     <name>asperity::ShortcutSheet</name>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
     <message>
         <source>Contact: mouse and touch</source>
         <translation>Kontakt: Maus und Finger</translation>
@@ -1667,14 +1666,6 @@
         <translation>Achsen anpassen</translation>
     </message>
     <message>
-        <source> or </source>
-        <translation> oder </translation>
-    </message>
-    <message>
-        <source>More</source>
-        <translation>Mehr</translation>
-    </message>
-    <message>
         <source>Keyboard shortcuts</source>
         <translation>Tastenkürzel</translation>
     </message>
@@ -1682,12 +1673,8 @@
 <context>
     <name>asperity::StatusLine</name>
     <message>
-        <source>The picture is on its way from the scene before to the steady state, which these numbers and the chart are of. R shows that at once.</source>
-        <translation>Das Bild ist auf dem Weg von der Szene davor in den stationären Zustand, zu dem diese Zahlen und das Diagramm gehören. R zeigt ihn sofort.</translation>
-    </message>
-    <message>
-        <source>settling (R: at once)</source>
-        <translation>schwingt ein (R: sofort)</translation>
+        <source> (mean %1 ± %2 %)</source>
+        <translation> (Mittel %1 ± %2 %)</translation>
     </message>
     <message>
         <source>elastic</source>
@@ -1714,12 +1701,28 @@
         <translation>Hier keine: Die Linie hat keine Rauheit.</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
+        <source>Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of a motion at this moment</source>
+        <translation>Gl. (13) der Arbeit: Relaxationszeit × Geschwindigkeit × RMS-Steigung / (√2 × RMS-Höhe); bei einer Bewegung in diesem Augenblick</translation>
+    </message>
+    <message>
+        <source>Where the velocity lies on the friction curve: regions I to IV of the paper, found on the complete curve</source>
+        <translation>Wo die Geschwindigkeit auf der Reibungskurve liegt: Bereiche I bis IV der Arbeit, gefunden auf der vollständigen Kurve</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction of this line, of a motion at this moment; in brackets the mean of all lines at this velocity with its standard error</source>
+        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
     </message>
     <message>
         <source>Eq. (14) of the paper: normal force / (shear modulus × rms height × length)</source>
         <translation>Gl. (14) der Arbeit: Normalkraft / (Schubmodul × RMS-Höhe × Länge)</translation>
+    </message>
+    <message>
+        <source>The picture is moving from the previous scene to the steady state that these numbers and the chart describe. R shows that state at once.</source>
+        <translation>Das Bild ist auf dem Weg von der Szene davor in den stationären Zustand, zu dem diese Zahlen und das Diagramm gehören. R zeigt ihn sofort.</translation>
+    </message>
+    <message>
+        <source>Lines computed per second for the curve, each at one velocity</source>
+        <translation>Linien bei je einer Geschwindigkeit, die in einer Sekunde für die Kurve berechnet werden</translation>
     </message>
     <message>
         <source>Pictures of the contact shown in the last second</source>
@@ -1730,22 +1733,6 @@
         <translation>Was den Kontakt zeichnet</translation>
     </message>
     <message>
-        <source>%1 frames/s</source>
-        <translation>%1 Bilder/s</translation>
-    </message>
-    <message>
-        <source> (mean %1 ± %2 %)</source>
-        <translation> (Mittel %1 ± %2 %)</translation>
-    </message>
-    <message>
-        <source>Where the velocity lies on the friction curve: regions I to IV of the paper, found on the complete curve</source>
-        <translation>Wo die Geschwindigkeit auf der Reibungskurve liegt: Bereiche I bis IV der Arbeit, gefunden auf der vollständigen Kurve</translation>
-    </message>
-    <message>
-        <source>Lines at one velocity each, computed in a second for the curve</source>
-        <translation>Linien bei je einer Geschwindigkeit, die in einer Sekunde für die Kurve berechnet werden</translation>
-    </message>
-    <message>
         <source>making the line</source>
         <translation>die Linie entsteht</translation>
     </message>
@@ -1754,7 +1741,7 @@
         <translation>Fortschritt der Kurve</translation>
     </message>
     <message>
-        <source>Making the line… Back to the scene before</source>
+        <source>Making the line… Back to the previous scene</source>
         <translation>Die Linie entsteht… Zurück zur vorigen Szene</translation>
     </message>
     <message>
@@ -1778,16 +1765,20 @@
         <translation>Kraft F̄ = %1</translation>
     </message>
     <message>
+        <source>settling (R: at once)</source>
+        <translation>schwingt ein (R: sofort)</translation>
+    </message>
+    <message>
         <source>velocity v̄ = %1</source>
         <translation>Geschwindigkeit v̄ = %1</translation>
     </message>
     <message>
-        <source>Coefficient of friction of this line, of a motion at this moment; in brackets the mean of all lines at this velocity with its standard error</source>
-        <translation>Reibungszahl dieser Linie, bei einer Bewegung in diesem Augenblick; in Klammern das Mittel aller Linien bei dieser Geschwindigkeit mit seinem Standardfehler</translation>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of a motion at this moment</source>
-        <translation>Gl. (13) der Arbeit: Relaxationszeit × Geschwindigkeit × RMS-Steigung / (√2 × RMS-Höhe); bei einer Bewegung in diesem Augenblick</translation>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
     </message>
 </context>
 <context>
@@ -1864,9 +1855,33 @@
         <source>Raise the velocity until the first valleys open: there the straight line ends.</source>
         <translation>Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen: Dort endet die Gerade.</translation>
     </message>
+    <message>
+        <source>Guided tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Tour: back</source>
+        <translation>Rundgang: zurück</translation>
+    </message>
+    <message>
+        <source>Tour: next</source>
+        <translation>Rundgang: weiter</translation>
+    </message>
+    <message>
+        <source>New here? A tour of six steps shows what there is to see.</source>
+        <translation>Neu hier? Ein Rundgang in sechs Schritten zeigt, was es zu sehen gibt.</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rundgang beginnen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::TourBar</name>
+    <message>
+        <source>%1 of %2&amp;ensp;&lt;b&gt;%3.&lt;/b&gt; %4 &lt;i&gt;Try: %5&lt;/i&gt;</source>
+        <translation>%1 von %2&amp;ensp;&lt;b&gt;%3.&lt;/b&gt; %4 &lt;i&gt;Versuch: %5&lt;/i&gt;</translation>
+    </message>
     <message>
         <source>Back</source>
         <translation>Zurück</translation>
@@ -1879,10 +1894,6 @@
         <source>End</source>
         <translation>Beenden</translation>
     </message>
-    <message>
-        <source>%1 of %2&amp;ensp;&lt;b&gt;%3.&lt;/b&gt; %4 &lt;i&gt;Try: %5&lt;/i&gt;</source>
-        <translation>%1 von %2&amp;ensp;&lt;b&gt;%3.&lt;/b&gt; %4 &lt;i&gt;Versuch: %5&lt;/i&gt;</translation>
-    </message>
 </context>
 <context>
     <name>asperity::ViewActionText</name>
@@ -1891,7 +1902,7 @@
         <translation>Vergrößern</translation>
     </message>
     <message>
-        <source>At the crosshair, or in the middle; also the wheel</source>
+        <source>At the crosshair or in the middle; also with the wheel</source>
         <translation>Am Fadenkreuz oder in der Mitte; auch mit dem Mausrad</translation>
     </message>
     <message>
@@ -1899,7 +1910,7 @@
         <translation>Verkleinern</translation>
     </message>
     <message>
-        <source>Also the wheel</source>
+        <source>Also with the wheel</source>
         <translation>Auch mit dem Mausrad</translation>
     </message>
     <message>
@@ -1913,6 +1924,10 @@
     <message>
         <source>More vertical exaggeration</source>
         <translation>Stärker überhöhen</translation>
+    </message>
+    <message>
+        <source>Also with Ctrl and the wheel</source>
+        <translation>Auch mit Strg und Mausrad</translation>
     </message>
     <message>
         <source>Less vertical exaggeration</source>
@@ -1939,8 +1954,8 @@
         <translation>Lupe</translation>
     </message>
     <message>
-        <source>Enlarges the asperity at the crosshair, or the one pressed most</source>
-        <translation>Vergrößert die Rauheitsspitze am Fadenkreuz oder die am stärksten gedrückte</translation>
+        <source>Enlarges the asperity at the crosshair, or the one under the highest pressure</source>
+        <translation>Vergrößert die Rauheitsspitze am Fadenkreuz oder die unter dem höchsten Druck</translation>
     </message>
     <message>
         <source>Contact pressure</source>
@@ -1955,7 +1970,7 @@
         <translation>Zeit seit dem Kontakt</translation>
     </message>
     <message>
-        <source>How long the free surface has had to come back</source>
+        <source>How long the free surface has had to recover</source>
         <translation>Wie lange die freie Oberfläche zur Rückkehr hatte</translation>
     </message>
     <message>
@@ -1963,7 +1978,7 @@
         <translation>Dissipierte Leistung</translation>
     </message>
     <message>
-        <source>Where friction turns into heat: in contact and where the surface comes back</source>
+        <source>Where friction turns into heat: in contact and where the surface recovers</source>
         <translation>Wo Reibung zu Wärme wird: im Kontakt und wo die Oberfläche zurückkehrt</translation>
     </message>
     <message>
@@ -1971,42 +1986,42 @@
         <translation>Nichts</translation>
     </message>
     <message>
-        <source>Colours show</source>
-        <translation>Farben zeigen</translation>
+        <source>Colour by</source>
+        <translation>Färben nach</translation>
     </message>
     <message>
-        <source>Next colours</source>
-        <translation>Nächste Farben</translation>
+        <source>Next colouring</source>
+        <translation>Nächste Färbung</translation>
     </message>
     <message>
-        <source>Goes through what colours can show</source>
-        <translation>Geht durch, was Farben zeigen können</translation>
-    </message>
-    <message>
-        <source>Also Ctrl and the wheel</source>
-        <translation>Auch mit Strg und Mausrad</translation>
+        <source>Switches to the next colouring</source>
+        <translation>Wechselt zur nächsten Färbung</translation>
     </message>
 </context>
 <context>
-    <name>asperity::WindowLanguage</name>
+    <name>asperity::WindowLayout</name>
     <message>
-        <source>&amp;Language</source>
-        <translation>&amp;Sprache</translation>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
     </message>
     <message>
-        <source>As the desktop</source>
-        <translation>Wie der Desktop</translation>
+        <source>Presentation</source>
+        <translation>Präsentation</translation>
+    </message>
+    <message>
+        <source>Leave full screen</source>
+        <translation>Vollbild verlassen</translation>
+    </message>
+    <message>
+        <source>Restore layout</source>
+        <translation>Anordnung wiederherstellen</translation>
     </message>
 </context>
 <context>
     <name>asperity::Words</name>
     <message>
-        <source>undecided</source>
-        <translation>unentschieden</translation>
-    </message>
-    <message>
-        <source>lines compared</source>
-        <translation>verglichene Linien</translation>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
     </message>
     <message>
         <source>height above the undeformed surface</source>
@@ -2017,28 +2032,84 @@
         <translation>Höhe</translation>
     </message>
     <message>
+        <source>μ of the interface</source>
+        <translation>μ der Grenzfläche</translation>
+    </message>
+    <message>
+        <source>Of local friction in contact, beside what the deformation costs; it does not change the contact.</source>
+        <translation>Aus lokaler Reibung im Kontakt, neben dem, was die Verformung kostet; sie ändert den Kontakt nicht.</translation>
+    </message>
+    <message>
+        <source>μ in total</source>
+        <translation>μ gesamt</translation>
+    </message>
+    <message>
+        <source>Of deformation and interface together: friction force over normal force.</source>
+        <translation>Aus Verformung und Grenzfläche zusammen: Reibungskraft durch Normalkraft.</translation>
+    </message>
+    <message>
+        <source>μ of the deformation</source>
+        <translation>μ der Verformung</translation>
+    </message>
+    <message>
         <source>friction coefficient μ</source>
         <translation>Reibungszahl μ</translation>
+    </message>
+    <message>
+        <source>μ when settled</source>
+        <translation>μ eingeschwungen</translation>
+    </message>
+    <message>
+        <source>What friction comes to in the steady state, as in the chart. The picture is still on its way there.</source>
+        <translation>Worauf die Reibung im stationären Zustand kommt, wie im Diagramm. Das Bild ist noch auf dem Weg dorthin.</translation>
     </message>
     <message>
         <source>normal force F</source>
         <translation>Normalkraft F</translation>
     </message>
     <message>
+        <source>Force that presses one period of the line into the elastomer.</source>
+        <translation>Kraft, die eine Periode der Linie in das Elastomer drückt.</translation>
+    </message>
+    <message>
         <source>indentation d</source>
         <translation>Eindringung d</translation>
+    </message>
+    <message>
+        <source>How deep the lowest point of the line lies below the undeformed surface.</source>
+        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt.</translation>
     </message>
     <message>
         <source>in contact</source>
         <translation>in Kontakt</translation>
     </message>
     <message>
+        <source>Share of the line&apos;s length that touches the elastomer.</source>
+        <translation>Anteil der Länge der Linie, der das Elastomer berührt.</translation>
+    </message>
+    <message>
         <source>velocity v</source>
         <translation>Geschwindigkeit v</translation>
     </message>
     <message>
-        <source>1 s on screen</source>
-        <translation>1 s im Bild</translation>
+        <source>Velocity of the line, to the right.</source>
+        <translation>Geschwindigkeit der Linie, nach rechts.</translation>
+    </message>
+    <message>
+        <source>Velocity of the line at this moment; below 0 it goes back.</source>
+        <translation>Geschwindigkeit der Linie in diesem Augenblick; unter 0 geht sie zurück.</translation>
+    </message>
+    <message>
+        <source>slow motion</source>
+        <translation>Zeitlupe</translation>
+    </message>
+    <message>
+        <source>time lapse</source>
+        <translation>Zeitraffer</translation>
+    </message>
+    <message>
+        <source>One second on the screen shows %1 of the motion.</source>
+        <translation>Eine Sekunde im Bild zeigt %1 der Bewegung.</translation>
     </message>
     <message>
         <source>rigid line at rest</source>
@@ -2053,8 +2124,16 @@
         <translation>starre Linie gleitet</translation>
     </message>
     <message>
+        <source>friction in total F</source>
+        <translation>Reibung gesamt F</translation>
+    </message>
+    <message>
         <source>friction F</source>
         <translation>Reibung F</translation>
+    </message>
+    <message>
+        <source>, arrow %1×</source>
+        <translation>, Pfeil %1×</translation>
     </message>
     <message>
         <source>elastomer</source>
@@ -2085,18 +2164,6 @@
         <translation>Elastomer: %1</translation>
     </message>
     <message>
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
-    </message>
-    <message>
-        <source>%1 failed</source>
-        <translation>%1 fehlgeschlagen</translation>
-    </message>
-    <message>
-        <source>, arrow %1×</source>
-        <translation>, Pfeil %1×</translation>
-    </message>
-    <message>
         <source>time since contact</source>
         <translation>Zeit seit dem Kontakt</translation>
     </message>
@@ -2107,6 +2174,18 @@
     <message>
         <source>contact pressure (line load)</source>
         <translation>Kontaktdruck (Linienlast)</translation>
+    </message>
+    <message>
+        <source>since contact</source>
+        <translation>seit Kontakt</translation>
+    </message>
+    <message>
+        <source>power (log)</source>
+        <translation>Leistung (log)</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Druck</translation>
     </message>
     <message>
         <source>position x</source>
@@ -2133,6 +2212,10 @@
         <translation>Steigung z′</translation>
     </message>
     <message>
+        <source>rate du/dt</source>
+        <translation>Rate du/dt</translation>
+    </message>
+    <message>
         <source>free for</source>
         <translation>frei seit</translation>
     </message>
@@ -2143,6 +2226,10 @@
     <message>
         <source>only for scheme %1</source>
         <translation>nur für das Verfahren %1</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>unentschieden</translation>
     </message>
     <message>
         <source>yes</source>
@@ -2161,6 +2248,10 @@
         <translation>Szenen</translation>
     </message>
     <message>
+        <source>%1 failed</source>
+        <translation>%1 fehlgeschlagen</translation>
+    </message>
+    <message>
         <source>one scene, %1 failed</source>
         <translation>eine Szene, davon %1 fehlgeschlagen</translation>
     </message>
@@ -2169,92 +2260,28 @@
         <translation>%1 Szenen, davon %2 fehlgeschlagen</translation>
     </message>
     <message>
-        <source>realizations</source>
-        <translation>Realisierungen</translation>
-    </message>
-    <message>
         <source>figure %1</source>
         <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>time steps</source>
+        <translation>Zeitschritte</translation>
     </message>
     <message>
         <source>frames</source>
         <translation>Bilder</translation>
     </message>
     <message>
+        <source>realizations</source>
+        <translation>Realisierungen</translation>
+    </message>
+    <message>
+        <source>lines compared</source>
+        <translation>verglichene Linien</translation>
+    </message>
+    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Force that presses one period of the line into the elastomer.</source>
-        <translation>Kraft, die eine Periode der Linie in das Elastomer drückt.</translation>
-    </message>
-    <message>
-        <source>How deep the lowest point of the line lies below the undeformed surface.</source>
-        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt.</translation>
-    </message>
-    <message>
-        <source>Share of the line&apos;s length that touches the elastomer.</source>
-        <translation>Anteil der Länge der Linie, der das Elastomer berührt.</translation>
-    </message>
-    <message>
-        <source>Velocity of the line, to the right.</source>
-        <translation>Geschwindigkeit der Linie, nach rechts.</translation>
-    </message>
-    <message>
-        <source>Velocity of the line at this moment; below 0 it goes back.</source>
-        <translation>Geschwindigkeit der Linie in diesem Augenblick; unter 0 geht sie zurück.</translation>
-    </message>
-    <message>
-        <source>So much of the simulated time passes in one second here.</source>
-        <translation>So viel simulierte Zeit vergeht hier in einer Sekunde.</translation>
-    </message>
-    <message>
-        <source>μ when settled</source>
-        <translation>μ eingeschwungen</translation>
-    </message>
-    <message>
-        <source>What friction comes to in the steady state, as in the chart. The picture is still on its way there.</source>
-        <translation>Worauf die Reibung im stationären Zustand kommt, wie im Diagramm. Das Bild ist noch auf dem Weg dorthin.</translation>
-    </message>
-    <message>
-        <source>since contact</source>
-        <translation>seit Kontakt</translation>
-    </message>
-    <message>
-        <source>power (log)</source>
-        <translation>Leistung (log)</translation>
-    </message>
-    <message>
-        <source>pressure</source>
-        <translation>Druck</translation>
-    </message>
-    <message>
-        <source>μ of the interface</source>
-        <translation>μ der Grenzfläche</translation>
-    </message>
-    <message>
-        <source>Of local friction in contact, beside what the deformation costs; it does not change the contact.</source>
-        <translation>Aus lokaler Reibung im Kontakt, neben dem, was die Verformung kostet; sie ändert den Kontakt nicht.</translation>
-    </message>
-    <message>
-        <source>μ in total</source>
-        <translation>μ gesamt</translation>
-    </message>
-    <message>
-        <source>Of deformation and interface together: friction force over normal force.</source>
-        <translation>Aus Verformung und Grenzfläche zusammen: Reibungskraft durch Normalkraft.</translation>
-    </message>
-    <message>
-        <source>μ of the deformation</source>
-        <translation>μ der Verformung</translation>
-    </message>
-    <message>
-        <source>friction in total F</source>
-        <translation>Reibung gesamt F</translation>
-    </message>
-    <message>
-        <source>time steps</source>
-        <translation>Zeitschritte</translation>
     </message>
 </context>
 </TS>

@@ -471,8 +471,8 @@
         <translation>Mittelung</translation>
     </message>
     <message>
-        <source>closure of the period</source>
-        <translation>Schließen der Periode</translation>
+        <source>periodicity</source>
+        <translation>Periodizität</translation>
     </message>
     <message>
         <source>force balance</source>
@@ -631,7 +631,7 @@
         <translation>das Fenster lässt die Linie vorbeiziehen</translation>
     </message>
     <message>
-        <source>there is no steady state to close</source>
+        <source>there is no steady state</source>
         <translation>es gibt keinen stationären Zustand zu schließen</translation>
     </message>
     <message>
@@ -1345,6 +1345,10 @@
     <message>
         <source>band: estimated error of elements and time steps, %1 in μ</source>
         <translation>Band: geschätzter Fehler durch Elemente und Zeitschritte, %1 in μ</translation>
+    </message>
+    <message>
+        <source>friction μ, deformation alone</source>
+        <translation>Reibung μ, nur Verformung</translation>
     </message>
     <message>
         <source>friction μ</source>

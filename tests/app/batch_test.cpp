@@ -84,6 +84,27 @@ TEST_F(BatchTest, ABadEntryIsToldAndTheOthersGoOn) {
   EXPECT_THAT(read("out/index.html"), HasSubstr("5 of them failed"));
 }
 
+/// What no scene can be is wrong with the file: nothing is written.
+TEST_F(BatchTest, ASweepThatCannotBeIsRefusedWithItsEntry) {
+  const auto refused = [&](const std::string& sweep, const std::string& message) {
+    write(R"({"name": "a", "scene": "s.json", "show": "contact"},
+             {"name": "b", "scene": "s.json", "sweep": {)" +
+          sweep + "}}");
+    expectRefused("batch b.json -o none", 2, "b.json: entries[1].sweep." + message);
+    EXPECT_FALSE(std::filesystem::exists(program.folder / "none"));
+  };
+  refused(R"("surface.hurts": [0.5])",
+          "surface.hurts: unknown key; the nearest known one is surface.hurst");
+  refused(R"("surface.hurst": [])", "surface.hurst: has no value");
+  refused(R"("surface.seed": {"from": 0, "to": 1, "points": 3})",
+          "surface.seed: a logarithmic range needs");
+}
+
+TEST_F(BatchTest, AnEmptyNameIsToldWithItsEntry) {
+  write(R"({"name": "a", "scene": "s.json", "show": "contact"}, {"name": ""})");
+  EXPECT_THAT(program.run("batch b.json -o out").err, HasSubstr("entries[1].name: is empty"));
+}
+
 /// Whatever a file says, the page shows it as text: titles, names, values and errors.
 TEST_F(BatchTest, ThePageHoldsNoMarkupOfItsScenes) {
   const std::string evil = R"(<script>alert('x')</script> \"><img src=x onerror=\"y\"> & more)";

@@ -90,6 +90,7 @@ TEST_F(CommandLineTest, BadUsageIsExitTwo) {
 TEST_F(CommandLineTest, OutputsThatCannotBeAreRefusedBeforeAnyWork) {
   expectRefused("curve s.json -o .", 2, "is a folder");
   expectRefused("curve s.json -o nowhere/a.csv", 2, "does not exist");
+  expectRefused("curve s.json -o -", 2, "without --output the table goes to standard output");
   expectRefused("curve s.json -o a.txt", 2, "is not one of .csv, .json, .png, .svg, .pdf");
   expectRefused("curve s.json -o a.csv -o b", 2, "is not one of");
   expectRefused("curve s.json -o /dev/full", 2, "not a plain file");

@@ -232,7 +232,8 @@ TEST_F(ExportTest, ADashIsNoFolder) {
                        R"({"schema": "asperity-batch/1", "entries": [{"scene": "s.json"}]})");
   for (const char* call : {"render s.json", "accuracy s.json", "figure 1", "batch b.json"})
     expectRefused(std::string(call) + " -o -", 2, "--output: '-' is no folder");
-  expectRefused("curve s.json -o -", 2, "is not one of .csv");
+  for (const char* call : {"curve s.json", "motion s.json"})
+    expectRefused(std::string(call) + " -o -", 2, "without --output the table goes to standard");
 }
 
 TEST_F(ExportTest, AKilledSequenceLeavesWholeFramesAndIsResumed) {

@@ -54,6 +54,21 @@ class MotionCommandTest : public ProgramTest {
   }
 };
 
+/// A picture of few pixels at the density of print: its texts are larger than on a screen.
+TEST_F(MotionCommandTest, ThePictureHasTextsOfItsScale) {
+  const auto heading = [&](const std::string& options) {
+    EXPECT_EQ(program.run("motion m.json -o a.svg --size 1016x760" + options).status, 0);
+    const std::string picture = read("a.svg"), key = "font-size=\"";
+    double largest = 0;
+    for (std::size_t at = picture.find(key); at != picture.npos; at = picture.find(key, at + 1))
+      largest = std::max(largest, std::stod(picture.substr(at + key.size(), 8)));
+    return largest;
+  };
+  const double usual = heading("");
+  EXPECT_GT(usual, 0);
+  EXPECT_NEAR(heading(" --scale 300dpi") / usual, 300.0 / 96, 0.4);
+}
+
 TEST_F(MotionCommandTest, WritesTheTableThePictureAndHowTheyWereMade) {
   const Said said =
       program.run("motion m.json -o a.csv -o a.json -o a.png -o a.svg -o a.pdf --json");

@@ -314,8 +314,8 @@ std::string mirrors(bool isQuick) {
       const Line lines[3] = {line, upsideDown(line), backwards(line)};
       for (std::size_t kind = 0; kind < 3; ++kind) {
         std::vector<SteadyResult> row(velocities.size());
-        slideSweep(prepareProfile(lines[kind], Scheme::Cubic), conditionsOf(scene, 0), scene.load,
-                   velocities, row);
+        slideSweep(prepareProfile(lines[kind], Scheme::Cubic), slidingConditions(scene, 0),
+                   scene.load, velocities, row);
         for (std::size_t i = 0; i < row.size(); ++i) mu[kind][i].push_back(row[i].mu);
       }
     }

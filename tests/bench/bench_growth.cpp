@@ -13,11 +13,11 @@ Body shipped(const PreparedProfile& line, double force) {
 
 void addGrid(std::int64_t elements, const Contact& contact) {
   addCase(gridName("shipped", elements, contact.name), [=] {
-    const PreparedProfile& line = travelLine({elements});
+    const PreparedProfile& line = preparedProfile({elements});
     return shipped(line, forceForContact(line, contact.fraction));
   });
   const auto scalar = [=]() -> Body {
-    const PreparedProfile& line = travelLine({elements});
+    const PreparedProfile& line = preparedProfile({elements});
     const double force = forceForContact(line, contact.fraction);
     return [&line, force] { return scalarSweep(line, force, {&kSlow, 1}, false); };
   };
@@ -30,12 +30,12 @@ void addGrid(std::int64_t elements, const Contact& contact) {
 void addGrowthCases(bool /*quick*/) {
   for (const double fraction : kFractions)
     addCase(fractionName(fraction), [=] {
-      const PreparedProfile& line = travelLine({5000});
+      const PreparedProfile& line = preparedProfile({5000});
       return shipped(line, forceForContact(line, fraction));
     });
   for (const std::int64_t elements : kSameContact)
     addCase(sameContactName(elements), [=] {
-      const PreparedProfile& line = travelLine({elements});
+      const PreparedProfile& line = preparedProfile({elements});
       const double fraction = kContactElements / static_cast<double>(elements);
       return shipped(line, forceForContact(line, fraction));
     });

@@ -46,7 +46,7 @@ void addWhole(const Version& version, std::int64_t elements, const Contact& cont
       gridName(version.path, elements, contact.name),
       [=]() -> Body {
         const Line& line = nodeLine(elements);
-        const double force = forceForContact(travelLine({elements}), contact.fraction);
+        const double force = forceForContact(preparedProfile({elements}), contact.fraction);
         return [=, &line] {
           const LiteralResult result = literalMarch(line, {kModulus, kRelaxation, kSlow}, force,
                                                     {.vectors = version.vectors});
@@ -62,7 +62,7 @@ void addExtrapolated(const Version& version, std::int64_t elements, const Contac
       gridName(version.path, elements, contact.name),
       [=]() -> Body {
         const Line& line = nodeLine(elements);
-        const double force = forceForContact(travelLine({elements}), contact.fraction);
+        const double force = forceForContact(preparedProfile({elements}), contact.fraction);
         return [=, &line, steady = steadyAt(elements, force)] {
           const LiteralResult result =
               literalMarch(line, {kModulus, kRelaxation, kSlow}, force,

@@ -3,7 +3,7 @@
 // line, as in every ensemble, the first line of which is one in 200.
 #include <map>
 
-#include "core/contact/kernels/lane_pass.h"
+#include "core/contact/kernels/kernels.h"
 #include "tests/bench/fields.h"
 #include "tests/bench/line_store.h"
 #include "tests/bench/workload.h"
@@ -16,7 +16,7 @@ using Lines = std::vector<const PreparedProfile*>;
 Lines linesOf(const Resolution& resolution, int count) {
   Lines lines;
   for (int i = 0; i < count; ++i)
-    lines.push_back(&travelLine({5000, resolution.scheme, resolution.oversampling, i}));
+    lines.push_back(&preparedProfile({5000, resolution.scheme, resolution.oversampling, i}));
   return lines;
 }
 
@@ -35,7 +35,7 @@ Body over(const Resolution& resolution, int lineCount, const std::vector<double>
 /// The shipped path at these forces on each line.
 Body shipped(const Resolution& resolution, int lineCount, const std::vector<double>& forces) {
   const PreparedProfile& another =
-      travelLine({5000, resolution.scheme, resolution.oversampling, 100});
+      preparedProfile({5000, resolution.scheme, resolution.oversampling, 100});
   std::map<double, std::vector<SteadyResult>> others;
   for (const double force : forces)
     others[force] = shippedResults(another, force, figure2Velocities());

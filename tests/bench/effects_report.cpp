@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/contact/interface.h"
 #include "core/contact/march/time_march.h"
+#include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
 #include "core/surface/line_source.h"
 #include "tests/bench/instructions.h"

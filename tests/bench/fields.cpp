@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/contact/kernels/lane_pass.h"
+#include "core/contact/kernels/kernels.h"
 
 namespace asperity::bench {
 

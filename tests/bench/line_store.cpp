@@ -9,7 +9,7 @@
 namespace asperity::bench {
 namespace {
 
-std::map<LineKey, PreparedProfile> travelLines;
+std::map<LineKey, PreparedProfile> preparedProfiles;
 std::map<std::pair<std::int64_t, std::int64_t>, Line> nodeLines;
 
 const Scene& figure2() {
@@ -27,11 +27,11 @@ Scene sceneOf(const LineKey& key) {
   return scene;
 }
 
-const PreparedProfile& travelLine(const LineKey& key) {
-  auto found = travelLines.find(key);
-  if (found == travelLines.end()) {
+const PreparedProfile& preparedProfile(const LineKey& key) {
+  auto found = preparedProfiles.find(key);
+  if (found == preparedProfiles.end()) {
     const Line line = LineSource(sceneOf(key), key.oversampling).make(key.realization);
-    found = travelLines.emplace(key, prepareProfile(line, key.scheme)).first;
+    found = preparedProfiles.emplace(key, prepareProfile(line, key.scheme)).first;
   }
   return found->second;
 }
@@ -47,7 +47,7 @@ const Line& nodeLine(std::int64_t elements, std::int64_t realization) {
 }
 
 void clearLines() {
-  travelLines.clear();
+  preparedProfiles.clear();
   nodeLines.clear();
 }
 

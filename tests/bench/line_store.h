@@ -20,7 +20,7 @@ struct LineKey {
 /// The scene of resources/scenes/figure_2.json with this line's keys.
 Scene sceneOf(const LineKey& key);
 
-const PreparedProfile& travelLine(const LineKey& key);
+const PreparedProfile& preparedProfile(const LineKey& key);
 
 /// The line itself, at its own N nodes, for the literal algorithm.
 const Line& nodeLine(std::int64_t elements, std::int64_t realization = 0);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/contact/kernels/lane_pass.h"
+#include "core/contact/kernels/kernels.h"
 #include "tests/bench/accuracy_report.h"
 #include "tests/bench/cancel.h"
 #include "tests/bench/effects_report.h"

@@ -95,7 +95,7 @@ class Study {
   void simulate(const std::vector<double>& forces) {
     results_.resize(forces.size() * velocities_.size());
     others_.resize(results_.size());
-    const SlidingConditions conditions = conditionsOf(base_, 0);
+    const SlidingConditions conditions = slidingConditions(base_, 0);
     slideAtForces(another_, conditions, forces, velocities_, others_);
     const double start = threadSeconds();
     slideAtForces(line_, conditions, forces, velocities_, results_, {}, others_);

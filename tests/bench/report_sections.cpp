@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/contact/kernels/lane_pass.h"
+#include "core/contact/kernels/kernels.h"
 #include "tests/bench/fields.h"
 #include "tests/bench/table.h"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/contact/kernels/lane_pass.h"
+#include "core/contact/kernels/kernels.h"
 
 namespace asperity::bench {
 

@@ -27,8 +27,10 @@ namespace {
 
 constexpr FrameFields kEverything{true, true, true};
 
+/// With the two points to an element that the pictures were made with.
 Scene sceneOf(const std::string& name) {
-  return readSceneFile(std::string(ASPERITY_RESOURCES_DIR) + "/scenes/" + name + ".json", {});
+  return readSceneFile(std::string(ASPERITY_RESOURCES_DIR) + "/scenes/" + name + ".json",
+                       {"accuracy.oversampling=2"});
 }
 
 Frame steadyFrame(const std::string& name) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/contact/arms/arm_sliding.h"
+#include "core/contact/arms/arm_balance.h"
 #include "core/contact/steady_solver.h"
 #include "core/surface/line_source.h"
 #include "tests/stability/invariants.h"

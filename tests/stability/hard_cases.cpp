@@ -3,9 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/surface/fourier.h"
+#include "core/surface/line.h"
 #include "core/surface/line_source.h"
-#include "core/surface/shapes.h"
 #include "core/surface/spectrum.h"
 
 namespace asperity {
@@ -50,8 +49,8 @@ Line smooth(const std::vector<double>& heights) {
   line.spacing = kLength / static_cast<double>(heights.size());
   transform.evaluate(modes, line.height);
   transform.evaluateSlope(modes, line.slopeAfter);
-  line.rmsHeight = rmsHeightOf(modes);
-  line.rmsSlope = rmsSlopeOf(modes);
+  line.rmsHeight = rmsHeight(modes);
+  line.rmsSlope = rmsSlope(modes);
   return line;
 }
 
@@ -124,11 +123,11 @@ void addConditions(Table& table) {
 
 /// The indentation from which on the line touches everywhere: max(z - c z'), over the segments.
 double fullContactDepth(const Line& line, double memory) {
-  const PreparedProfile travel = prepareProfile(line, Scheme::Cubic);
+  const PreparedProfile profile = prepareProfile(line, Scheme::Cubic);
   double depth = 0;
-  for (std::size_t i = 0; i < travel.segments(); ++i) {
-    const Cubic rise = travel.segment(i);
-    const double k = memory / travel.segmentLength(i);
+  for (std::size_t i = 0; i < profile.segments(); ++i) {
+    const Cubic rise = profile.segment(i);
+    const double k = memory / profile.segmentLength(i);
     const Cubic needed{rise.c0 + k * rise.c1, rise.c1 + 2 * k * rise.c2, rise.c2 + 3 * k * rise.c3,
                        rise.c3};
     depth = std::max({depth, needed(0), needed(1)});

@@ -20,12 +20,12 @@ double relative(double a, double b) {
   return std::abs(a - b) / std::max(std::abs(a), std::abs(b));
 }
 
-PreparedProfile travelOf(const Situation& situation, Direction direction = Direction::Forward) {
+PreparedProfile profileOf(const Situation& situation, Direction direction = Direction::Forward) {
   return prepareProfile(situation.line, situation.scheme, direction);
 }
 
-double highestOf(const PreparedProfile& travel) {
-  return *std::max_element(travel.rise.begin(), travel.rise.end());
+double highestOf(const PreparedProfile& profile) {
+  return *std::max_element(profile.heightAboveMinimum.begin(), profile.heightAboveMinimum.end());
 }
 
 Line mirrored(const Line& line) {
@@ -96,11 +96,11 @@ double Finding::share() const {
 }
 
 SteadyResult solve(const Situation& situation, Path path) {
-  const PreparedProfile travel = travelOf(situation);
-  if (path == Path::Plain) return slideAtLoad(travel, situation.conditions, situation.load);
+  const PreparedProfile profile = profileOf(situation);
+  if (path == Path::Plain) return slideAtLoad(profile, situation.conditions, situation.load);
   std::array<SteadyResult, 1> results;
   const std::array<double, 1> velocities{situation.conditions.velocity};
-  slideSweep(travel, situation.conditions, situation.load, velocities, results);
+  slideSweep(profile, situation.conditions, situation.load, velocities, results);
   return results[0];
 }
 
@@ -142,13 +142,14 @@ std::vector<Finding> resultFindings(const Situation& situation, const SteadyResu
 }
 
 std::vector<Finding> shapeFindings(const Situation& situation, double indentation) {
-  const PreparedProfile travel = travelOf(situation);
-  const NodeShape shape = shapeAt(travel, situation.conditions, indentation);
-  const double ulp = highestOf(travel) * kEpsilon;
+  const PreparedProfile profile = profileOf(situation);
+  const NodeShape shape = shapeAt(profile, situation.conditions, indentation);
+  const double ulp = highestOf(profile) * kEpsilon;
   double negative = 0, through = 0, both = 0, infinite = 0;
   for (std::size_t i = 0; i < shape.depth.size(); ++i) {
     infinite += std::isfinite(shape.depth[i]) && std::isfinite(shape.pressure[i]) ? 0 : 1;
-    const double gap = shape.depth[i] - (indentation - travel.rise[i]);  // (z - d) - u
+    const double gap =
+        shape.depth[i] - (indentation - profile.heightAboveMinimum[i]);  // (z - d) - u
     negative = std::max({negative, -shape.pressure[i], -shape.depth[i]});
     through = std::max(through, -gap);
     if (shape.pressure[i] > 0) both = std::max(both, gap);
@@ -161,11 +162,11 @@ std::vector<Finding> shapeFindings(const Situation& situation, double indentatio
 }
 
 Finding forceGrowsWithDepth(const Situation& situation, double indentation) {
-  const PreparedProfile travel = travelOf(situation);
+  const PreparedProfile profile = profileOf(situation);
   double worst = 0, last = 0;
   for (const double factor : {0.25, 0.5, 0.9, 1 - 1e-9, 1.0, 1 + 1e-9, 1.1, 2.0, 4.0}) {
     const double force =
-        slideAtDepth(travel, situation.conditions, indentation * factor).normalForce;
+        slideAtDepth(profile, situation.conditions, indentation * factor).normalForce;
     if (!std::isfinite(force)) return {"F_N grows with d", kInfinity, 0};
     if (force < last) worst = std::max(worst, (last - force) / last);
     last = force;
@@ -177,7 +178,7 @@ Finding mirrorSymmetry(const Situation& situation) {
   Situation mirror = situation;
   mirror.line = mirrored(situation.line);
   const SteadyResult back =
-      slideAtLoad(travelOf(situation, Direction::Backward), situation.conditions, situation.load);
+      slideAtLoad(profileOf(situation, Direction::Backward), situation.conditions, situation.load);
   const SteadyResult on = solve(mirror, Path::Plain);
   return {"mirror symmetry", apart(situation, back.mu, on.mu),
           1e-12 + 4 * (back.residual + on.residual) + heightNoise(situation, on.indentation)};

@@ -45,12 +45,12 @@ struct Worst {
       energy = std::max(energy, std::abs(step.work - step.stored - step.dissipated) / scale);
     finite = finite && std::isfinite(step.indentation) && std::isfinite(step.lineWork);
     double highest = march.indentation();
-    for (const double rise : march.rise()) highest = std::max(highest, rise);
+    for (const double rise : march.heightAboveMinimum()) highest = std::max(highest, rise);
     const double ulp = highest * std::numeric_limits<double>::epsilon();
     for (std::size_t i = 0; i < march.depth().size(); ++i) {
       finite = finite && std::isfinite(march.depth()[i]) && std::isfinite(march.pressure()[i]);
       negative = std::max({negative, -march.pressure()[i], -march.depth()[i]});
-      const double gap = march.depth()[i] - (march.indentation() - march.rise()[i]);
+      const double gap = march.depth()[i] - (march.indentation() - march.heightAboveMinimum()[i]);
       through = std::max(through, -gap / ulp);
     }
   }

@@ -12,7 +12,7 @@
 namespace asperity {
 
 /// Sliding towards +x under a load. law: with an equilibrium modulus and arms; the answer is looked
-/// for from a depth (m) and strains of the arms at the lowest point (m) nearby. closure of the
+/// for from a depth (m) and strains of the arms at the lowest point (m) nearby. residual of the
 /// result: what is left of balance and period, relative.
 ReferenceResult referenceWithArms(const Line& line, Scheme scheme, const ElementLaw& law,
                                   double velocity, const Load& load, double depth,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/scene/effects.h"
+#include "ui/contact/label_placement.h"
 #include "ui/draw/colours.h"
 #include "ui/draw/ticks.h"
 
@@ -11,6 +12,8 @@ namespace asperity {
 namespace {
 
 constexpr float kLeastPlot = 130;         // units; in lower plots there is no room
+constexpr float kLowPlot = 300;           // units; in higher ones the line may pass behind arrows
+constexpr float kAir = 4;                 // units, from an arrow's end to the line
 constexpr float kShortestArrow = 5;       // units; a shorter one is lost in the dot at its foot
 constexpr double kTypicalFriction = 0.5;  // of the plateau's mu: its arrow is about as long as F_N
 
@@ -63,7 +66,9 @@ double frictionForce(const ContactState& state) {
   return std::abs(totalFriction(state)) * state.normalForce;
 }
 
-ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout) {
+namespace {
+
+ForceArrows arrowsInScale(const Frame& frame, const ContactLayout& layout) {
   ForceArrows arrows;
   const ContactState state = drawnState(frame);
   const float u = layout.sizes.unit;
@@ -80,6 +85,27 @@ ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout) {
   arrows.sideways = static_cast<float>(mu * arrows.enlarged) * arrows.down;
   if (arrows.sideways < kShortestArrow * u) arrows.sideways = 0;
   return arrows;
+}
+
+}  // namespace
+
+Place footOf(const ForceArrows& arrows, const ContactLayout& layout, float top) {
+  const float away = 3 * std::round(9 * layout.sizes.unit);
+  return {layout.plot.right() - away - (arrows.pointsRight ? arrows.sideways : 0), top};
+}
+
+ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout, std::optional<float> top) {
+  const ForceArrows arrows = arrowsInScale(frame, layout);
+  const float u = layout.sizes.unit;
+  if (!top || !(arrows.down > 0) || layout.plot.height > kLowPlot * u) return arrows;
+  for (const float part : {1.0F, 0.75F, 0.55F})
+    if (lineStaysBelow(frame, layout, *top + part * arrows.down + kAir * u)) {
+      ForceArrows shorter = arrows;
+      shorter.down *= part;
+      shorter.sideways *= part;
+      return shorter;
+    }
+  return {};
 }
 
 void addForceArrows(ForceLayers layers, const ForceArrows& arrows, Place from,

@@ -1,6 +1,8 @@
 // The forces on the rigid line as two arrows from one point, in scale. Private to ui/contact; pure.
 #pragma once
 
+#include <optional>
+
 #include "ui/contact/contact_layout.h"
 
 namespace asperity {
@@ -20,7 +22,13 @@ struct ForceArrows {
 /// after a stop or a reversal, when contact is still on the other side.
 bool pushesRight(const Frame& frame);
 
-ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout);
+/// top: of the arrows, pixels; with it they are shorter, or none, where they would lie across the
+/// line of a low picture, now or while it slides by.
+ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout,
+                        std::optional<float> top = {});
+
+/// The point from which both arrows begin, at the right of the plot.
+Place footOf(const ForceArrows& arrows, const ContactLayout& layout, float top);
 
 /// Rims belong under the line, which they would cut, and arrows over it.
 struct ForceLayers {

@@ -114,11 +114,15 @@ std::vector<Reading> readingsOf(const Frame& frame) {
                         isSteady ? Words::tr("Velocity of the line, to the right.")
                                  : Words::tr("Velocity of the line at this moment; below 0 it goes "
                                              "back.")});
-  if (frame.timeScale > 0)
-    readings.push_back({{{Words::tr("1 s on screen")}},
-                        "= " + quantity(frame.timeScale, "s"),
+  if (frame.timeScale > 0) {
+    const bool isSlower = frame.timeScale < 1;
+    const double factor = isSlower ? 1 / frame.timeScale : frame.timeScale;
+    readings.push_back({{{isSlower ? Words::tr("slow motion") : Words::tr("time lapse")}},
+                        shortNumber(factor, 2) + "\u00D7",
                         8,
-                        Words::tr("So much of the simulated time passes in one second here.")});
+                        filled(Words::tr("One second on the screen shows %1 of the motion."),
+                               {quantity(frame.timeScale, "s")})});
+  }
   return readings;
 }
 

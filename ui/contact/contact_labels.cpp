@@ -124,6 +124,11 @@ void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const Co
   }
 }
 
+/// Where arrows may begin under the row of labels whose upper edge is at y.
+float belowRow(const TagPainter& painter, const ContactLayout& layout, float y) {
+  return y + painter.height() + std::round(9 * layout.sizes.unit);
+}
+
 /// "rigid body" on the left, the motion in the middle, the forces on the right, as far as they fit.
 void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& layout, float y) {
   const float gap = std::round(10 * layout.sizes.unit);
@@ -145,7 +150,7 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
     return;
   }
   if (isThere) left += painter.width(name) + gap;
-  const ForceArrows arrows = forceArrows(frame, layout);
+  const ForceArrows arrows = forceArrows(frame, layout, belowRow(painter, layout, y));
   for (const Tag& force : forceTags(frame, arrows)) {
     const float needed = painter.width(force) + gap;
     if (right - left < needed + (motion ? painter.width(*motion) + gap : 0)) break;
@@ -158,7 +163,7 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   painter.paint(*motion, {std::round(std::clamp(middle, left, right - width)), y}, plate);
 }
 
-/// "200 \u00B5W in all, 23 % in the free surface": what comes back takes power, too. In steady
+/// "200 \u00B5W total, 23 % in the free surface": what comes back takes power, too. In steady
 /// sliding all is what the friction force does, that of the interface included, to the last digit;
 /// the sum over points, which gives the shares, only comes near to it.
 std::string powerText(const Frame& frame) {
@@ -171,7 +176,7 @@ std::string powerText(const Frame& frame) {
   const double power = isSteady ? frictionForce(drawnState(frame)) * std::abs(velocityOf(frame))
                                 : whole * frame.spacing;
   if (!(whole > 0)) return Words::tr("nothing is dissipated");
-  return filled(Words::tr("%1 in all, %2 % in the free surface"),
+  return filled(Words::tr("%1 total, %2 % in the free surface"),
                 {quantity(power, "W"), shortNumber(100 * free / whole, 2)});
 }
 
@@ -248,13 +253,9 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout)
     addRigidRow(painter, frame, layout, row);
   else
     addRigidTagsBetweenCrests(painter, frame, layout, row);
-  const ForceArrows arrows = hasRow ? forceArrows(frame, layout) : ForceArrows{};
-  const float reach = arrows.pointsRight ? arrows.sideways : 0;
-  if (arrows.down > 0)
-    addForceArrows(
-        {plates, layer}, arrows,
-        {layout.plot.right() - 3 * margin - reach, layout.plot.y + 2 * margin + painter.height()},
-        layout);
+  const float top = belowRow(painter, layout, row);
+  const ForceArrows arrows = hasRow ? forceArrows(frame, layout, top) : ForceArrows{};
+  if (arrows.down > 0) addForceArrows({plates, layer}, arrows, footOf(arrows, layout, top), layout);
   nameElastomer(painter, frame, layout, notes);
   list.layers.insert(list.layers.end() - 1, std::move(plates));  // the last has the curves
   list.layers.push_back(std::move(layer));

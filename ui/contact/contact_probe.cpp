@@ -3,11 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/language/words.h"
+#include "core/material/element_law.h"
 #include "ui/contact/decimate.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/words.h"
 
 namespace asperity {
+namespace {
+
+/// A marched element is under a constant pressure in each time step, so at the end of the step its
+/// law gives its rate exactly. The line's slope and velocity give it to first order in the step.
+std::optional<double> surfaceRate(const Frame& frame, std::size_t point) {
+  const bool isMarched = frame.transient || frame.isSettling;
+  if (!frame.scene || !isMarched) return std::nullopt;
+  const ElementLaw law = lawOf(frame.scene->elastomer);
+  if (law.kind() != ElementKind::Kelvin) return std::nullopt;
+  const double spring = -4 * law.equilibriumModulus * frame.surfaceHeight[point];
+  return (spring - frame.pressure[point]) / (4 * law.viscosity);
+}
+
+}  // namespace
 
 std::optional<ProbeReading> probeReading(const Frame& frame, double x) {
   if (!isDrawable(frame) || !std::isfinite(x)) return std::nullopt;
@@ -27,6 +42,7 @@ std::optional<ProbeReading> probeReading(const Frame& frame, double x) {
                       ? frame.lineSlope[i]
                       : (frame.lineHeight[(i + 1) % n] - frame.lineHeight[(i + n - 1) % n]) /
                             (2 * frame.spacing);
+  reading.surfaceRate = surfaceRate(frame, i);
   if (frame.sinceContact.size() == n && std::isfinite(frame.sinceContact[i]))
     reading.age = frame.sinceContact[i];
   if (frame.power.size() == n) reading.power = frame.power[i];
@@ -43,6 +59,9 @@ std::vector<ProbeLine> probeLines(const ProbeReading& reading) {
   else
     lines.push_back({Words::tr("gap"), quantity(reading.gap, "m", 3, Zeros::Keep)});
   lines.push_back({Words::tr("slope z\u2032"), shortNumber(reading.slope, 3, Zeros::Keep)});
+  if (reading.surfaceRate)
+    lines.push_back(
+        {Words::tr("rate du/dt"), quantity(*reading.surfaceRate, "m/s", 3, Zeros::Keep)});
   if (reading.age && *reading.age > 0)
     lines.push_back({Words::tr("free for"), quantity(*reading.age, "s", 3, Zeros::Keep)});
   if (reading.power)

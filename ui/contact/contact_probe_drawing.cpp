@@ -1,11 +1,12 @@
 // The crosshair of a contact picture and its readout.
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
-#include "ui/draw/colours.h"
 #include "ui/contact/contact_insets.h"
 #include "ui/contact/contact_probe.h"
+#include "ui/draw/colours.h"
 #include "ui/draw/text_metrics.h"
 
 namespace asperity {
@@ -34,9 +35,9 @@ struct Readout {
   float height() const { return row * static_cast<float>(lines.size()) + 1.4F * inset; }
 };
 
-Readout readoutOf(const ProbeReading& reading, const Sizes& s) {
+Readout readoutOf(std::vector<ProbeLine> lines, const Sizes& s) {
   Readout readout;
-  readout.lines = probeLines(reading);
+  readout.lines = std::move(lines);
   readout.row = std::round(1.42F * s.small);
   readout.inset = std::round(0.75F * s.small);
   readout.gap = std::round(s.small);
@@ -47,34 +48,66 @@ Readout readoutOf(const ProbeReading& reading, const Sizes& s) {
   return readout;
 }
 
-/// Beside the crosshair, on the side with more room; high or low, where the dots are not.
-Box placeOf(const Readout& readout, float x, float upper, float lower, const ContactLayout& layout,
-            const Box& taken) {
+/// The crosshair and its dots in the plot, and a box that is taken.
+struct Surroundings {
+  float x, upper, lower;
+  Box taken;
+};
+
+/// Beside the crosshair, on the side with more room; high or low, where the dots are not. In a
+/// narrow plot at its edges, above the dots or below them. Nothing where all of that covers the
+/// dots or what is taken.
+std::optional<Box> placeOf(const Readout& readout, const Surroundings& around,
+                           const ContactLayout& layout) {
   const Box& plot = layout.plot;
+  const auto [x, upper, lower, taken] = around;
   const float away = std::round(14 * layout.sizes.unit), edge = std::round(4 * layout.sizes.unit);
   const float w = readout.width(), h = readout.height();
+  if (w + 2 * edge > plot.width || h + 2 * edge > plot.height) return std::nullopt;
   const float right = x + away, left = x - away - w;
-  const float most = std::max(plot.x + edge, plot.right() - edge - w);
-  const bool goesRight = right <= most;
+  const float first = plot.x + edge, last = plot.right() - edge - w;
   const float middle = 0.5F * (upper + lower) - 0.5F * h;
   // Below the row of labels where there is room.
   const float row = std::round(1.75F * (layout.sizes.small + 1)) + 2 * edge;
-  const float low = std::max(plot.y + edge, plot.bottom() - edge - h);
-  const float least = plot.y + edge + (plot.y + edge + row <= low ? row : 0);
-  std::vector<Box> places;
-  for (const float side : goesRight ? std::array{right, left} : std::array{left, right})
-    for (const float y : {middle, least, low})
-      places.push_back({std::round(std::clamp(side, plot.x + edge, most)),
-                        std::round(std::clamp(y, least, low)), w, h});
-  for (const Box& place : places) {
-    const bool coversPoint = place.x < x + 0.5F * away && place.right() > x - 0.5F * away;
-    if (!coversPoint && !overlap(place, taken)) return place;
+  const float high = plot.y + edge, low = plot.bottom() - edge - h;
+  const float least = high + row <= low ? high + row : high;
+  const bool goesRight = right <= last;
+  for (const float side : {goesRight ? right : left, goesRight ? left : right, first, last})
+    for (const float y : {middle, least, low, upper - away - h, lower + away, high}) {
+      const Box place{std::round(std::clamp(side, first, last)),
+                      std::round(std::clamp(y, y == high ? high : least, low)), w, h};
+      const bool isBeside = place.x >= x + 0.5F * away || place.right() <= x - 0.5F * away;
+      const bool isApart = place.y >= lower + 0.5F * away || place.bottom() <= upper - 0.5F * away;
+      if ((isBeside || isApart) && !overlap(place, taken)) return place;
+    }
+  return std::nullopt;
+}
+
+/// From the last one on; of the first four the rigid line's height, which is that of the elastomer
+/// in contact.
+void leaveOneOut(std::vector<ProbeLine>& lines) {
+  if (lines.size() == 4)
+    lines.erase(lines.begin() + 1);
+  else
+    lines.pop_back();
+}
+
+/// The readout with as many of its lines as there is a free place for, three at least; over an
+/// inset only where there is no such place.
+std::optional<std::pair<Readout, Box>> fittingReadout(const ProbeReading& reading,
+                                                      Surroundings around,
+                                                      const ContactLayout& layout) {
+  constexpr std::size_t kFewestLines = 3;
+  const Readout all = readoutOf(probeLines(reading), layout.sizes);
+  for (const Box& taken : {around.taken, Box{}}) {
+    around.taken = taken;
+    std::vector<ProbeLine> lines = all.lines;
+    for (; lines.size() >= kFewestLines; leaveOneOut(lines)) {
+      const Readout readout = readoutOf(lines, layout.sizes);
+      if (const auto place = placeOf(readout, around, layout)) return {{readout, *place}};
+    }
   }
-  // A narrow plot: above or below the dots.
-  Box place = places.front();
-  place.y = upper - plot.y > plot.bottom() - lower ? upper - away - h : lower + away;
-  if (place.x > x + 0.5F * away || place.right() < x - 0.5F * away) place.y = places.front().y;
-  return place;
+  return std::nullopt;
 }
 
 void addReadout(DrawList& list, const Readout& readout, const Box& box,
@@ -127,11 +160,10 @@ void addProbe(DrawList& list, const Frame& frame, double x, const ContactLayout&
     addLine(layer, {{px, y}}, 6 * u, y == line ? layout.theme.rigid : layout.theme.highlight);
   }
   list.layers.push_back(std::move(layer));
-  const Readout readout = readoutOf(*reading, layout.sizes);
-  if (readout.width() + 8 * u > plot.width || readout.height() + 8 * u > plot.height) return;
   const float upper = std::clamp(std::min(line, surface), plot.y, plot.bottom());
   const float lower = std::clamp(std::max(line, surface), plot.y, plot.bottom());
-  addReadout(list, readout, placeOf(readout, px, upper, lower, layout, taken), layout);
+  if (const auto fitting = fittingReadout(*reading, {px, upper, lower, taken}, layout))
+    addReadout(list, fitting->first, fitting->second, layout);
 }
 
 }  // namespace asperity

@@ -26,6 +26,11 @@ std::unique_ptr<PixelContext> makePixelContext(PixelBackend backend) {
   }
 }
 
+PixelContext& contextOfThread() {
+  thread_local const std::unique_ptr<PixelContext> context = makePixelContext();
+  return *context;
+}
+
 void checkPictureSize(const DrawList& list) {
   if (list.width <= 0 || list.height <= 0)
     throw std::runtime_error("A picture needs a width and a height of at least one pixel.");

@@ -38,6 +38,9 @@ enum class PixelBackend { Automatic, Osmesa, Egl };
 /// Automatic: OSMesa, and EGL where that fails; where both fail the sentences of both.
 std::unique_ptr<PixelContext> makePixelContext(PixelBackend backend = PixelBackend::Automatic);
 
+/// The one context of the calling thread: made with the first call, destroyed with the thread.
+PixelContext& contextOfThread();
+
 /// Throws std::runtime_error unless a picture of this size can be drawn.
 void checkPictureSize(const DrawList& list);
 

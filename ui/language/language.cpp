@@ -1,6 +1,7 @@
 #include "ui/language/language.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
@@ -68,6 +69,23 @@ const Loaded& languageOf(std::string_view code) {
   return *language;
 }
 
+/// Sets the texts of what owns it when that is told of another language.
+class Translating : public QObject {
+ public:
+  Translating(QObject& owner, std::function<void()> say) : QObject(&owner), say_(std::move(say)) {
+    owner.installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::LanguageChange) say_();
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  std::function<void()> say_;
+};
+
 }  // namespace
 
 std::span<const Language> languages() {
@@ -97,6 +115,11 @@ void useLanguage(std::string_view code) {
     if (*translator) QCoreApplication::removeTranslator(translator->get());
   for (const auto* translator : {&next.dialogs, &next.texts})
     if (*translator) QCoreApplication::installTranslator(translator->get());
+}
+
+void keepTranslated(QObject& widget, std::function<void()> say) {
+  say();
+  new Translating(widget, std::move(say));
 }
 
 std::string_view presentLanguage() {

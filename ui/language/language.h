@@ -4,10 +4,13 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+
+class QObject;
 
 namespace asperity {
 
@@ -26,8 +29,13 @@ std::string languageCodes();
 std::string_view languageFor(std::string_view locale);
 
 /// Chooses one of `languages()`; an unknown code means English. Where there is a QCoreApplication,
-/// its tr() and the texts of Qt's own dialogs follow.
+/// its tr() and the texts of Qt's own dialogs follow, and every widget gets a
+/// QEvent::LanguageChange.
 void useLanguage(std::string_view code);
+
+/// Calls `say` now, and again whenever the language changes: `say` sets all texts of the widget
+/// that come from tr(). A child of a widget may be given as well. GUI thread.
+void keepTranslated(QObject& widget, std::function<void()> say);
 
 /// The code of the one in use.
 std::string_view presentLanguage();

@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/printed_number.h"
 #include "core/scene/arms_text.h"
 #include "core/scene/parameters.h"
-#include "core/base/printed_number.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/typed_number.h"
@@ -66,8 +66,6 @@ class ArmRow {
     remove_->setText(QStringLiteral("✕"));
     remove_->setProperty("role", "remove");
     remove_->setObjectName(QStringLiteral("armRemove:%1").arg(index));
-    remove_->setToolTip(ArmsEditor::tr("Remove this arm"));
-    remove_->setAccessibleName(ArmsEditor::tr("remove arm %1").arg(index + 1));
     remove_->setFocusPolicy(Qt::TabFocus);
     // Later: the button may go with its arm.
     QObject::connect(
@@ -82,6 +80,19 @@ class ArmRow {
     grid.addWidget(error_, line + 1, 1, 1, kColumns - 1);
     // At once: a layout shows what it is given later, and what is hidden takes no focus.
     for (QWidget* widget : widgets()) widget->show();
+    showTexts();
+  }
+
+  void showTexts() {
+    const QString labels[] = {ArmsEditor::tr("modulus of arm %1 (%2)"),
+                              ArmsEditor::tr("relaxation time of arm %1 (%2)")};
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      const ArmMember& member = armMembers()[k];
+      entries_[k]->setAccessibleName(labels[k].arg(index_ + 1).arg(fromUtf8(member.unit)));
+      entries_[k]->setToolTip(allowedInWords(ruleOf(member)));
+    }
+    remove_->setToolTip(ArmsEditor::tr("Remove this arm"));
+    remove_->setAccessibleName(ArmsEditor::tr("remove arm %1").arg(index_ + 1));
   }
 
   void show(const Arm& arm, bool replace) {
@@ -114,13 +125,8 @@ class ArmRow {
   }
 
   void addValue(QGridLayout& grid, int line, std::size_t k) {
-    const QString labels[] = {ArmsEditor::tr("modulus of arm %1 (%2)"),
-                              ArmsEditor::tr("relaxation time of arm %1 (%2)")};
-    const ArmMember& member = armMembers()[k];
     auto* entry = entries_[k] = new ValueEntry;
     entry->setObjectName(QStringLiteral("%1:%2").arg(kNames[k]).arg(index_));
-    entry->setAccessibleName(labels[k].arg(index_ + 1).arg(fromUtf8(member.unit)));
-    entry->setToolTip(allowedInWords(ruleOf(member)));
     auto* unit = units_[k] = new QLabel;
     unit->setProperty("role", "unit");
     unit->setFixedWidth(kUnitDigits * unit->fontMetrics().horizontalAdvance('0'));
@@ -177,17 +183,13 @@ ArmsEditor::ArmsEditor(QWidget* parent)
   grid_->setVerticalSpacing(2);
   grid_->setColumnStretch(1, 1);
   grid_->setColumnStretch(3, 1);
-  const QString headings[] = {tr("modulus"), tr("relaxation time")};
-  const char* symbols[] = {"G_i", "tau_i"};
-  for (int k = 0; k < 2; ++k) {
-    auto* heading = new QLabel(headings[k] + "&nbsp; " + symbolHtml(symbols[k]));
-    heading->setProperty("role", "unit");
-    grid_->addWidget(heading, 0, 1 + 2 * k, 1, 2);
+  for (std::size_t k = 0; k < headings_.size(); ++k) {
+    headings_[k] = new QLabel;
+    headings_[k]->setProperty("role", "unit");
+    grid_->addWidget(headings_[k], 0, static_cast<int>(1 + 2 * k), 1, 2);
   }
   add_->setObjectName("armsAdd");
   add_->setProperty("role", "browse");
-  add_->setText(tr("Add arm"));
-  add_->setToolTip(tr("One more arm, with ten times the longest relaxation time"));
   add_->setFocusPolicy(Qt::StrongFocus);
   connect(add_, &QToolButton::clicked, this, &ArmsEditor::add);
   auto* column = new QVBoxLayout(this);
@@ -195,6 +197,20 @@ ArmsEditor::ArmsEditor(QWidget* parent)
   column->setSpacing(4);
   column->addWidget(table_);
   column->addWidget(add_, 0, Qt::AlignLeft);
+  keepTranslated(*this, [this] { showTexts(); });
+}
+
+void ArmsEditor::showTexts() {
+  const QString names[] = {tr("modulus"), tr("relaxation time")};
+  const char* symbols[] = {"G_i", "tau_i"};
+  for (std::size_t k = 0; k < headings_.size(); ++k)
+    headings_[k]->setText(names[k] + "&nbsp; " + symbolHtml(symbols[k]));
+  add_->setText(tr("Add arm"));
+  add_->setToolTip(tr("One more arm, with ten times the longest relaxation time"));
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    rows_[i]->showTexts();
+    rows_[i]->show(arms_[i], false);
+  }
   showFold();
 }
 
@@ -252,11 +268,6 @@ void ArmsEditor::makeRows(std::size_t count) {
     delete rows_.back();
   }
   while (rows_.size() < count) rows_.push_back(new ArmRow(*this, *grid_, rows_.size()));
-}
-
-void ArmsEditor::setOpened(std::optional<bool> opened) {
-  opened_ = opened;
-  showFold();
 }
 
 bool ArmsEditor::isOpen() const {

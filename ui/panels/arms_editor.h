@@ -6,6 +6,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -30,10 +31,6 @@ class ArmsEditor : public QWidget {
   /// overwrites what someone typed and was refused.
   void showArms(const std::vector<Arm>& arms, std::optional<std::size_t> wanted, bool replace);
 
-  /// Open or folded by hand; none: as long as the list is short.
-  std::optional<bool> opened() const { return opened_; }
-  void setOpened(std::optional<bool> opened);
-
   /// The line with the fold, for the row of the panel.
   QToolButton& fold() { return *fold_; }
 
@@ -48,6 +45,7 @@ class ArmsEditor : public QWidget {
   void add();
   void remove(std::size_t index);
   void makeRows(std::size_t count);
+  void showTexts();
   void showFold();
   bool isOpen() const;
 
@@ -58,6 +56,7 @@ class ArmsEditor : public QWidget {
   QToolButton* fold_;
   QWidget* table_;
   QGridLayout* grid_;
+  std::array<QLabel*, 2> headings_{};
   QToolButton* add_;
 };
 

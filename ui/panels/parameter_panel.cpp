@@ -1,6 +1,5 @@
 #include "ui/panels/parameter_panel.h"
 
-#include <QCoreApplication>
 #include <QEvent>
 #include <QFileDialog>
 #include <QLabel>
@@ -88,7 +87,6 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
   auto* content = new QWidget;
   content->setObjectName("parameterRows");
   content->setFocusPolicy(Qt::ClickFocus);
-  content->setAccessibleName(tr("parameters"));
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(14, 5, 5, 5);
   column->setSpacing(3);
@@ -106,7 +104,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
   setMinimumWidth(kLeastWidth);
   content->installEventFilter(this);
   applyStyle();
-  showRows(nullptr);
+  showTexts();
 }
 
 void ParameterPanel::setScene(const Scene& scene) {
@@ -117,24 +115,6 @@ void ParameterPanel::setScene(const Scene& scene) {
   complaints_.clear();
   for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, true);
   showMissing();
-}
-
-PanelState ParameterPanel::state() const {
-  PanelState state;
-  for (const ValueEntry* entry : findChildren<ValueEntry*>())
-    if (const auto typed = entry->typed()) state.typed.insert(entry->objectName(), *typed);
-  state.armsOpened = findChild<ArmsEditor*>()->opened();
-  state.scrolled = scroll_->verticalScrollBar()->value();
-  return state;
-}
-
-void ParameterPanel::setState(const PanelState& state) {
-  for (auto typed = state.typed.begin(); typed != state.typed.end(); ++typed)
-    if (auto* entry = findChild<ValueEntry*>(typed.key())) entry->resume(*typed);
-  findChild<ArmsEditor*>()->setOpened(state.armsOpened);
-  // How far it can be scrolled is known once it is laid out.
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-  scroll_->verticalScrollBar()->setValue(state.scrolled);
 }
 
 void ParameterPanel::showError(const QString& key, const QString& text) {
@@ -165,25 +145,26 @@ QSize ParameterPanel::sizeHint() const {
 
 /// The section's first choice, if it has one, stands in its heading.
 void ParameterPanel::addSection(QVBoxLayout& column, const QString& section) {
-  QString heading = section.isEmpty() ? QString() : sectionTitle(section);
+  bool hasHeading = section.isEmpty();
   if (column.count() > 0) column.addSpacing(3);
   for (const Parameter& parameter : parameters()) {
     if (sectionOf(parameter) != section) continue;
     const bool isChoice = std::holds_alternative<ChoiceField>(parameter.field);
-    if (!heading.isEmpty() && !isChoice) {
-      auto* label = new QLabel(heading);
+    if (!hasHeading && !isChoice) {
+      auto* label = new QLabel;
       label->setProperty("role", "heading");
       column.addWidget(label);
-      heading.clear();
+      headings_.insert(section, label);
+      hasHeading = true;
     }
-    addRow(column, parameter, heading);
-    heading.clear();
+    ParameterRow& row = addRow(column, parameter);
+    if (!hasHeading) headingRows_.insert(&row, section);
+    hasHeading = true;
   }
 }
 
-void ParameterPanel::addRow(QVBoxLayout& column, const Parameter& parameter,
-                            const QString& heading) {
-  auto* row = new ParameterRow(parameter, heading);
+ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& parameter) {
+  auto* row = new ParameterRow(parameter);
   rows_.insert(fromUtf8(parameter.key), row);
   column.addWidget(row);
   connect(row, &ParameterRow::valueGiven, this, [this, row](const ParameterValue& value) {
@@ -192,6 +173,20 @@ void ParameterPanel::addRow(QVBoxLayout& column, const Parameter& parameter,
   connect(row, &ParameterRow::textGiven, this,
           [this, row](const QString& text) { takeText(*row, text); });
   connect(row, &ParameterRow::fileWanted, this, [this, row] { chooseFile(*row); });
+  return *row;
+}
+
+/// What is being typed stays. An entry that was refused is refused again, in the new language.
+void ParameterPanel::showTexts() {
+  scroll_->widget()->setAccessibleName(tr("parameters"));
+  for (auto heading = headings_.cbegin(); heading != headings_.cend(); ++heading)
+    (*heading)->setText(sectionTitle(heading.key()));
+  for (ParameterRow* row : std::as_const(rows_)) {
+    const QString section = headingRows_.value(row);
+    row->showTexts(section.isEmpty() ? QString() : sectionTitle(section));
+  }
+  showRows(nullptr);
+  showMissing();
 }
 
 /// The core decides; why it refused is said in the words and units of the entry.
@@ -247,6 +242,7 @@ void ParameterPanel::showMissing() {
 void ParameterPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) applyStyle();
+  if (event->type() == QEvent::LanguageChange) showTexts();
 }
 
 /// Rows are never cut at the side, in large letters neither.

@@ -8,12 +8,11 @@
 #include <QSet>
 #include <QWidget>
 #include <functional>
-#include <optional>
 
 #include "core/scene/scene.h"
 #include "ui/panels/left_open.h"
-#include "ui/panels/value_entry.h"
 
+class QLabel;
 class QScrollArea;
 class QVBoxLayout;
 
@@ -25,13 +24,6 @@ struct Parameter;
 /// Asks a person for a file, beginning in a folder; empty where none was chosen.
 using FileChooser = std::function<QString(QWidget* parent, const QString& folder)>;
 
-/// What a panel shows beyond its scene.
-struct PanelState {
-  QMap<QString, TypedText> typed;  // by the entry's name
-  std::optional<bool> armsOpened;
-  int scrolled = 0;
-};
-
 class ParameterPanel : public QWidget {
   Q_OBJECT
 
@@ -42,10 +34,6 @@ class ParameterPanel : public QWidget {
 
   /// Shows another scene; emits nothing.
   void setScene(const Scene& scene);
-
-  /// For a panel of the same scene in this one's place.
-  PanelState state() const;
-  void setState(const PanelState& state);
 
   /// A complaint about a parameter that only came up when the scene ran. Unknown keys are ignored.
   void showError(const QString& key, const QString& text);
@@ -70,13 +58,14 @@ class ParameterPanel : public QWidget {
 
  private:
   void addSection(QVBoxLayout& column, const QString& section);
-  void addRow(QVBoxLayout& column, const Parameter& parameter, const QString& heading);
+  ParameterRow& addRow(QVBoxLayout& column, const Parameter& parameter);
   template <class Change>
   void edit(ParameterRow& row, Change&& change, const QString& refusal = {});
   void takeText(ParameterRow& row, const QString& text);
   void showRows(const ParameterRow* edited);
   void showMissing();
   void chooseFile(ParameterRow& row);
+  void showTexts();
   void applyStyle();
 
   Scene scene_;
@@ -86,6 +75,8 @@ class ParameterPanel : public QWidget {
   FileChooser chooser_;
   QSet<QString> complaints_;           // keys of showError()
   QMap<QString, ParameterRow*> rows_;  // by key
+  QMap<QString, QLabel*> headings_;    // by section, where the heading has a line of its own
+  QMap<const ParameterRow*, QString> headingRows_;  // the section of which a row is the heading
   QScrollArea* scroll_;
 };
 

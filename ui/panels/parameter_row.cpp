@@ -107,7 +107,7 @@ double asNumber(const ParameterValue& value) {
 
 }  // namespace
 
-ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, QWidget* parent)
+ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
     : QWidget(parent), parameter_(parameter) {
   setObjectName("row:" + fromUtf8(parameter.key));
   auto* column = new QVBoxLayout(this);
@@ -117,7 +117,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, Q
   line->setSpacing(kGap);
   column->addLayout(line);
 
-  addLabel(*line, heading);
+  addLabel(*line);
   if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
     addChoice(*line, *choice);
   else if (std::holds_alternative<TextField>(parameter.field))
@@ -130,6 +130,27 @@ ParameterRow::ParameterRow(const Parameter& parameter, const QString& heading, Q
   if (text_) line->setAlignment(reset_, Qt::AlignTop);
 
   addRemarks(*column);
+}
+
+void ParameterRow::showTexts(const QString& heading) {
+  label_->setText(heading.isEmpty() ? labelWithSymbol(parameter_) : heading);
+  if (!heading.isEmpty()) label_->setProperty("role", "heading");
+  label_->setToolTip(description());
+  for (QWidget* control : std::initializer_list<QWidget*>{slider_, entry_, choice_, arms_, text_})
+    if (control) describe(*control);
+  if (arms_) arms_->setToolTip({});  // its parts have their own
+  if (choice_) {
+    choice_->view()->setAccessibleName(choice_->accessibleName());
+    const auto& words = std::get<ChoiceField>(parameter_.field).choices;
+    for (int i = 0; i < choice_->count(); ++i)
+      choice_->setItemText(i, wordText(words[static_cast<std::size_t>(i)]));
+  }
+  if (browse_) {
+    entry_->setPlaceholderText(tr("no file"));
+    browse_->setToolTip(tr("Choose a file of this computer"));
+    browse_->setAccessibleName(tr("choose file"));
+  }
+  reset_->setAccessibleName(tr("reset %1").arg(labelOf(parameter_)));
   setWidths();
 }
 
@@ -225,29 +246,21 @@ void ParameterRow::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange && error_) setWidths();
 }
 
-void ParameterRow::addLabel(QHBoxLayout& line, const QString& heading) {
-  auto* label = new QLabel;
-  if (heading.isEmpty()) {
-    label->setText(labelWithSymbol(parameter_));
-  } else {
-    label->setText(heading);
-    label->setProperty("role", "heading");
-  }
-  label->setTextFormat(Qt::RichText);
-  label_ = label;
-  label->setToolTip(description());
-  line.addWidget(label);
+void ParameterRow::addLabel(QHBoxLayout& line) {
+  label_ = new QLabel;
+  label_->setTextFormat(Qt::RichText);
+  line.addWidget(label_);
 }
 
 void ParameterRow::addEntry() {
   entry_ = new ValueEntry;
-  describe(*entry_, "entry");
+  name(*entry_, "entry");
   connect(entry_, &ValueEntry::takenBack, this, [this] { showError({}); });
 }
 
 void ParameterRow::addNumber(QHBoxLayout& line) {
   slider_ = new ValueSlider(SliderScale(parameter_));
-  describe(*slider_, "slider");
+  name(*slider_, "slider");
   connect(slider_, &ValueSlider::valuePicked, this,
           [this](double value) { emit valueGiven(sliderValue(parameter_, value)); });
   line.addWidget(slider_, 1);
@@ -268,8 +281,7 @@ void ParameterRow::addNumber(QHBoxLayout& line) {
 
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
   choice_ = new ChoiceBox;
-  describe(*choice_, "choice");
-  choice_->view()->setAccessibleName(choice_->accessibleName());
+  name(*choice_, "choice");
   for (const std::string_view word : field.choices)
     choice_->addItem(wordText(word), fromUtf8(word));
   choice_->setEnabled(field.choices.size() > 1);
@@ -289,7 +301,7 @@ void ParameterRow::addText(QHBoxLayout& line) {
 
 void ParameterRow::addLongText(QHBoxLayout& line) {
   text_ = new TextBox;
-  describe(*text_, "text");
+  name(*text_, "text");
   connect(text_, &TextBox::textCommitted, this, &ParameterRow::textGiven);
   line.addWidget(text_, 1);
   line.setAlignment(label_, Qt::AlignTop);
@@ -298,8 +310,7 @@ void ParameterRow::addLongText(QHBoxLayout& line) {
 /// The line of the fold stands in the row, the table under it.
 void ParameterRow::addArms(QHBoxLayout& line, QVBoxLayout& column) {
   arms_ = new ArmsEditor;
-  describe(*arms_, "arms");
-  arms_->setToolTip({});  // its parts have their own
+  name(*arms_, "arms");
   connect(arms_, &ArmsEditor::armsGiven, this,
           [this](const std::vector<Arm>& arms) { emit valueGiven(textOf(arms)); });
   line.addWidget(&arms_->fold(), 1);
@@ -308,13 +319,10 @@ void ParameterRow::addArms(QHBoxLayout& line, QVBoxLayout& column) {
 
 /// The end of a path says more than its beginning.
 void ParameterRow::addBrowse(QHBoxLayout& line) {
-  entry_->setPlaceholderText(tr("no file"));
   entry_->setShownEnd(Qt::RightEdge);
   browse_ = new QToolButton;
   browse_->setObjectName("browse:" + fromUtf8(parameter_.key));
   browse_->setProperty("role", "browse");
-  browse_->setToolTip(tr("Choose a file of this computer"));
-  browse_->setAccessibleName(tr("choose file"));
   browse_->setFocusPolicy(Qt::TabFocus);
   connect(browse_, &QToolButton::clicked, this, &ParameterRow::fileWanted);
   line.addWidget(browse_);
@@ -325,14 +333,16 @@ void ParameterRow::addReset(QHBoxLayout& line) {
   reset_->setText(QStringLiteral("↺"));
   reset_->setObjectName("reset:" + fromUtf8(parameter_.key));
   reset_->setProperty("role", "reset");
-  reset_->setAccessibleName(tr("reset %1").arg(labelOf(parameter_)));
   reset_->setFocusPolicy(Qt::NoFocus);
   connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(resting_); });
   line.addWidget(reset_);
 }
 
-void ParameterRow::describe(QWidget& control, const char* kind) {
+void ParameterRow::name(QWidget& control, const char* kind) {
   control.setObjectName(QString(kind) + ":" + fromUtf8(parameter_.key));
+}
+
+void ParameterRow::describe(QWidget& control) {
   control.setAccessibleName(accessibleLabel());
   control.setAccessibleDescription(translatedText(parameter_.sentence));
   control.setToolTip(description());

@@ -28,13 +28,17 @@ class ParameterRow : public QWidget {
   Q_OBJECT
 
  public:
-  /// `heading`, where not empty, stands for the row's own label as the title of its section.
-  ParameterRow(const Parameter& parameter, const QString& heading, QWidget* parent = nullptr);
+  /// Without words until showTexts().
+  explicit ParameterRow(const Parameter& parameter, QWidget* parent = nullptr);
 
   const Parameter& parameter() const { return parameter_; }
 
   /// The parameter's name in the language of the window.
   static QString labelOf(const Parameter& parameter);
+
+  /// Sets all texts in the language of the window. `heading`, where not empty, stands for the row's
+  /// own label as the title of its section.
+  void showTexts(const QString& heading);
 
   /// Shows the scene's value and vanishes where the row does not apply. `replace` also overwrites
   /// what someone typed and was refused. `known` is the line that is shown.
@@ -54,7 +58,7 @@ class ParameterRow : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  void addLabel(QHBoxLayout& line, const QString& heading);
+  void addLabel(QHBoxLayout& line);
   void addEntry();
   void addNumber(QHBoxLayout& line);
   void addChoice(QHBoxLayout& line, const ChoiceField& field);
@@ -67,7 +71,8 @@ class ParameterRow : public QWidget {
   void setWidths();
   void showEntry(const ParameterValue& value, const std::optional<StandIn>& standIn, bool replace);
   void showReset(const ParameterValue& value, const ParameterValue& resting);
-  void describe(QWidget& control, const char* kind);
+  void name(QWidget& control, const char* kind);
+  void describe(QWidget& control);
   QString description() const;
   QString accessibleLabel() const;
 

@@ -35,18 +35,10 @@ void ValueEntry::showUnit(const QString& unit) {
   emit unitShown(unit);
 }
 
-std::optional<TypedText> ValueEntry::typed() const {
-  const bool isOwn = text() != accepted_ || unit_ != acceptedUnit_;
-  if (!isOwn || !(hasError() || isModified())) return std::nullopt;
-  return TypedText{text(), unit_, hasError(), cursorPosition()};
-}
-
-void ValueEntry::resume(const TypedText& typed) {
-  showUnit(typed.unit);
-  setText(typed.text);
-  setCursorPosition(typed.cursor);
-  setModified(!typed.isRefused);
-  if (typed.isRefused) emit textCommitted(typed.text);
+void ValueEntry::changeEvent(QEvent* event) {
+  QLineEdit::changeEvent(event);
+  const bool isRefused = hasError() && (text() != accepted_ || unit_ != acceptedUnit_);
+  if (event->type() == QEvent::LanguageChange && isRefused) emit textCommitted(text());
 }
 
 void ValueEntry::showError(const QString& reason) {

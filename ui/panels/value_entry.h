@@ -5,16 +5,8 @@
 #pragma once
 
 #include <QLineEdit>
-#include <optional>
 
 namespace asperity {
-
-/// In an entry without counting: not yet, or refused.
-struct TypedText {
-  QString text, unit;
-  bool isRefused = false;
-  int cursor = 0;
-};
 
 class ValueEntry : public QLineEdit {
   Q_OBJECT
@@ -35,11 +27,6 @@ class ValueEntry : public QLineEdit {
   /// Which end of a text that is too long is in sight; the left one unless told.
   void setShownEnd(Qt::Edge end) { shownEnd_ = end; }
 
-  /// What was typed and does not count, for an entry that takes this one's place.
-  std::optional<TypedText> typed() const;
-  /// What was refused is given again, so that the reason is said anew.
-  void resume(const TypedText& typed);
-
   /// Red frame and the reason; an empty reason takes both away.
   void showError(const QString& reason);
   bool hasError() const { return !reason_.isEmpty(); }
@@ -51,6 +38,8 @@ class ValueEntry : public QLineEdit {
   void takenBack();
 
  protected:
+  /// What was refused is given again, so that the reason is said in the new language.
+  void changeEvent(QEvent* event) override;
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 

@@ -1,45 +1,44 @@
 #include "core/contact/arms/arm_balance.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/base/flush_denormals.h"
+#include "core/scene/plan.h"
 
 namespace asperity {
 namespace {
 
 constexpr int kMostArmPasses = 200;
-constexpr double kQuasiNewtonBelow =
-    1e-3;  // relative residual from which on slopes are only kept up
-constexpr double kSlowPeriods =
-    1e5;  // memory in periods beyond which a period's change is rounding
+/// Relative residual from which on the Jacobian is only kept up by Broyden's update.
+constexpr double kQuasiNewtonBelow = 1e-3;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-using Vector = std::vector<double>;
-
-double dot(const Vector& a, const Vector& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
+using Eigen::Index;
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
 
 }  // namespace
 
-/// Unknowns: the depth (where the force is given) and each arm's strain.
+/// One search. The unknowns are the depth (where the force is given) and each arm's strain.
 class ArmSolver::Search {
  public:
   Search(ArmSolver& solver, double load, double depth)
       : line_(solver.line_),
-        memory_(solver.memory_),
+        coefficients_(solver.coefficients_),
         pass_(solver.pass_),
         load_(load),
         fixedDepth_(depth),
+        arms_(static_cast<Index>(coefficients_.arms())),
         first_(load > 0 ? 1 : 0),
-        size_(memory_.arms() + first_),
-        unknown_(size_),
+        unknown_(Vector::Zero(first_ + arms_)),
         low_(load / line_.length),
-        high_(load > 0 ? low_ + line_.meanRise : depth),
-        tangent_(memory_) {
-    for (const double inverse : memory_.inverse) {
-      const double periods = line_.length * inverse;  // slid, per memory
+        high_(load > 0 ? low_ + line_.meanHeight : depth),
+        tangent_(coefficients_) {
+    for (const double inverse : coefficients_.inverse) {
+      const double periods = line_.length * inverse;  // slid in one relaxation length
       change_.push_back(-std::expm1(-periods));
       slowness_.push_back(periods * std::exp(-periods) / change_.back());
     }
@@ -49,28 +48,28 @@ class ArmSolver::Search {
   ArmBalance run(const ArmBalance* guess) {
     if (tryComplete()) return best_;
     start(guess);
-    Vector residual = evaluate(unknown_, &tangent_);
-    bool fresh = true;  // the slope is that of this very pass
+    Vector residual = evaluate(&tangent_);
+    bool fresh = true;  // the Jacobian is that of this very pass
     int stalled = 0;
-    if (!factor()) return best_;
+    if (!invertJacobian()) return best_;
     while (passes_ < kMostArmPasses && bestWorst_ > kWantedResidual && stalled < kPatience) {
       const Vector from = unknown_, before = residual;
       const double worstBefore = worst_;
-      Vector step = stepFor(residual);
+      Vector step = -(inverse_ * residual);
       limit(step);
-      move(from, step);
+      unknown_ = from + step;
       const bool exact = !(worstBefore < kQuasiNewtonBelow);
-      residual = evaluate(unknown_, exact ? &tangent_ : nullptr);
+      residual = evaluate(exact ? &tangent_ : nullptr);
       const bool good = worst_ < 0.5 * worstBefore;
       stalled = good || bestWorst_ > kAcceptedResidual ? 0 : stalled + 1;
       if (!good && fresh && bestWorst_ > kAcceptedResidual)
         shorten(from, step, worstBefore, residual);
       fresh = exact || !good;
-      if (!exact && !good && bestWorst_ > kWantedResidual) residual = evaluate(unknown_, &tangent_);
+      if (!exact && !good && bestWorst_ > kWantedResidual) residual = evaluate(&tangent_);
       if (fresh)
-        factor();
+        invertJacobian();
       else
-        learn(step, before, residual);
+        updateInverse(step, residual - before);
     }
     return best_;
   }
@@ -80,77 +79,67 @@ class ArmSolver::Search {
   /// says whether it is.
   bool tryComplete() {
     const double depth = first_ > 0 ? high_ : fixedDepth_;
-    if (depth < *std::max_element(line_.rise.begin(), line_.rise.end())) return false;
+    const std::vector<double>& height = line_.heightAboveMinimum;
+    if (depth < *std::max_element(height.begin(), height.end())) return false;
     if (first_ > 0) unknown_[0] = depth;
-    pass_.completeStrains({unknown_.data() + first_, memory_.arms()});
+    pass_.completeStrains(strains());
     for (int i = 0; i < 3; ++i) {
-      const Vector residual = evaluate(unknown_, nullptr);
+      const Vector residual = evaluate(nullptr);
       if (!pass_.wasComplete()) break;
       if (bestWorst_ <= kWantedResidual) return best_.isComplete = true;
-      for (std::size_t k = first_; k < size_; ++k) unknown_[k] -= residual[k];
+      unknown_.tail(arms_) -= residual.tail(arms_);
     }
     forget();
     return false;
   }
 
-  /// No answer yet: one that is not met, with a strain for every arm, is what a search ends with
-  /// that never leaves the numbers that are none.
+  /// No answer yet. A search that never finds numbers ends with this one, which is not met and has
+  /// a strain for every arm.
   void forget() {
-    bestWorst_ = std::numeric_limits<double>::infinity();
+    bestWorst_ = kInfinite;
     best_ = {};
     best_.force.residual = best_.periodicityError = bestWorst_;
-    best_.strain.assign(memory_.arms(), 0);
+    best_.strain.assign(coefficients_.arms(), 0);
   }
-
-  void move(const Vector& from, const Vector& step) {
-    for (std::size_t i = 0; i < size_; ++i) unknown_[i] = from[i] + step[i];
-  }
-
-  /// Newton's step, but not so long that it leads away.
-  void shorten(const Vector& from, Vector& step, double worstBefore, Vector& residual) {
-    for (int i = 0; i < 12 && !(worst_ < worstBefore); ++i) {
-      for (double& each : step) each *= 0.35;
-      move(from, step);
-      residual = evaluate(unknown_, &tangent_);
-    }
-  }
-
-  double depthOf(const Vector& unknown) const { return first_ > 0 ? unknown[0] : fixedDepth_; }
 
   void start(const ArmBalance* guess) {
-    if (guess && guess->strain.size() == memory_.arms()) {
+    if (guess && guess->strain.size() == coefficients_.arms()) {
       if (first_ > 0) unknown_[0] = std::clamp(guess->force.depth, low_, high_);
-      std::copy(guess->strain.begin(), guess->strain.end(), unknown_.begin() + first_);
+      std::copy(guess->strain.begin(), guess->strain.end(), strains().begin());
       return;
     }
     if (first_ > 0) unknown_[0] = high_;
-    const double aboveMean = first_ > 0 ? line_.meanRise : std::min(fixedDepth_, line_.meanRise);
-    for (std::size_t i = 0; i < memory_.arms(); ++i)
-      unknown_[i + first_] = slowness_[i] * aboveMean;
+    const double aboveMean =
+        first_ > 0 ? line_.meanHeight : std::min(fixedDepth_, line_.meanHeight);
+    for (std::size_t i = 0; i < slowness_.size(); ++i) strains()[i] = slowness_[i] * aboveMean;
   }
 
-  /// Residuals in m: missing mean depth first, then how far each arm is from where it closes.
-  Vector evaluate(const Vector& unknown, ArmTangent* tangent) {
-    const double depth = depthOf(unknown), length = line_.length;
-    const std::span<const double> strain(unknown.data() + first_, memory_.arms());
-    pass_.run(depth, strain, tangent);
+  double depth() const { return first_ > 0 ? unknown_[0] : fixedDepth_; }
+  std::span<double> strains() { return {unknown_.data() + first_, coefficients_.arms()}; }
+
+  /// A pass at the unknowns. Returns residuals in m: the missing mean depth first, then how far
+  /// each arm is from where its period closes.
+  Vector evaluate(ArmTangent* tangent) {
+    pass_.run(depth(), strains(), tangent);
     ++passes_;
-    const StateSums& sums = pass_.sums();
-    const double mean = sums.depth / length, wanted = first_ > 0 ? load_ / length : mean;
-    Vector residual(size_);
-    closure_ = 0;
-    const double scale = scaleOf(mean, strain);
-    if (first_ > 0) residual[0] = mean - wanted;
-    for (std::size_t i = 0; i < memory_.arms(); ++i) {
+    Vector residual(unknown_.size());
+    // The force.
+    const double mean = pass_.sums().depth / line_.length;
+    const double target = first_ > 0 ? load_ / line_.length : mean;
+    if (first_ > 0) residual[0] = mean - target;
+    forceResidual_ = first_ > 0 ? std::abs(residual[0]) / target : 0;
+    // The arms' strains after a period.
+    const double scale = strainScale(mean);
+    periodicityError_ = 0;
+    for (std::size_t i = 0; i < change_.size(); ++i) {
       const double missing = pass_.yieldChange()[i] / change_[i];
       // What is no number must not pass for closed: a maximum would skip it.
       const double share = std::abs(missing) / scale;
-      closure_ = std::max(closure_, share >= 0 ? share : std::numeric_limits<double>::infinity());
-      residual[i + first_] = missing;
+      periodicityError_ = std::max(periodicityError_, share >= 0 ? share : kInfinite);
+      residual[first_ + static_cast<Index>(i)] = missing;
     }
-    forceResidual_ = first_ > 0 ? std::abs(residual[0]) / wanted : 0;
-    worst_ = std::max(forceResidual_, closure_);
-    if (!(worst_ >= 0)) worst_ = std::numeric_limits<double>::infinity();
+    worst_ = std::max(forceResidual_, periodicityError_);
+    if (!(worst_ >= 0)) worst_ = kInfinite;
     if (worst_ < bestWorst_) remember();
     best_.force.passes = passes_;
     return residual;
@@ -158,103 +147,78 @@ class ArmSolver::Search {
 
   /// What a change of strain is measured by (m): what friction comes from, strains and heights,
   /// but at light loads the depth.
-  double scaleOf(double mean, std::span<const double> strain) const {
-    double scale = line_.meanRise;
-    for (const double each : strain) scale = std::max(scale, std::abs(each));
-    return std::max(std::min(scale, std::abs(mean)), std::numeric_limits<double>::min());
+  double strainScale(double meanDepth) {
+    double scale = line_.meanHeight;
+    for (const double strain : strains()) scale = std::max(scale, std::abs(strain));
+    return std::max(std::min(scale, std::abs(meanDepth)), std::numeric_limits<double>::min());
   }
 
   void remember() {
     bestWorst_ = worst_;
-    best_.force.depth = depthOf(unknown_);
+    best_.force.depth = depth();
     best_.force.residual = forceResidual_;
-    best_.periodicityError = closure_;
-    best_.strain.assign(unknown_.begin() + first_, unknown_.end());
+    best_.periodicityError = periodicityError_;
+    best_.strain.assign(strains().begin(), strains().end());
   }
 
-  /// The inverse Jacobian from the derivatives of the last pass, by elimination with row pivots;
-  /// false where it has none.
-  bool factor() {
-    const std::size_t n = size_, skipped = 1 - first_;
-    Vector slope(n * n);
-    for (std::size_t k = 0; k < n; ++k) {
-      if (first_ > 0) slope[k] = tangent_.ofDepthIntegral(k) / line_.length;
-      for (std::size_t i = 0; i < memory_.arms(); ++i)
-        slope[(i + first_) * n + k] = tangent_.ofYieldChange(i, k + skipped) / change_[i];
+  /// Inverts the Jacobian that the last pass has gathered; returns false where it is singular.
+  bool invertJacobian() {
+    const Index size = unknown_.size();
+    Matrix jacobian(size, size);
+    for (Index k = 0; k < size; ++k) {
+      const auto unknown = static_cast<std::size_t>(k + 1 - first_);
+      if (first_ > 0) jacobian(0, k) = tangent_.ofDepthIntegral(unknown) / line_.length;
+      for (std::size_t i = 0; i < change_.size(); ++i)
+        jacobian(first_ + static_cast<Index>(i), k) =
+            tangent_.ofYieldChange(i, unknown) / change_[i];
     }
-    inverse_.assign(n * n, 0);
-    for (std::size_t i = 0; i < n; ++i) inverse_[i * n + i] = 1;
-    for (std::size_t c = 0; c < n; ++c) {
-      std::size_t pivot = c;
-      for (std::size_t i = c + 1; i < n; ++i)
-        if (std::abs(slope[i * n + c]) > std::abs(slope[pivot * n + c])) pivot = i;
-      if (!(std::abs(slope[pivot * n + c]) > 0)) return false;
-      for (std::size_t k = 0; k < n; ++k) {
-        if (pivot == c) break;
-        std::swap(slope[c * n + k], slope[pivot * n + k]);
-        std::swap(inverse_[c * n + k], inverse_[pivot * n + k]);
-      }
-      const double scale = 1 / slope[c * n + c];
-      for (std::size_t k = 0; k < n; ++k) {
-        slope[c * n + k] *= scale;
-        inverse_[c * n + k] *= scale;
-      }
-      for (std::size_t i = 0; i < n; ++i) {
-        const double part = slope[i * n + c];
-        if (i == c || part == 0) continue;
-        for (std::size_t k = 0; k < n; ++k) {
-          slope[i * n + k] -= part * slope[c * n + k];
-          inverse_[i * n + k] -= part * inverse_[c * n + k];
-        }
-      }
-    }
+    const Eigen::PartialPivLU<Matrix> factors(jacobian);
+    if (!(factors.matrixLU().diagonal().array().abs() > 0).all()) return false;
+    inverse_ = factors.inverse();
     return true;
   }
 
-  Vector stepFor(const Vector& residual) const {
-    Vector step(size_);
-    for (std::size_t i = 0; i < size_; ++i)
-      for (std::size_t k = 0; k < size_; ++k) step[i] -= inverse_[i * size_ + k] * residual[k];
-    return step;
+  /// Broyden's update of the inverse Jacobian by a step and the change of the residual in it.
+  void updateInverse(const Vector& step, const Vector& change) {
+    const Vector predicted = inverse_ * change;
+    const double scale = step.dot(predicted);
+    if (!(std::abs(scale) > 1e-6 * step.squaredNorm())) return;
+    const Eigen::RowVectorXd row = step.transpose() * inverse_;
+    inverse_ += (step - predicted) * row / scale;
   }
 
-  /// Depths stay where a force can be carried, to rounding.
+  /// Keeps the depth where a force can be carried, to rounding.
   void limit(Vector& step) const {
     if (first_ == 0) return;
-    const double depth = unknown_[0], slack = 1e-9 * high_;
-    const double next = depth + step[0];
-    if (next > high_ + slack) step[0] = high_ - depth;
-    if (next < low_ - slack) step[0] = 0.9 * (low_ - depth);
+    const double from = unknown_[0], slack = 1e-9 * high_;
+    const double next = from + step[0];
+    if (next > high_ + slack) step[0] = high_ - from;
+    if (next < low_ - slack) step[0] = 0.9 * (low_ - from);
   }
 
-  /// Broyden's update of the inverse.
-  void learn(const Vector& step, const Vector& before, const Vector& after) {
-    Vector change(size_), predicted(size_), row(size_);
-    for (std::size_t i = 0; i < size_; ++i) change[i] = after[i] - before[i];
-    for (std::size_t i = 0; i < size_; ++i)
-      for (std::size_t k = 0; k < size_; ++k) {
-        predicted[i] += inverse_[i * size_ + k] * change[k];
-        row[k] += step[i] * inverse_[i * size_ + k];
-      }
-    const double scale = dot(step, predicted);
-    if (!(std::abs(scale) > 1e-6 * dot(step, step))) return;
-    for (std::size_t i = 0; i < size_; ++i)
-      for (std::size_t k = 0; k < size_; ++k)
-        inverse_[i * size_ + k] += (step[i] - predicted[i]) * row[k] / scale;
+  /// Newton's step, but not so long that it leads away.
+  void shorten(const Vector& from, Vector& step, double worstBefore, Vector& residual) {
+    for (int i = 0; i < 12 && !(worst_ < worstBefore); ++i) {
+      step *= 0.35;
+      unknown_ = from + step;
+      residual = evaluate(&tangent_);
+    }
   }
 
   const PreparedProfile& line_;
-  const ArmCoefficients& memory_;
+  const ArmCoefficients& coefficients_;
   ArmPass& pass_;
   double load_, fixedDepth_;
-  std::size_t first_, size_;
-  Vector unknown_, inverse_;
+  Index arms_, first_;  // first_: of the strains among the unknowns
+  Vector unknown_;
   double low_, high_;  // m, of the depth
-  Vector change_;      // 1 - exp(-L / c_i)
-  Vector slowness_;    // 1 for an arm that hardly changes in a period, 0 for one that forgets it
   ArmTangent tangent_;
-  double forceResidual_ = 0, closure_ = 0, worst_ = 0;
-  double bestWorst_ = 0;
+  Matrix inverse_;              // of the Jacobian
+  std::vector<double> change_;  // 1 - exp(-L / c_i)
+  std::vector<double>
+      slowness_;  // 1: an arm hardly changes in a period; 0: it forgets the last one
+  double forceResidual_ = 0, periodicityError_ = 0;
+  double worst_ = 0, bestWorst_ = 0;  // the larger of the two
   int passes_ = 0;
   ArmBalance best_;
 };
@@ -262,8 +226,8 @@ class ArmSolver::Search {
 ArmSolver::ArmSolver(const PreparedProfile& line, const ElementLaw& law,
                      const RetardationModes& modes, double velocity)
     : line_(line),
-      memory_(law, modes, velocity, line.spacing, line.length, line.blocks.size()),
-      pass_(line, memory_) {}
+      coefficients_(law, modes, velocity, line.spacing, line.length, line.blocks.size()),
+      pass_(line, coefficients_) {}
 
 ArmBalance ArmSolver::atLoad(double load, const ArmBalance* guess) {
   return Search(*this, load, 0).run(guess);
@@ -274,14 +238,14 @@ ArmBalance ArmSolver::atDepth(double depth, const ArmBalance* guess) {
 }
 
 bool ArmSolver::isContactComplete(double depth) {
-  Vector strain(memory_.arms());
+  std::vector<double> strain(coefficients_.arms());
   pass_.completeStrains(strain);
   pass_.run(depth, strain);
   return pass_.wasComplete();
 }
 
 double ArmSolver::completeAbove() {
-  double low = 0, high = 2 * line_.meanRise;
+  double low = 0, high = 2 * line_.meanHeight;
   while (high > 0 && !isContactComplete(high)) high *= 2;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
@@ -290,9 +254,100 @@ double ArmSolver::completeAbove() {
   return high;
 }
 
-StateSums ArmSolver::state(const ArmBalance& balance, ArmShape* shape) {
+PassSums ArmSolver::sums(const ArmBalance& balance, ArmShape* shape) {
   pass_.runForState(balance.force.depth, balance.strain, shape);
   return pass_.sums();
+}
+
+namespace {
+
+/// Balances at one load, by searches that begin from each other where a plain one fails.
+class Continuation {
+ public:
+  Continuation(const PreparedProfile& line, const ElementLaw& law, const RetardationModes& modes,
+               const Load& load)
+      : line_(line),
+        law_(law),
+        modes_(modes),
+        byForce_(load.kind == LoadKind::Force),
+        value_(byForce_ ? load.normalForce / (4 * law.equilibriumModulus) : load.depth) {}
+
+  ArmBalance solve(double velocity, const ArmBalance* guess) {
+    ArmBalance found = attempt(velocity, guess);
+    if (!found.isMet() && guess) found = attempt(velocity, nullptr);
+    if (!found.isMet()) found = follow(velocity, found);
+    found.force.passes = passes_;
+    return found;
+  }
+
+ private:
+  static constexpr int kMostSteps = 60;
+
+  ArmBalance attempt(double velocity, const ArmBalance* guess) {
+    ArmSolver solver(line_, law_, modes_, velocity);
+    ArmBalance found = byForce_ ? solver.atLoad(value_, guess) : solver.atDepth(value_, guess);
+    passes_ += found.force.passes;
+    return found;
+  }
+
+  /// Up from where the slowest arm forgets within a hundredth of the period, by steps that shrink
+  /// where they fail.
+  ArmBalance follow(double velocity, ArmBalance failed) {
+    double reached =
+        std::min(0.01 * line_.length / law_.arms.front().relaxationTime, 0.1 * velocity);
+    ArmBalance known = attempt(reached, nullptr);
+    if (!known.isMet()) return failed;
+    double factor = 4;
+    for (int step = 0; step < kMostSteps && reached < velocity; ++step) {
+      const double next = std::min(reached * factor, velocity);
+      ArmBalance found = attempt(next, &known);
+      if (found.isMet()) {
+        known = std::move(found);
+        reached = next;
+        factor = std::min(factor * factor, 4.0);
+      } else {
+        factor = std::sqrt(factor);
+      }
+    }
+    return reached < velocity ? failed : known;
+  }
+
+  const PreparedProfile& line_;
+  const ElementLaw& law_;
+  const RetardationModes& modes_;
+  bool byForce_;
+  double value_;  // m^2, load per 4G, or m, depth
+  int passes_ = 0;
+};
+
+}  // namespace
+
+ArmState slideWithArms(const PreparedProfile& line, const ElementLaw& law,
+                       const RetardationModes& modes, const Load& load, double velocity,
+                       const ArmState* guess) {
+  const FlushDenormals flush;
+  countStage(Stage::Arms);
+  countStage(Stage::Periodicity);
+  ArmState state;
+  state.balance =
+      Continuation(line, law, modes, load).solve(velocity, guess ? &guess->balance : nullptr);
+  if (!state.balance.isComplete) countStage(Stage::ContactSearch);
+  const Balance& force = state.balance.force;
+  const double periodicityError = state.balance.periodicityError;
+  const PassSums sums = ArmSolver(line, law, modes, velocity).sums(state.balance);
+  state.result = steadyResult(
+      line, {law.equilibriumModulus, 0, velocity},
+      Balance{force.depth, force.passes, std::max(force.residual, periodicityError)}, sums);
+  state.result.periodicityError = periodicityError;
+  return state;
+}
+
+ArmShape armShapeAt(const PreparedProfile& line, const ElementLaw& law,
+                    const RetardationModes& modes, double velocity, const ArmBalance& balance) {
+  const FlushDenormals flush;
+  ArmShape shape;
+  ArmSolver(line, law, modes, velocity).sums(balance, &shape);
+  return shape;
 }
 
 }  // namespace asperity

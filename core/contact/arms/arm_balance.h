@@ -1,17 +1,20 @@
-// Steady sliding of elements with arms: their strains at the lowest point are the same after a
-// period, and the force is the wanted one. Repeated passes close only at the rate
-// exp(-L / v tau); here depth and arms move together by Newton's method with the derivatives that
-// a pass gathers beside, kept up by Broyden's update while that is good enough: an arm of any time
-// takes a few passes. Complete contact is tried first where it may be, because there the answer is
-// known and a pass only proves it. At the start slow arms have yielded the mean depth F_N / 4 G L
-// and fast ones follow the line, which is exact for both. Ownership: keeps its workspace; refers to
-// the line. Threading: one thread at a time.
+// Steady sliding of elements with arms: after a period their strains at the lowest point are the
+// same again, and the force is the given one. Repeated passes close only at the rate
+// exp(-L / v tau). Here depth and strains move together by Newton's method with the derivatives
+// that a pass gathers beside its sums, kept up by Broyden's update while that is good enough: an
+// arm of any relaxation time takes a few passes. Complete contact is tried first where it may be,
+// because there the answer is known and a pass only proves it. At the start slow arms have yielded
+// the mean depth F_N / 4 G L and fast ones follow the line, which is exact for both.
+// Threading: functions of their arguments; line, law and modes are shared freely. An ArmSolver
+// keeps its workspace, refers to the line, and belongs to one thread.
+// Failure: no exception; the result's status says whether balance and period closed.
 #pragma once
 
 #include <vector>
 
 #include "core/contact/arms/arm_pass.h"
 #include "core/contact/force_balance.h"
+#include "core/contact/steady_sliding.h"
 
 namespace asperity {
 
@@ -39,15 +42,32 @@ class ArmSolver {
   bool isContactComplete(double depth);
   double completeAbove();
 
-  /// Everything about an answer.
-  StateSums state(const ArmBalance& balance, ArmShape* shape = nullptr);
+  /// All sums of an answer, and its shape.
+  PassSums sums(const ArmBalance& balance, ArmShape* shape = nullptr);
 
  private:
   class Search;
 
   const PreparedProfile& line_;
-  ArmCoefficients memory_;
+  ArmCoefficients coefficients_;
   ArmPass pass_;
 };
+
+/// A steady state in SI units, and the balance to start the next one from.
+struct ArmState {
+  SteadyResult result;
+  ArmBalance balance;
+};
+
+/// law: with an equilibrium modulus and at least one arm; velocity > 0 (m/s). `guess` may be null.
+/// Where a search from the guess and one from nothing both fail, the answer is followed up from a
+/// velocity so low that the arms forget.
+ArmState slideWithArms(const PreparedProfile& line, const ElementLaw& law,
+                       const RetardationModes& modes, const Load& load, double velocity,
+                       const ArmState* guess = nullptr);
+
+/// Shape and amplitudes at that state; pressure per 4G.
+ArmShape armShapeAt(const PreparedProfile& line, const ElementLaw& law,
+                    const RetardationModes& modes, double velocity, const ArmBalance& balance);
 
 }  // namespace asperity

@@ -6,16 +6,16 @@
 namespace asperity {
 namespace {
 
-constexpr double kSlowFrom = 10;  // periods of memory
-/// Elements of memory below which everything is forgotten to the last digit, and numbers may end.
-constexpr double kLeastMemory = 1e-150;
+constexpr double kSlowFrom = 10;  // relaxation length in periods
+/// Relaxation length, in elements, below which everything is forgotten to the last digit.
+constexpr double kLeastLength = 1e-150;
 
 }  // namespace
 
 ArmCoefficients::ArmCoefficients(const ElementLaw& law, const RetardationModes& modes,
                                  double velocity, double spacing, double period, std::size_t levels)
     : dashpot(velocity * law.viscosity / law.equilibriumModulus), conversion(modes) {
-  const double shortest = kLeastMemory * spacing;
+  const double shortest = kLeastLength * spacing;
   for (const Arm& arm : law.arms) {
     const double g = arm.modulus / law.equilibriumModulus;
     const double inverseLength = 1 / std::max(velocity * arm.relaxationTime, shortest);
@@ -55,6 +55,96 @@ ArmCoefficients::ArmCoefficients(const ElementLaw& law, const RetardationModes& 
     decay.push_back(std::move(left));
     lost.push_back(std::move(gone));
   }
+}
+
+ArmTangent::ArmTangent(const ArmCoefficients& coefficients)
+    : coefficients_(coefficients),
+      unknowns_(coefficients.arms() + 1),
+      strain_(coefficients.arms() * unknowns_),
+      mode_(coefficients.modes() * unknowns_),
+      row_(unknowns_),
+      volume_(unknowns_),
+      change_(coefficients.arms() * unknowns_) {}
+
+void ArmTangent::begin() {
+  std::fill(strain_.begin(), strain_.end(), 0);
+  std::fill(volume_.begin(), volume_.end(), 0);
+  std::fill(change_.begin(), change_.end(), 0);
+  for (std::size_t i = 0; i < coefficients_.arms(); ++i) strain_[i * unknowns_ + i + 1] = 1;
+}
+
+/// Strains decay; what they lose is yielded.
+void ArmTangent::contact(double length) {
+  volume_[0] += length;
+  for (std::size_t i = 0; i < coefficients_.arms(); ++i) {
+    const double lost = -std::expm1(-length * coefficients_.inverse[i]);
+    double *strain = &strain_[i * unknowns_], *change = &change_[i * unknowns_];
+    for (std::size_t k = 0; k < unknowns_; ++k) {
+      change[k] += lost * strain[k];
+      strain[k] -= lost * strain[k];
+    }
+  }
+}
+
+void ArmTangent::leave(double length) {
+  contact(length);
+  const std::size_t arms = coefficients_.arms();
+  for (std::size_t j = 0; j < coefficients_.modes(); ++j) {
+    double* mode = &mode_[j * unknowns_];
+    std::fill(mode, mode + unknowns_, 0);
+    const double* ofYield = &coefficients_.conversion.ofYield[j * arms];
+    mode[0] = coefficients_.settled[j];
+    for (std::size_t i = 0; i < arms; ++i) {
+      const double* strain = &strain_[i * unknowns_];
+      for (std::size_t k = 0; k < unknowns_; ++k) mode[k] -= ofYield[i] * strain[k];
+    }
+  }
+}
+
+void ArmTangent::arc(double length) {
+  const std::size_t arms = coefficients_.arms();
+  for (std::size_t j = 0; j < coefficients_.modes(); ++j) {
+    const double z = coefficients_.rate[j] * length, back = std::expm1(-z);
+    const double mean = z > 0 ? -back / z * length : length;
+    double* mode = &mode_[j * unknowns_];
+    for (std::size_t k = 0; k < unknowns_; ++k) {
+      volume_[k] += mean * mode[k];
+      row_[k] = back * mode[k];
+      mode[k] += row_[k];
+    }
+    const double* toYield = &coefficients_.conversion.toYield[j * arms];
+    for (std::size_t i = 0; i < arms; ++i) {
+      double* change = &change_[i * unknowns_];
+      for (std::size_t k = 0; k < unknowns_; ++k) change[k] += toYield[i] * row_[k];
+    }
+  }
+}
+
+void ArmTangent::enter(double length) {
+  arc(length);
+  const std::size_t arms = coefficients_.arms();
+  // Strains of the free surface, and what the line presses it in beyond.
+  std::fill(row_.begin(), row_.end(), 0);
+  row_[0] = 1;
+  for (std::size_t j = 0; j < coefficients_.modes(); ++j)
+    for (std::size_t k = 0; k < unknowns_; ++k) row_[k] -= mode_[j * unknowns_ + k];
+  for (std::size_t i = 0; i < arms; ++i)
+    std::copy(row_.begin(), row_.end(), &strain_[i * unknowns_]);
+  for (std::size_t j = 0; j < coefficients_.modes(); ++j) {
+    const double *mode = &mode_[j * unknowns_],
+                 *toStrain = &coefficients_.conversion.toStrain[j * arms];
+    for (std::size_t i = 0; i < arms; ++i) {
+      double* strain = &strain_[i * unknowns_];
+      for (std::size_t k = 0; k < unknowns_; ++k) strain[k] += toStrain[i] * mode[k];
+    }
+  }
+}
+
+void ArmTangent::finish(double length, bool touching) {
+  if (touching)
+    contact(length);
+  else
+    arc(length);
 }
 
 }  // namespace asperity

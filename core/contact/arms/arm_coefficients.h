@@ -1,7 +1,8 @@
 // What a pass over a line needs to know of an element with arms at one velocity: how much is kept
-// and taken up over one segment, and how a free surface creeps back over blocks of segments.
-// Lengths only: moduli are per equilibrium modulus, times are the way slid in them (m).
-// Plain values; read by any thread.
+// and taken up over one segment, and how a free surface creeps back over blocks of segments; and
+// how the outcome of the pass answers to its start. Lengths only: moduli are per equilibrium
+// modulus, times are the way slid in them (m).
+// ArmCoefficients are plain values, read by any thread; an ArmTangent belongs to one thread.
 #pragma once
 
 #include <array>
@@ -48,6 +49,44 @@ struct ArmCoefficients {
   std::vector<std::vector<double>> decay;  // [level][mode], over a block
   std::vector<std::vector<double>> lost;   // 1 - decay
   const RetardationModes& conversion;
+};
+
+/// Derivatives of the outcome of a pass with respect to the indentation and to each arm's strain at
+/// the lowest point. Strains decay in contact, amplitudes in free arcs, and what is yielded goes on
+/// smoothly through every event, so only the lengths between events are needed. Refers to the
+/// coefficients.
+class ArmTangent {
+ public:
+  explicit ArmTangent(const ArmCoefficients& coefficients);
+
+  /// Contact begins at the lowest point.
+  void begin();
+  /// Contact of this length (m) ends.
+  void leave(double length);
+  /// A free arc of this length ends in contact.
+  void enter(double length);
+  /// The period ends, in contact or free, with a last stretch of this length.
+  void finish(double length, bool touching);
+
+  /// Unknown 0 is the indentation, 1 + k the strain of arm k at the lowest point.
+  std::size_t unknowns() const { return unknowns_; }
+  /// Of the integral of y (m).
+  double ofDepthIntegral(std::size_t unknown) const { return volume_[unknown]; }
+  /// Of what arm i yields over the period.
+  double ofYieldChange(std::size_t i, std::size_t unknown) const {
+    return change_[i * unknowns_ + unknown];
+  }
+
+ private:
+  void contact(double length);
+  void arc(double length);
+
+  const ArmCoefficients& coefficients_;
+  std::size_t unknowns_;
+  std::vector<double> strain_;  // [arm][unknown], where contact began or begins
+  std::vector<double> mode_;    // [mode][unknown], likewise of the arc
+  std::vector<double> row_;
+  std::vector<double> volume_, change_;
 };
 
 }  // namespace asperity

@@ -35,12 +35,12 @@ ArmPass::Inside ArmPass::insideOf(std::size_t i) const {
 }
 
 ArmPass::Piece ArmPass::pieceOf(const Inside& inside, double from, double to) const {
-  const Cubic rise = inside.rise.about(from);
+  const Cubic height = inside.height.about(from);
   const double step = to - from;
-  return {
-      {depth_ - rise.c0, -rise.c1 * step, -rise.c2 * step * step, -rise.c3 * step * step * step},
-      std::abs(step * inside.along),
-      inside.at(from)};
+  return {{depth_ - height.c0, -height.c1 * step, -height.c2 * step * step,
+           -height.c3 * step * step * step},
+          std::abs(step * inside.along),
+          inside.at(from)};
 }
 
 /// p / 4G at u of a piece that begins with the present strains, and its derivative there.
@@ -49,15 +49,15 @@ double ArmPass::pressureAt(const Piece& piece, double u, double& slope) const {
   const double d0 = w.c1, d1 = 2 * w.c2, d2 = 3 * w.c3, way = piece.length * u;
   double strain = 0, loss = 0;
   for (std::size_t i = 0; i < strain_.size(); ++i) {
-    const DrivenDecay decay = drivenDecay(way * memory_.inverse[i]);
+    const DrivenDecay decay = drivenDecay(way * coefficients_.inverse[i]);
     const double e =
         decay.kept * strain_[i] +
         u * (d0 * decay.driven[0] + u * (d1 * decay.driven[1] + u * d2 * decay.driven[2]));
-    strain += memory_.modulus[i] * e;
-    loss += memory_.lossRate[i] * e;
+    strain += coefficients_.modulus[i] * e;
+    loss += coefficients_.lossRate[i] * e;
   }
-  const double perLength = memory_.dashpot / piece.length, rising = d0 + u * (d1 + u * d2);
-  slope = rising * memory_.glassy - piece.length * loss + perLength * (d1 + 2 * u * d2);
+  const double perLength = coefficients_.dashpot / piece.length, rising = d0 + u * (d1 + u * d2);
+  slope = rising * coefficients_.glassy - piece.length * loss + perLength * (d1 + 2 * u * d2);
   return w(u) + strain + perLength * rising;
 }
 
@@ -83,8 +83,8 @@ double ArmPass::liftOff(const Piece& piece) const {
 /// What slow arms yield over [0, u], before the strains advance.
 void ArmPass::addYield(const Piece& piece, double u) {
   const Cubic& w = piece.depth;
-  for (std::size_t i = 0; i < memory_.slow; ++i) {
-    const double z = piece.length * u * memory_.inverse[i];
+  for (std::size_t i = 0; i < coefficients_.slow; ++i) {
+    const double z = piece.length * u * coefficients_.inverse[i];
     const auto drivenBy = drivenMoments(z);
     yieldChange_[i] += z * (strain_[i] * decayMoments(z)[0] +
                             u * (w.c1 * drivenBy[0][0] +
@@ -97,7 +97,7 @@ void ArmPass::advance(const Piece& piece, double u) {
   addYield(piece, u);
   const Cubic& w = piece.depth;
   for (std::size_t i = 0; i < strain_.size(); ++i) {
-    const DrivenDecay decay = drivenDecay(piece.length * u * memory_.inverse[i]);
+    const DrivenDecay decay = drivenDecay(piece.length * u * coefficients_.inverse[i]);
     strain_[i] = decay.kept * strain_[i] +
                  u * (w.c1 * decay.driven[0] +
                       u * (2 * w.c2 * decay.driven[1] + u * 3 * w.c3 * decay.driven[2]));
@@ -112,7 +112,7 @@ void ArmPass::gatherPiece(const Piece& piece, double u) {
   std::array<double, 3> with{};
   std::array<std::array<double, 3>, 3> own{};
   for (std::size_t i = 0; i < strain_.size(); ++i) {
-    const double g = memory_.modulus[i], z = part.length * memory_.inverse[i];
+    const double g = coefficients_.modulus[i], z = part.length * coefficients_.inverse[i];
     const auto moments = decayMoments(z);
     const auto drivenBy = drivenMoments(z);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -138,26 +138,20 @@ void ArmPass::gatherContact(const Piece& piece, double withStrain0, double withS
     strain += own[0][k] * slope[k];
     for (std::size_t l = 0; l < 3; ++l) work += slope[k] * own[k][l] * slope[l];
   }
-  const double damped = memory_.dashpot * slopeSquared;
+  const double damped = coefficients_.dashpot * slopeSquared;
   sums_.pressure += length * (piece.depth.integral(1) + strain) +
-                    memory_.dashpot * (slope[0] + piece.depth.c2 + piece.depth.c3);
+                    coefficients_.dashpot * (slope[0] + piece.depth.c2 + piece.depth.c3);
   sums_.work += work + damped;
   sums_.dissipation += damped;
   sums_.contactLength += length;
   sums_.slopeSquared += slopeSquared;
-  double last = piece.depth.c0;
-  for (const double u : stationaryPoints(piece.depth)) {
-    sums_.absoluteSlope += std::abs(piece.depth(u) - last);
-    last = piece.depth(u);
-  }
-  sums_.absoluteSlope += std::abs(piece.depth(1) - last);
 }
 
 /// How far (m) the free surface comes back from now on over a distance.
 double ArmPass::comesBack(double distance) const {
   double back = 0;
   for (std::size_t j = 0; j < mode_.size(); ++j)
-    back -= mode_[j] * std::expm1(-memory_.rate[j] * distance);
+    back -= mode_[j] * std::expm1(-coefficients_.rate[j] * distance);
   return back;
 }
 
@@ -166,18 +160,18 @@ double ArmPass::gapAt(const Inside& inside, double from, double t, double& slope
   const double distance = (t - from) * inside.along;
   double back = back_, falling = 0;
   for (std::size_t j = 0; j < mode_.size(); ++j) {
-    const double gone = std::expm1(-memory_.rate[j] * distance);
+    const double gone = std::expm1(-coefficients_.rate[j] * distance);
     back -= mode_[j] * gone;
-    falling += memory_.rate[j] * mode_[j] * (1 + gone);
+    falling += coefficients_.rate[j] * mode_[j] * (1 + gone);
   }
-  slope = -inside.rise.derivative(t) + inside.along * falling;
-  return leftRise_ + back - inside.rise(t);
+  slope = -inside.height.derivative(t) + inside.along * falling;
+  return leftHeight_ + back - inside.height(t);
 }
 
 /// First place in (from, to] where the line reaches the free surface, or kNone.
 double ArmPass::findEntry(const Inside& inside, double from, double to, double lowest) const {
-  if (leftRise_ + back_ + comesBack(std::abs((to - from) * inside.along)) <= lowest) return kNone;
-  Few<4> stops = breakpoints(inside.rise, to > from);
+  if (leftHeight_ + back_ + comesBack(std::abs((to - from) * inside.along)) <= lowest) return kNone;
+  Few<4> stops = breakpoints(inside.height, to > from);
   stops.add(to);
   double a = from, slopeA = 0;
   gapAt(inside, from, a, slopeA);

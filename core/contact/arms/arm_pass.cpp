@@ -11,14 +11,14 @@ constexpr int kMostEvents = 64;  // in one segment, which has a few; more are ro
 
 }  // namespace
 
-ArmPass::ArmPass(const PreparedProfile& line, const ArmCoefficients& memory)
+ArmPass::ArmPass(const PreparedProfile& line, const ArmCoefficients& coefficients)
     : line_(line),
-      memory_(memory),
-      strain_(memory.arms()),
-      next_(memory.arms()),
-      mode_(memory.modes()),
-      arcMode_(memory.modes()),
-      yieldChange_(memory.arms()) {}
+      coefficients_(coefficients),
+      strain_(coefficients.arms()),
+      next_(coefficients.arms()),
+      mode_(coefficients.modes()),
+      arcMode_(coefficients.modes()),
+      yieldChange_(coefficients.arms()) {}
 
 void ArmPass::run(double depth, std::span<const double> strain, ArmTangent* tangent) {
   tangent_ = tangent;
@@ -40,7 +40,7 @@ void ArmPass::go(double depth, std::span<const double> strain, ArmShape* shape) 
   level_ = 0;
   touching_ = true;
   hasLeft_ = false;
-  entryRise_ = 0;
+  entryHeight_ = 0;
   contactStart_ = 0;
   std::fill(yieldChange_.begin(), yieldChange_.end(), 0);
   std::copy(strain.begin(), strain.end(), strain_.begin());
@@ -55,7 +55,7 @@ void ArmPass::go(double depth, std::span<const double> strain, ArmShape* shape) 
     gatherArc<Everything>(line_.length);
     setStrainsFree();  // the lowest point takes over
   }
-  for (std::size_t i = memory_.slow; i < strain_.size(); ++i)
+  for (std::size_t i = coefficients_.slow; i < strain_.size(); ++i)
     yieldChange_[i] = strain[i] - strain_[i];
 }
 
@@ -65,27 +65,28 @@ void ArmPass::completeStrains(std::span<double> strain) {
   const std::size_t last = line_.segments() - 1;
   advance(pieceOf(insideOf(0), 0, 1), 1);
   for (std::size_t i = 1; i < last; ++i) {
-    const Cubic rise = line_.segment(i);
+    const Cubic height = line_.segment(i);
     for (std::size_t k = 0; k < strain_.size(); ++k)
-      strain_[k] = memory_.kept[k] * strain_[k] - rise.c1 * memory_.driven[0][k] -
-                   2 * rise.c2 * memory_.driven[1][k] - 3 * rise.c3 * memory_.driven[2][k];
+      strain_[k] = coefficients_.kept[k] * strain_[k] - height.c1 * coefficients_.driven[0][k] -
+                   2 * height.c2 * coefficients_.driven[1][k] -
+                   3 * height.c3 * coefficients_.driven[2][k];
   }
   advance(pieceOf(insideOf(last), 1, 0), 1);
   for (std::size_t k = 0; k < strain_.size(); ++k)
-    strain[k] = strain_[k] / -std::expm1(-line_.length * memory_.inverse[k]);
+    strain[k] = strain_[k] / -std::expm1(-line_.length * coefficients_.inverse[k]);
 }
 
 void ArmPass::refreshSums() {
   strainSum_ = lossSum_ = 0;
   for (std::size_t i = 0; i < strain_.size(); ++i) {
-    strainSum_ += memory_.modulus[i] * strain_[i];
-    lossSum_ += memory_.lossRate[i] * strain_[i];
+    strainSum_ += coefficients_.modulus[i] * strain_[i];
+    lossSum_ += coefficients_.lossRate[i] * strain_[i];
   }
 }
 
-/// Put into the elements' own springs from where contact began up to this rise.
-double ArmPass::elasticWork(double rise) const {
-  return (entryRise_ - rise) * (depth_ - 0.5 * (entryRise_ + rise));
+/// Put into the elements' own springs from where contact began up to this height.
+double ArmPass::elasticWork(double height) const {
+  return (entryHeight_ - height) * (depth_ - 0.5 * (entryHeight_ + height));
 }
 
 /// Strains that go with the amplitudes.
@@ -93,7 +94,7 @@ void ArmPass::setStrainsFree() {
   std::fill(strain_.begin(), strain_.end(), 0);
   const std::size_t arms = strain_.size();
   for (std::size_t j = 0; j < mode_.size(); ++j) {
-    const double* row = memory_.conversion.toStrain.data() + j * arms;
+    const double* row = coefficients_.conversion.toStrain.data() + j * arms;
     for (std::size_t i = 0; i < arms; ++i) strain_[i] += row[i] * mode_[j];
   }
 }
@@ -102,15 +103,14 @@ void ArmPass::setStrainsFree() {
 void ArmPass::setModes(double* modes, double depth) const {
   const std::size_t arms = strain_.size();
   for (std::size_t j = 0; j < mode_.size(); ++j) {
-    const double* row = memory_.conversion.ofYield.data() + j * arms;
-    double amplitude = memory_.settled[j] * depth;
+    const double* row = coefficients_.conversion.ofYield.data() + j * arms;
+    double amplitude = coefficients_.settled[j] * depth;
     for (std::size_t i = 0; i < arms; ++i) amplitude -= row[i] * strain_[i];
     modes[j] = amplitude;
   }
 }
 
-// ---- in contact
-// ----------------------------------------------------------------------------------
+// ---- In contact
 
 /// A whole segment in contact, without looking inside where pressure surely lasts.
 template <bool Everything>
@@ -120,12 +120,13 @@ std::size_t ArmPass::contactSegment(std::size_t i) {
     lookInside<Everything>(i);
     return i + 1;
   }
-  const Cubic rise = line_.segment(i);
-  const double h = line_.spacing, d0 = -rise.c1, d1 = -2 * rise.c2, d2 = -3 * rise.c3;
+  const Cubic height = line_.segment(i);
+  const double h = line_.spacing, d0 = -height.c1, d1 = -2 * height.c2, d2 = -3 * height.c3;
+  // Strains at the end of the segment.
   const std::size_t arms = strain_.size();
-  const double *kept = memory_.kept.data(), *g = memory_.modulus.data(),
-               *loss = memory_.lossRate.data(), *m0 = memory_.driven[0].data(),
-               *m1 = memory_.driven[1].data(), *m2 = memory_.driven[2].data();
+  const double *kept = coefficients_.kept.data(), *g = coefficients_.modulus.data(),
+               *loss = coefficients_.lossRate.data(), *m0 = coefficients_.driven[0].data(),
+               *m1 = coefficients_.driven[1].data(), *m2 = coefficients_.driven[2].data();
   const double* now = strain_.data();
   double* next = next_.data();
   double strainSum = 0, lossSum = 0;
@@ -135,12 +136,14 @@ std::size_t ArmPass::contactSegment(std::size_t i) {
     strainSum += g[k] * e;
     lossSum += loss[k] * e;
   }
-  const double perLength = memory_.dashpot / h;
-  const double before = depth_ - rise.c0 + strainSum_ + perLength * d0;
-  const double slopeBefore = d0 * memory_.glassy - h * lossSum_ + perLength * d1;
-  const double after = depth_ - line_.rise[i + 1] + strainSum + perLength * (d0 + d1 + d2);
+  // Pressure and its slope at both ends of the segment.
+  const double perLength = coefficients_.dashpot / h;
+  const double before = depth_ - height.c0 + strainSum_ + perLength * d0;
+  const double slopeBefore = d0 * coefficients_.glassy - h * lossSum_ + perLength * d1;
+  const double after =
+      depth_ - line_.heightAboveMinimum[i + 1] + strainSum + perLength * (d0 + d1 + d2);
   const double slopeAfter =
-      (d0 + d1 + d2) * memory_.glassy - h * lossSum + perLength * (d1 + 2 * d2);
+      (d0 + d1 + d2) * coefficients_.glassy - h * lossSum + perLength * (d1 + 2 * d2);
   // A dip between the ends lies above where the tangents meet.
   bool lasts = before > 0 && after > 0;
   if (lasts && slopeBefore < 0 && slopeAfter > 0) {
@@ -151,19 +154,20 @@ std::size_t ArmPass::contactSegment(std::size_t i) {
     lookInside<Everything>(i);
     return i + 1;
   }
-  const double volume = depth_ * h - line_.bounds(i).riseIntegral;
+  // Contact lasts: sums over the segment.
+  const double volume = depth_ * h - line_.bounds(i).heightIntegral;
   sums_.depth += volume;
-  for (std::size_t k = 0; k < memory_.slow; ++k)
-    yieldChange_[k] += memory_.yieldKept[k] * now[k] + d0 * memory_.yieldDriven[0][k] +
-                       d1 * memory_.yieldDriven[1][k] + d2 * memory_.yieldDriven[2][k];
+  for (std::size_t k = 0; k < coefficients_.slow; ++k)
+    yieldChange_[k] += coefficients_.yieldKept[k] * now[k] + d0 * coefficients_.yieldDriven[0][k] +
+                       d1 * coefficients_.yieldDriven[1][k] + d2 * coefficients_.yieldDriven[2][k];
   if constexpr (Everything) {
     std::array<double, 3> with{};
     for (std::size_t n = 0; n < 3; ++n)
-      for (std::size_t k = 0; k < arms; ++k) with[n] += memory_.moment[n][k] * now[k];
-    gatherContact({{depth_ - rise.c0, d0, 0.5 * d1, d2 / 3}, h, line_.position(i)}, with[0],
-                  with[1], with[2], memory_.own);
+      for (std::size_t k = 0; k < arms; ++k) with[n] += coefficients_.moment[n][k] * now[k];
+    gatherContact({{depth_ - height.c0, d0, 0.5 * d1, d2 / 3}, h, line_.position(i)}, with[0],
+                  with[1], with[2], coefficients_.own);
     for (std::size_t k = 0; k < arms; ++k)
-      sums_.dissipation += g[k] * memory_.loss[k](now[k], d0, d1, d2);
+      sums_.dissipation += g[k] * coefficients_.loss[k](now[k], d0, d1, d2);
   }
   strain_.swap(next_);
   strainSum_ = strainSum;
@@ -185,12 +189,12 @@ double ArmPass::pressed(const Inside& inside, double from, double to) {
   }
   if (found > 1) return to;
   const double at = from + u * (to - from);
-  leave<Everything>(inside.at(at), inside.rise(at));
+  leave<Everything>(inside.at(at), inside.height(at));
   return at;
 }
 
 template <bool Everything>
-void ArmPass::leave(double position, double rise) {
+void ArmPass::leave(double position, double height) {
   // Rounding may have the end before the start, where a fast arm would grow out of the numbers.
   position = std::max(position, contactStart_);
   if (tangent_) tangent_->leave(position - contactStart_);
@@ -198,15 +202,14 @@ void ArmPass::leave(double position, double rise) {
   hasLeft_ = true;
   level_ = 0;
   arcStart_ = position;
-  leftRise_ = rise;
+  leftHeight_ = height;
   back_ = 0;
-  if constexpr (Everything) sums_.work += elasticWork(rise);
-  setModes(mode_.data(), depth_ - rise);
+  if constexpr (Everything) sums_.work += elasticWork(height);
+  setModes(mode_.data(), depth_ - height);
   arcMode_ = mode_;
 }
 
-// ---- free
-// ----------------------------------------------------------------------------------------
+// ---- Free
 
 /// Closes the arc's sums at a place, with the amplitudes there. Free, each amplitude relaxes by
 /// itself and takes what its own spring has stored.
@@ -216,24 +219,24 @@ void ArmPass::gatherArc(double position) {
   const std::size_t arms = strain_.size();
   double volume = 0;
   for (std::size_t j = 0; j < mode_.size(); ++j) {
-    const double z = memory_.rate[j] * length, back = std::expm1(-z);
+    const double z = coefficients_.rate[j] * length, back = std::expm1(-z);
     volume += arcMode_[j] * (z > 0 ? -back / z : 1);
     mode_[j] = arcMode_[j] * (1 + back);
     if constexpr (Everything)
       sums_.dissipation -=
-          0.5 * memory_.stiffness[j] * arcMode_[j] * arcMode_[j] * back * (2 + back);
-    for (std::size_t i = 0; i < memory_.slow; ++i)
-      yieldChange_[i] += memory_.conversion.toYield[j * arms + i] * arcMode_[j] * back;
+          0.5 * coefficients_.stiffness[j] * arcMode_[j] * arcMode_[j] * back * (2 + back);
+    for (std::size_t i = 0; i < coefficients_.slow; ++i)
+      yieldChange_[i] += coefficients_.conversion.toYield[j * arms + i] * arcMode_[j] * back;
   }
   sums_.depth += volume * length;
 }
 
-void ArmPass::enter(double position, double rise) {
+void ArmPass::enter(double position, double height) {
   position = std::max(position, arcStart_);
   if (tangent_) tangent_->enter(position - arcStart_);
   touching_ = true;
   contactStart_ = position;
-  entryRise_ = rise;
+  entryHeight_ = height;
   setStrainsFree();
   refreshSums();
 }
@@ -251,10 +254,11 @@ std::size_t ArmPass::freeSegments(std::size_t i, bool mayJump) {
     const std::size_t size = std::size_t{1} << (2 * level), block = place >> (2 * level);
     const bool fits = (place & (size - 1)) == 0 && block < line_.blockCount(level);
     if (fits) {
-      const double *decay = memory_.decay[level].data(), *lost = memory_.lost[level].data();
+      const double *decay = coefficients_.decay[level].data(),
+                   *lost = coefficients_.lost[level].data();
       double back = back_;
       for (std::size_t j = 0; j < mode_.size(); ++j) back += mode_[j] * lost[j];
-      if (leftRise_ + back <= line_.block(level, block).lowest) {
+      if (leftHeight_ + back <= line_.block(level, block).lowest) {
         for (std::size_t j = 0; j < mode_.size(); ++j) mode_[j] *= decay[j];
         back_ = back;
         level_ = std::min(level + 1, line_.blocks.size() - 1);
@@ -268,8 +272,7 @@ std::size_t ArmPass::freeSegments(std::size_t i, bool mayJump) {
   return i + 1;
 }
 
-// ---- inside a segment
-// ----------------------------------------------------------------------------
+// ---- Inside a segment
 
 template <bool Everything>
 void ArmPass::lookInside(std::size_t i) {
@@ -285,7 +288,7 @@ void ArmPass::lookInside(std::size_t i) {
     const double entry = findEntry(inside, t, end, line_.bounds(i).lowest);
     if (entry > 1) break;
     gatherArc<Everything>(inside.at(entry));
-    enter(inside.at(entry), inside.rise(entry));
+    enter(inside.at(entry), inside.height(entry));
     t = entry;
   }
   if (touching_) {
@@ -295,14 +298,15 @@ void ArmPass::lookInside(std::size_t i) {
   }
   const double rest = std::abs((end - t) * inside.along);
   back_ += comesBack(rest);
-  for (std::size_t j = 0; j < mode_.size(); ++j) mode_[j] *= std::exp(-memory_.rate[j] * rest);
+  for (std::size_t j = 0; j < mode_.size(); ++j)
+    mode_[j] *= std::exp(-coefficients_.rate[j] * rest);
 }
 
 void ArmPass::record(std::size_t i, ArmShape& shape) {
-  double depth = depth_ - line_.rise[i], pressure = 0;
+  double depth = depth_ - line_.heightAboveMinimum[i], pressure = 0;
   const std::size_t known = shape.modes.size();
   if (touching_) {
-    pressure = depth + strainSum_ - memory_.dashpot * line_.slopeIn[i];
+    pressure = depth + strainSum_ - coefficients_.dashpot * line_.slopeIn[i];
     shape.modes.resize(known + mode_.size());
     setModes(shape.modes.data() + known, depth);
   } else {

@@ -6,20 +6,19 @@
 // and the way that a free surface has come back stand by themselves, not as differences of depths,
 // which may be many magnitudes larger.
 // Cost: some flops per element in contact and arm; free blocks are skipped.
-// Ownership: keeps its workspace; refers to line and memory. Threading: one thread at a time.
+// Ownership: keeps its workspace; refers to line and coefficients. Threading: one thread at a time.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "core/contact/arms/arm_coefficients.h"
-#include "core/contact/arms/arm_tangent.h"
-#include "core/contact/kernels/pass_sums.h"
+#include "core/contact/kernels/pass.h"
 #include "core/contact/line/prepared_profile.h"
 
 namespace asperity {
 
-/// Shape and memory at the nodes, in travel order.
+/// Shape and amplitudes at the nodes, in travel order.
 struct ArmShape {
   NodeShape nodes;            // pressure: p / 4G
   std::vector<double> modes;  // m, [node][mode]: amplitudes a_j, in contact too
@@ -27,7 +26,7 @@ struct ArmShape {
 
 class ArmPass {
  public:
-  ArmPass(const PreparedProfile& line, const ArmCoefficients& memory);
+  ArmPass(const PreparedProfile& line, const ArmCoefficients& coefficients);
 
   /// Enough for the balance: sums().depth and yieldChange(); with `tangent` their derivatives too.
   void run(double depth, std::span<const double> strain, ArmTangent* tangent = nullptr);
@@ -42,15 +41,15 @@ class ArmPass {
 
   /// Per 4G, G the equilibrium modulus. Pressure, work and dissipation are summed apart; of the
   /// last all terms are positive.
-  const StateSums& sums() const { return sums_; }
+  const PassSums& sums() const { return sums_; }
   /// What the arms have yielded over the period (m); in steady sliding nothing.
   const std::vector<double>& yieldChange() const { return yieldChange_; }
 
  private:
-  /// A segment to look inside: its rise over t in [0, 1], s = start + t along. The last one is
+  /// A segment to look inside: its height over t in [0, 1], s = start + t along. The last one is
   /// measured back from its end, the lowest point: contact there may be far shorter than it.
   struct Inside {
-    Cubic rise;
+    Cubic height;
     double start, along;
     double at(double t) const { return start + t * along; }
   };
@@ -71,9 +70,9 @@ class ArmPass {
   void lookInside(std::size_t i);
   template <bool Everything>
   double pressed(const Inside& inside, double from, double to);
-  void enter(double position, double rise);
+  void enter(double position, double height);
   template <bool Everything>
-  void leave(double position, double rise);
+  void leave(double position, double height);
 
   Inside insideOf(std::size_t i) const;
   Piece pieceOf(const Inside& inside, double from, double to) const;
@@ -91,12 +90,12 @@ class ArmPass {
   void refreshSums();
   void setStrainsFree();
   void setModes(double* modes, double depth) const;
-  double elasticWork(double rise) const;
+  double elasticWork(double height) const;
   void addYield(const Piece& piece, double u);
   void record(std::size_t i, ArmShape& shape);
 
   const PreparedProfile& line_;
-  const ArmCoefficients& memory_;
+  const ArmCoefficients& coefficients_;
   double depth_ = 0;
   bool touching_ = true, hasLeft_ = false;
   std::size_t level_ = 0;               // of the block tried next
@@ -106,10 +105,10 @@ class ArmPass {
   double strainSum_ = 0, lossSum_ = 0;  // sum g_i e_i (m), sum g_i e_i / c_i
   double arcStart_ = 0;                 // m
   double contactStart_ = 0;             // m
-  double entryRise_ = 0;                // m, where the present contact began
-  double leftRise_ = 0;                 // m, where the present arc began
+  double entryHeight_ = 0;              // m, of the line where the present contact began
+  double leftHeight_ = 0;               // m, of the line where the present arc began
   double back_ = 0;                     // m, that the free surface has come back since
-  StateSums sums_;
+  PassSums sums_;
   ArmTangent* tangent_ = nullptr;
 };
 

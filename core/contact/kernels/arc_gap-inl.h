@@ -22,8 +22,8 @@ constexpr double kRootStep = 1e-6;
 HWY_INLINE Wide times(double factor, Wide x) {
   return Wide::all(factor) * x;
 }
-/// A free surface that was `depth` deep: what it has come up by, depth (1 - exp(-(offset + rate
-/// t))). As heights, line and surface are told apart to the last digit even where the depth is far
+/// A free surface that was `depth` deep and has come up by depth (1 - exp(-(offset + rate t))). As
+/// heights, line and surface are told apart to the last digit even where the depth is far
 /// larger, or hardly relaxes over a period.
 struct WideArc {
   Wide depth, offset, rate;
@@ -31,7 +31,7 @@ struct WideArc {
   HWY_INLINE Wide lostAt(Wide t) const { return lostAfter(mulAdd(rate, t, offset)); }
 };
 
-/// A polynomial and what an arc has come up by: one equation for all edges of contact.
+/// A polynomial and the way that an arc has come up: one equation for all edges of contact.
 template <class Polynomial>
 struct WideGap {
   Polynomial polynomial;
@@ -66,11 +66,13 @@ HWY_INLINE WideRoot rootBetween(const Gap& gap, Wide low, Wide high, WideMask ne
   const Wide reach = select(gap.arc.depth > Wide::all(0), one / abs(gap.arc.rate), one);
   Wide t = guess, further = one, lost = one;
   for (int step = 0; step < kMostRootSteps; ++step) {
+    // The bracket shrinks to the side where the sign changes.
     lost = gap.arc.lostAt(t);
     const Wide value = gap.valueAt(t, lost);
     const WideMask before = !((value < Wide::all(0)) ^ negativeAtLow);
     low = select(before, t, low);
     high = select(before, high, t);
+    // The next step, which has to stay inside.
     const Wide enough = mulAdd(min(t, reach), Wide::all(kRootStep), Wide::all(1e-24));
     Wide next = gap.step(t, value, lost);
     // A step that leaves by no more than it may be wrong by means that the root is at this end.
@@ -80,8 +82,8 @@ HWY_INLINE WideRoot rootBetween(const Gap& gap, Wide low, Wide high, WideMask ne
     t = next;
     if (!any(wanted & (abs(further) > enough))) break;
   }
-  // The last step is short: two terms of its series are all there is. But where hardly anything is
-  // remembered all is lost, however short it was.
+  // The last step is short: two terms of the series of its exponential are all there is. But where
+  // the surface relaxes at once all is lost, however short the step was.
   const Wide x = min(max(gap.arc.rate * further, -one), one);
   return {t, mulAdd(one - lost, negMulAdd(times(0.5, x), x, x), lost)};
 }

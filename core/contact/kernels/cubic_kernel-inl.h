@@ -1,10 +1,11 @@
-// The body of lane_stream.h, compiled once per instruction set.
+// The body of runCubicPasses in kernels.h, compiled once per instruction set: which segment each
+// lane looks into next. What happens inside the segments is in segment_step-inl.h.
 
-#if defined(ASPERITY_LANE_STREAM_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef ASPERITY_LANE_STREAM_INL
-#undef ASPERITY_LANE_STREAM_INL
+#if defined(ASPERITY_CUBIC_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASPERITY_CUBIC_KERNEL_INL
+#undef ASPERITY_CUBIC_KERNEL_INL
 #else
-#define ASPERITY_LANE_STREAM_INL
+#define ASPERITY_CUBIC_KERNEL_INL
 #endif
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/contact/kernels/cubic_kernel.h"
 #include "core/contact/kernels/segment_step-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,24 +28,30 @@ class CubicKernel {
       : line_(line), queue_(queue), last_(line.segments() - 1), levels_(line.blocks.size()) {}
 
   void run() {
-    constexpr int kStepsBetweenLooks = 256;
+    constexpr int kStepsBetweenQuestions = 256;
+    // All lanes are idle, with harmless numbers.
     for (std::size_t lane = kLanes; lane-- > 0;) {
-      begin(lane, 0, last_);  // harmless numbers for lanes without work
+      begin(lane, 0, last_);
       lanes_.busy[lane] = 0;
       idle_[idleCount_++] = lane;
     }
+    // The first pass of every stream.
     for (std::size_t stream = 0; stream < kLanes; ++stream) {
-      PassRequest task;
-      if (queue_.begin(stream, task)) setPass(stream, task);
+      PassRequest request;
+      if (queue_.begin(stream, request)) setPass(stream, request);
     }
     fillLanes();
-    for (int look = kStepsBetweenLooks; idleCount_ < kLanes; --look) {
-      if (look == 0) {
+    int untilQuestion = kStepsBetweenQuestions;
+    for (; idleCount_ < kLanes; --untilQuestion) {
+      // Now and then asks whether to stop.
+      if (untilQuestion == 0) {
         if (queue_.isStopped()) return;
-        look = kStepsBetweenLooks;
+        untilQuestion = kStepsBetweenQuestions;
       }
+      // Every lane takes the next piece of its segment.
       SegmentStep(lanes_).run();
-      // Those in contact first, then those that are free, as the machine expects more of the same.
+      // Lanes that have finished their segments go on: those in contact first, then those that are
+      // free, as the machine expects more of the same.
       const unsigned pressed = lanes_.finished & lanes_.pressed, free = lanes_.finished & ~pressed;
       for (unsigned left = pressed; left != 0; left &= left - 1) goOn<true>(lowestBit(left));
       for (unsigned left = free; left != 0; left &= left - 1) goOn<false>(lowestBit(left));
@@ -59,7 +65,7 @@ class CubicKernel {
 
   /// A pass under way.
   struct Pass {
-    PassRequest task;
+    PassRequest request;
     PassSums sums;
     std::size_t parts = 0, running = 0;     // begun; of these, not finished
     std::size_t from = kNone, nextCut = 0;  // where the next part begins, and may end
@@ -67,16 +73,18 @@ class CubicKernel {
     double lost[kMostLevels][kWindow + 1];  // part of a depth, over 0, 1, ... blocks of each level
   };
   /// A part of a pass: segments up to `last`.
-  struct Place {
+  struct Part {
     std::size_t pass = 0, segment = 0, last = 0;
     double segmentsInspected = 0;
   };
 
-  void setPass(std::size_t stream, const PassRequest& task) {
+  void setPass(std::size_t stream, const PassRequest& request) {
     Pass& pass = passes_[stream];
-    if (pass.inverse == 0 || pass.task.memory != task.memory) setMemory(pass, task.memory);
-    pass.task = task;
+    if (pass.inverse == 0 || pass.request.relaxationLength != request.relaxationLength)
+      setRelaxation(pass, request.relaxationLength);
+    pass.request = request;
     pass.sums = {};
+    pass.sums.work = kNotGathered;
     pass.parts = pass.running = pass.nextCut = pass.from = 0;
   }
 
@@ -97,24 +105,27 @@ class CubicKernel {
     const std::size_t lane = idle_[--idleCount_], from = pass.from;
     std::size_t last = last_;
     pass.from = kNone;
-    const std::size_t wanted = static_cast<std::size_t>(pass.task.parts), cuts = line_.cuts.size();
+    // The part ends before the next cut at which contact is certain, if the pass may be cut
+    // further.
+    const std::size_t wanted = static_cast<std::size_t>(pass.request.parts),
+                      cuts = line_.cuts.size();
     ++pass.parts;
     ++pass.running;
     for (std::size_t k = pass.nextCut; k < cuts && pass.parts < wanted; ++k) {
       // Those not taken are spread evenly.
-      if (k * wanted < pass.parts * cuts || !touchesAt(line_.cuts[k], pass.task)) continue;
+      if (k * wanted < pass.parts * cuts || !touchesAt(line_.cuts[k], pass.request)) continue;
       pass.from = line_.cuts[k].segment;
       last = pass.from - 1;
       pass.nextCut = k + 1;
       break;
     }
-    places_[lane].pass = stream;
+    parts_[lane].pass = stream;
     begin(lane, from, last);
   }
 
-  void setMemory(Pass& pass, double memory) {
-    // Without memory the free surface comes back at once.
-    pass.inverse = memory > 0 ? std::min(1 / memory, 1e300) : 1e300;
+  void setRelaxation(Pass& pass, double relaxationLength) {
+    // Without relaxation the free surface comes back at once.
+    pass.inverse = relaxationLength > 0 ? std::min(1 / relaxationLength, 1e300) : 1e300;
     double one = -std::expm1(-line_.spacing * pass.inverse);
     for (std::size_t level = 0; level < levels_; ++level) {
       double* lost = pass.lost[level];
@@ -124,25 +135,25 @@ class CubicKernel {
     }
   }
 
-  /// Whether contact is certain at the cut: w e^(s/c) rises over the segment before it, what lies
+  /// Whether contact is certain at the cut: w e^(s/c) grows over the segment before it, what lies
   /// further back within `clear` is not as deep, and anything from beyond has relaxed below it.
-  bool touchesAt(const PreparedProfile::Cut& cut, const PassRequest& task) const {
+  bool touchesAt(const PreparedProfile::Cut& cut, const PassRequest& request) const {
     const SegmentBounds before = line_.blocks[0][cut.segment - 2];
-    const double rise = line_.rise[cut.segment], w = task.depth - rise;
-    return task.depth - before.highest - task.memory * before.steepest > 0 && w > 0 &&
-           cut.clear >= task.memory * std::log1p(rise / w);
+    const double height = line_.heightAboveMinimum[cut.segment], w = request.depth - height;
+    return request.depth - before.highest - request.relaxationLength * before.steepest > 0 &&
+           w > 0 && cut.clear >= request.relaxationLength * std::log1p(height / w);
   }
 
   void begin(std::size_t lane, std::size_t from, std::size_t last) {
-    Place& place = places_[lane];
-    const Pass& pass = passes_[place.pass];
-    place.segment = from;
-    place.last = last;
-    place.segmentsInspected = 0;
-    lanes_.depth[lane] = pass.task.depth;
-    lanes_.memory[lane] = pass.task.memory;
+    Part& part = parts_[lane];
+    const Pass& pass = passes_[part.pass];
+    part.segment = from;
+    part.last = last;
+    part.segmentsInspected = 0;
+    lanes_.depth[lane] = pass.request.depth;
+    lanes_.relaxationLength[lane] = pass.request.relaxationLength;
     lanes_.inverse[lane] = pass.inverse;
-    lanes_.arcRise[lane] = lanes_.arcPosition[lane] = lanes_.surface[lane] = 0;
+    lanes_.arcHeight[lane] = lanes_.arcPosition[lane] = lanes_.surface[lane] = 0;
     lanes_.sumDepth[lane] = lanes_.freeStiffness[lane] = lanes_.freeLoss[lane] = 0;
     lanes_.contactLength[lane] = lanes_.slopeSquared[lane] = lanes_.sumPressure[lane] = 0;
     lanes_.busy[lane] = lanes_.touching[lane] = lanes_.limit[lane] = 1;
@@ -154,23 +165,23 @@ class CubicKernel {
     return static_cast<std::size_t>(std::countr_zero(bits));
   }
 
-  /// The lane has finished its segment.
+  /// The lane has finished its segment: takes what follows by whole blocks, then the next segment.
   template <bool kPressed>
   HWY_INLINE void goOn(std::size_t lane) {
-    Place& place = places_[lane];
-    ++place.segmentsInspected;
-    if (place.segment == place.last) return endPart(lane);
-    ++place.segment;
+    Part& part = parts_[lane];
+    ++part.segmentsInspected;
+    if (part.segment == part.last) return endPart(lane);
+    ++part.segment;
     if (kPressed)
-      skipPressed(lane, place);
+      skipPressed(lane, part);
     else
-      skipFree(lane, place);
+      skipFree(lane, part);
     load(lane);
   }
 
   void endPart(std::size_t lane) {
-    const Place& place = places_[lane];
-    const std::size_t stream = place.pass;
+    const Part& part = parts_[lane];
+    const std::size_t stream = part.pass;
     Pass& pass = passes_[stream];
     PassSums& sums = pass.sums;
     const double length = lanes_.contactLength[lane], slopes = lanes_.slopeSquared[lane];
@@ -178,14 +189,14 @@ class CubicKernel {
     sums.contactLength += length;
     sums.stiffness += length + lanes_.freeStiffness[lane];
     sums.slopeSquared += slopes;
-    sums.dissipation += pass.task.memory * slopes + lanes_.freeLoss[lane];
+    sums.dissipation += pass.request.relaxationLength * slopes + lanes_.freeLoss[lane];
     sums.pressure += lanes_.sumPressure[lane];
-    sums.segmentsInspected += place.segmentsInspected;
+    sums.segmentsInspected += part.segmentsInspected;
     lanes_.busy[lane] = 0;
     idle_[idleCount_++] = lane;
-    PassRequest task;
-    if (--pass.running == 0 && pass.from == kNone && queue_.next(stream, sums, task))
-      setPass(stream, task);
+    PassRequest request;
+    if (--pass.running == 0 && pass.from == kNone && queue_.next(stream, sums, request))
+      setPass(stream, request);
     fillLanes();
   }
 
@@ -223,8 +234,8 @@ class CubicKernel {
     return kWindow;
   }
 
-  HWY_INLINE void skipFree(std::size_t lane, Place& place) {
-    const Pass& pass = passes_[place.pass];
+  HWY_INLINE void skipFree(std::size_t lane, Part& part) {
+    const Pass& pass = passes_[part.pass];
     const One depth = One::all(lanes_.depth[lane]);
     double surface = lanes_.surface[lane];
     const auto isFree = [&](std::size_t level, std::size_t block) {
@@ -235,38 +246,39 @@ class CubicKernel {
         return One::load(lowest + k) >= mulAdd(over, One::load(lost + k + 1), start);
       });
     };
-    place.segment = skip(place.segment, place.last, isFree,
-                         [&](std::size_t level, std::size_t, std::size_t count) {
-                           surface += (lanes_.depth[lane] - surface) * pass.lost[level][count];
-                         });
+    part.segment = skip(part.segment, part.last, isFree,
+                        [&](std::size_t level, std::size_t, std::size_t count) {
+                          surface += (lanes_.depth[lane] - surface) * pass.lost[level][count];
+                        });
   }
 
-  HWY_INLINE void skipPressed(std::size_t lane, Place& place) {
-    const double depth = lanes_.depth[lane], memory = lanes_.memory[lane];
-    const std::size_t from = place.segment;
-    const One wideDepth = One::all(depth), wideMemory = One::all(memory);
-    double rises = 0, slopes = 0;
+  HWY_INLINE void skipPressed(std::size_t lane, Part& part) {
+    const double depth = lanes_.depth[lane], c = lanes_.relaxationLength[lane];
+    const std::size_t from = part.segment;
+    const One wideDepth = One::all(depth), wideLength = One::all(c);
+    double heights = 0, slopes = 0;
     const auto isPressed = [&](std::size_t level, std::size_t block) {
       const double* highest = line_.blocks[level].highest.data() + block;
       const double* steepest = line_.blocks[level].steepest.data() + block;
       return firstOther([&](std::size_t k) {
         const One least = wideDepth - One::load(highest + k);
-        return negMulAdd(wideMemory, One::load(steepest + k), least) > One::all(0);
+        return negMulAdd(wideLength, One::load(steepest + k), least) > One::all(0);
       });
     };
     const auto take = [&](std::size_t level, std::size_t block, std::size_t count) {
-      rises += sumOfFirst(count, line_.blocks[level].riseIntegral.data() + block);
+      heights += sumOfFirst(count, line_.blocks[level].heightIntegral.data() + block);
       slopes += sumOfFirst(count, line_.blocks[level].slopeSquared.data() + block);
     };
-    const std::size_t to = skip(from, place.last, isPressed, take);
+    const std::size_t to = skip(from, part.last, isPressed, take);
     if (to == from) return;
-    place.segment = to;
+    part.segment = to;
     const double length = line_.spacing * static_cast<double>(to - from);
-    const double depths = depth * length - rises;
+    const double depths = depth * length - heights;
     lanes_.sumDepth[lane] += depths;
     lanes_.contactLength[lane] += length;
     lanes_.slopeSquared[lane] += slopes;
-    lanes_.sumPressure[lane] += depths - memory * (line_.rise[to] - line_.rise[from]);
+    lanes_.sumPressure[lane] +=
+        depths - c * (line_.heightAboveMinimum[to] - line_.heightAboveMinimum[from]);
   }
 
   static HWY_INLINE double sumOfFirst(std::size_t count, const double* values) {
@@ -281,24 +293,24 @@ class CubicKernel {
   /// Few stores, for the vectors read them at once. Segments are measured from their lower end, as
   /// in the plain pass.
   HWY_INLINE void load(std::size_t lane) {
-    const std::size_t i = places_[lane].segment;
+    const std::size_t i = parts_[lane].segment;
     const bool isBack = line_.isMeasuredBack(i);
     const std::size_t first = isBack ? i + 1 : i, second = isBack ? i : i + 1;
     const double length = line_.segmentLength(i);
-    lanes_.height0[lane] = line_.rise[first];
-    lanes_.height1[lane] = line_.rise[second];
+    lanes_.height0[lane] = line_.heightAboveMinimum[first];
+    lanes_.height1[lane] = line_.heightAboveMinimum[second];
     lanes_.start[lane] = line_.position(first);
     lanes_.along[lane] = isBack ? -length : length;
     lanes_.slope0[lane] = isBack ? -line_.slopeOut[i] : line_.slopeIn[i];
     lanes_.slope1[lane] = isBack ? -line_.slopeIn[i] : line_.slopeOut[i];
-    if (i == places_[lane].last) lanes_.closes[lane] = 1;
+    if (i == parts_[lane].last) lanes_.closes[lane] = 1;
   }
 
   const PreparedProfile& line_;
   PassQueue& queue_;
   std::size_t last_, levels_;
   Pass passes_[kLanes];
-  Place places_[kLanes];
+  Part parts_[kLanes];
   Lanes lanes_;
   std::size_t idle_[kLanes], idleCount_ = 0;
 };

@@ -1,10 +1,10 @@
-// The body of straight_pass.h, compiled once per instruction set.
+// The body of runLinearPasses in kernels.h: one pass. Compiled once per instruction set.
 
-#if defined(ASPERITY_STRAIGHT_PASS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef ASPERITY_STRAIGHT_PASS_INL
-#undef ASPERITY_STRAIGHT_PASS_INL
+#if defined(ASPERITY_LINEAR_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASPERITY_LINEAR_KERNEL_INL
+#undef ASPERITY_LINEAR_KERNEL_INL
 #else
-#define ASPERITY_STRAIGHT_PASS_INL
+#define ASPERITY_LINEAR_KERNEL_INL
 #endif
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "core/contact/kernels/arc_gap-inl.h"
-#include "core/contact/kernels/pass_queue.h"
+#include "core/contact/kernels/pass.h"
 #include "core/contact/kernels/summit_search-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,25 +35,27 @@ struct alignas(64) Patches {
   static constexpr std::size_t kMost = Summits::kMost;
   using Values = double[kMost];
 
-  // The free arc: w and rise where it began, and from there to the lower end of the first segment.
-  Values arcDepth, arcRise, arcLength;
-  // The first segment, by t from its lower end on: rise there, and by how much it rises; 1 if that
-  // is its start, -1 if it is its end; t of its higher end, or of a summit inside.
+  // The free arc: w and height where it began, and from there to the lower end of the first
+  // segment.
+  Values arcDepth, arcHeight, arcLength;
+  // The first segment, by t from its lower end on: height there, and by how much it rises; 1 if
+  // that is its start, -1 if it is its end; t of its higher end, or of a summit inside.
   Values low, climb, onwards, end;
   // The last segment up to the summit, but where that is the first one too.
-  Values lastRise, lastSlope, lastLength;
+  Values lastHeight, lastSlope, lastLength;
 };
 
 /// One pass.
 class LinearKernel {
  public:
-  LinearKernel(const PreparedProfile& line, const PassRequest& task)
+  LinearKernel(const PreparedProfile& line, const PassRequest& request)
       : line_(line),
-        depth_(task.depth),
-        memory_(task.memory),
-        // Without memory the free surface comes back at once.
-        inverse_(task.memory > 0 ? std::min(1 / task.memory, 1e300) : 1e300),
-        search_(line, depth_, memory_, inverse_) {
+        depth_(request.depth),
+        relaxationLength_(request.relaxationLength),
+        // Without relaxation the free surface comes back at once.
+        inverse_(request.relaxationLength > 0 ? std::min(1 / request.relaxationLength, 1e300)
+                                              : 1e300),
+        search_(line, depth_, relaxationLength_, inverse_) {
     const One way = {hn::Iota(kTag, 0)};
     decay_ = One::all(1) - lostAfter(way * One::all(line.spacing * inverse_));
     decayOverAll_ = std::exp(-line.spacing * static_cast<double>(One::kLanes) * inverse_);
@@ -66,14 +68,16 @@ class LinearKernel {
       return !queue.isStopped();
     });
     const double length = line_.spacing * static_cast<double>(whole_);
-    const double depths = depth_ * length - 0.5 * line_.spacing * totalOf(wholeRises_);
+    const double depths = depth_ * length - 0.5 * line_.spacing * totalOf(wholeHeights_);
     sums = {};
+    sums.work = kNotGathered;
     sums.depth = depths + totalOf(depths_) + totalOf(freeDepths_);
     sums.contactLength = length + totalOf(length_);
     sums.stiffness = sums.contactLength + totalOf(freeStiffness_);
     sums.slopeSquared = line_.spacing * totalOf(wholeSlopes_) + totalOf(slopes_);
-    sums.dissipation = memory_ * sums.slopeSquared + totalOf(freeLoss_);
-    sums.pressure = depths + totalOf(depths_) - memory_ * (wholeClimb_ + totalOf(climbs_));
+    sums.dissipation = relaxationLength_ * sums.slopeSquared + totalOf(freeLoss_);
+    sums.pressure =
+        depths + totalOf(depths_) - relaxationLength_ * (wholeClimb_ + totalOf(climbs_));
     return done;
   }
 
@@ -81,6 +85,7 @@ class LinearKernel {
   /// Those of the summits that overtop all before them end a patch of contact; as high is enough,
   /// for the free surface has come up since.
   HWY_INLINE void addPatches() {
+    // The summits that overtop all before them.
     const Summits& summits = search_.summits();
     std::size_t tops[Summits::kMost], count = 0;
     for (std::size_t k = 0; k < summits.count; ++k) {
@@ -88,9 +93,12 @@ class LinearKernel {
       count += summits.order[k] >= highest_ ? 1 : 0;
       highest_ = std::max(highest_, summits.order[k]);
     }
+    // Their patches of contact: the free arc before each, how deep the surface then is, and the
+    // segments in contact as a whole.
     for (std::size_t patch = 0; patch < count; ++patch) setArc(patch, tops[patch]);
     for (std::size_t k = 0; k < count; k += One::kLanes) relax(k);
     for (std::size_t patch = 0; patch < count; ++patch) setPatch(patch, tops[patch]);
+    // The segments in contact in part, many at a time.
     for (std::size_t k = 0; k < count; k += Wide::kLanes) {
       for (std::size_t patch = count; patch < k + Wide::kLanes; ++patch) clear(patch);
       addParts(k);
@@ -101,7 +109,7 @@ class LinearKernel {
   HWY_INLINE void setArc(std::size_t patch, std::size_t summit) {
     const Summits& summits = search_.summits();
     patches_.arcDepth[patch] = left_.depth;
-    patches_.arcRise[patch] = left_.rise;
+    patches_.arcHeight[patch] = left_.height;
     patches_.arcLength[patch] =
         line_.position(summits.start[summit] + 1) - left_.position - left_.along;
     left_ = {summits.position[summit], summits.along[summit], summits.height[summit],
@@ -130,7 +138,7 @@ class LinearKernel {
       hasLeft_ = true;
     }
     if (whole < last) addWhole(whole, last);
-    patches_.lastRise[patch] = summits.rise[summit];
+    patches_.lastHeight[patch] = summits.nodeHeight[summit];
     patches_.lastSlope[patch] = summits.slope[summit];
     patches_.lastLength[patch] = isOne ? 0 : along;
   }
@@ -142,7 +150,7 @@ class LinearKernel {
     const One d = One::all(depth_);
     for (; node <= last; node += One::kLanes) {
       const std::size_t count = std::min(One::kLanes, last + 1 - node);
-      const One depth = d - One::loadFirst(line_.rise.data() + node, count);
+      const One depth = d - One::loadFirst(line_.heightAboveMinimum.data() + node, count);
       const unsigned deeper = bitsOf(depth > One::all(relaxed) * decay_) & ((1U << count) - 1);
       if (deeper != 0) return node + static_cast<std::size_t>(std::countr_zero(deeper)) - 1;
       relaxed *= decayOverAll_;
@@ -156,15 +164,15 @@ class LinearKernel {
     const std::size_t low = isBack ? segment + 1 : segment, high = isBack ? segment : segment + 1;
     patches_.arcLength[patch] +=
         line_.spacing * static_cast<double>(static_cast<std::ptrdiff_t>(low - next));
-    patches_.low[patch] = line_.rise[low];
-    patches_.climb[patch] = line_.rise[high] - line_.rise[low];
+    patches_.low[patch] = line_.heightAboveMinimum[low];
+    patches_.climb[patch] = line_.heightAboveMinimum[high] - line_.heightAboveMinimum[low];
     patches_.onwards[patch] = isBack ? -1 : 1;
     patches_.end[patch] = end;
   }
 
   HWY_INLINE void clear(std::size_t patch) {
-    for (double* values : {patches_.arcDepth, patches_.arcRise, patches_.arcLength, patches_.low,
-                           patches_.climb, patches_.onwards, patches_.end, patches_.lastRise,
+    for (double* values : {patches_.arcDepth, patches_.arcHeight, patches_.arcLength, patches_.low,
+                           patches_.climb, patches_.onwards, patches_.end, patches_.lastHeight,
                            patches_.lastSlope, patches_.lastLength})
       values[patch] = 0;
   }
@@ -172,21 +180,22 @@ class LinearKernel {
   /// Segments that are in contact all along.
   HWY_INLINE void addWhole(std::size_t from, std::size_t to) {
     whole_ += to - from;
-    wholeClimb_ += line_.rise[to] - line_.rise[from];
-    One rises = wholeRises_, slopes = wholeSlopes_;
+    wholeClimb_ += line_.heightAboveMinimum[to] - line_.heightAboveMinimum[from];
+    One heights = wholeHeights_, slopes = wholeSlopes_;
     for (std::size_t i = from; i < to; i += One::kLanes) {
       const std::size_t count = std::min(One::kLanes, to - i);
       const One slope = One::loadFirst(line_.slopeIn.data() + i, count);
-      rises = rises + (One::loadFirst(line_.rise.data() + i, count) +
-                       One::loadFirst(line_.rise.data() + i + 1, count));
+      heights = heights + (One::loadFirst(line_.heightAboveMinimum.data() + i, count) +
+                           One::loadFirst(line_.heightAboveMinimum.data() + i + 1, count));
       slopes = mulAdd(slope, slope, slopes);
     }
-    wholeRises_ = rises;
+    wholeHeights_ = heights;
     wholeSlopes_ = slopes;
   }
 
   HWY_INLINE void addParts(std::size_t k) {
-    const Wide d = Wide::all(depth_), c = Wide::all(memory_), h = Wide::all(line_.spacing);
+    const Wide d = Wide::all(depth_), c = Wide::all(relaxationLength_),
+               h = Wide::all(line_.spacing);
     const Wide depth = Wide::load(patches_.arcDepth + k),
                onwards = Wide::load(patches_.onwards + k);
     const Wide low = Wide::load(patches_.low + k), climb = Wide::load(patches_.climb + k);
@@ -194,13 +203,15 @@ class LinearKernel {
     const WideMask isOnwards = onwards > none;
     const Wide rate = Wide::all(inverse_);
     const WideArc arc{depth, Wide::load(patches_.arcLength + k) * rate, onwards * h * rate};
-    const WideGap<WideStraight> gap{{Wide::load(patches_.arcRise + k) - low, -climb}, arc};
+    const WideGap<WideStraight> gap{{Wide::load(patches_.arcHeight + k) - low, -climb}, arc};
+    // Where the line meets the free surface.
     const WideRoot entry = entryIn(gap, end, isOnwards);
     addArc(depth, onlyIn(end > none, c * entry.lost), entry.lost);
+    // Contact in the first segment of the patch and in its last.
     const Wide from = onlyIn(isOnwards, entry.t),
                length = h * select(isOnwards, end - entry.t, entry.t);
     addPart(negMulAdd(climb, from, d - low), climb / h, length, onwards);
-    addPart(d - Wide::load(patches_.lastRise + k), Wide::load(patches_.lastSlope + k),
+    addPart(d - Wide::load(patches_.lastHeight + k), Wide::load(patches_.lastSlope + k),
             Wide::load(patches_.lastLength + k), Wide::all(1));
   }
 
@@ -241,11 +252,11 @@ class LinearKernel {
   }
 
   struct Left {
-    double position, along, rise, depth;  // s of its segment and from there, rise, w; m
+    double position, along, height, depth;  // s of its segment and from there, z, w; m
   };
 
   const PreparedProfile& line_;
-  double depth_, memory_, inverse_;
+  double depth_, relaxationLength_, inverse_;
   SummitSearch search_;
   double highest_ = -std::numeric_limits<double>::infinity();  // order of the last top
   bool hasLeft_ = false;
@@ -256,7 +267,7 @@ class LinearKernel {
   double decayOverAll_;                  // over as many as a vector has lanes
   std::size_t whole_ = 0;                // segments
   double wholeClimb_ = 0;                // m
-  One wholeRises_ = One::all(0), wholeSlopes_ = One::all(0);  // m: of both ends; 1
+  One wholeHeights_ = One::all(0), wholeSlopes_ = One::all(0);  // m: of both ends; 1
   Wide length_ = Wide::all(0), depths_ = length_, slopes_ = length_, climbs_ = length_;
   Wide freeDepths_ = length_, freeStiffness_ = length_, freeLoss_ = length_;
 };

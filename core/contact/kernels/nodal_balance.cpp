@@ -1,21 +1,236 @@
-#include "core/contact/kernels/nodal_search.h"
+#include "core/contact/kernels/nodal_balance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace asperity {
+namespace {
 
-NodalBalance balanceNodal(const PreparedProfile& line, double memoryLength, double load) {
-  NodalSearch search;
-  search.start(load, line.spacing, load / line.length + line.meanRise, 0);
-  while (!search.isDone()) {
-    NodalLook look;
-    look.depth = search.nextDepth();
-    const NodalState state = nodalStateAt(line, look.depth, memoryLength);
-    look.force = state.sums.pressure;
-    look.loaded = state.loaded;
-    look.threshold = state.threshold;
-    look.sums = state.sums;
-    search.take(look);
+constexpr int kMostNodalPasses = 400;
+constexpr int kPassesBeforeZero = 12;
+constexpr double kRounding = 1e-14;  // relative; depths closer than this are one edge
+
+/// The combination with this share of `upper` and the rest of `lower`.
+PassSums blend(const PassSums& lower, const PassSums& upper, double share) {
+  PassSums sums;
+  for (double PassSums::*member :
+       {&PassSums::depth, &PassSums::stiffness, &PassSums::pressure, &PassSums::work,
+        &PassSums::dissipation, &PassSums::contactLength, &PassSums::slopeSquared})
+    sums.*member = lower.*member + share * (upper.*member - lower.*member);
+  return sums;
+}
+
+/// One pass for all searches that are not done; false where all are.
+bool passOnce(const PreparedProfile& line, const LaneValues& relaxationLength,
+              std::span<NodalSearch> searches, LaneValues& depth,
+              std::array<NodalState, kMostLanes>& states) {
+  Output output = Output::Force;
+  bool goesOn = false;
+  for (std::size_t lane = 0; lane < searches.size(); ++lane) {
+    if (searches[lane].isDone()) continue;
+    goesOn = true;
+    depth[lane] = searches[lane].nextDepth();
+    if (searches[lane].wanted() == Output::Everything) output = Output::Everything;
   }
+  if (!goesOn) return false;
+  // Lanes without a search repeat the last one.
+  for (std::size_t lane = searches.size(); lane < kMostLanes; ++lane)
+    depth[lane] = depth[searches.size() - 1];
+  nodalLanePass(line, depth, relaxationLength, output, states);
+  for (std::size_t lane = 0; lane < searches.size(); ++lane)
+    if (!searches[lane].isDone()) searches[lane].take(states[lane]);
+  return true;
+}
+
+}  // namespace
+
+NodalBalance balanceNodal(const PreparedProfile& line, double relaxationLength, double load) {
+  NodalSearch search;
+  search.start(line, load, 0);
+  while (!search.isDone()) search.take(nodalPass(line, search.nextDepth(), relaxationLength));
   return search.answer();
+}
+
+bool balanceNodalLanes(const PreparedProfile& line, std::span<const double> relaxationLengths,
+                       double load, const LaneValues& guesses, const std::stop_token& stop,
+                       std::span<NodalBalance> balances) {
+  const std::size_t used = relaxationLengths.size();
+  LaneValues depth{}, relaxationLength{};
+  std::array<NodalState, kMostLanes> states;
+  std::array<NodalSearch, kMostLanes> searches;
+  for (std::size_t lane = 0; lane < kMostLanes; ++lane)
+    relaxationLength[lane] = relaxationLengths[std::min(lane, used - 1)];
+  for (std::size_t lane = 0; lane < used; ++lane) searches[lane].start(line, load, guesses[lane]);
+  while (passOnce(line, relaxationLength, {searches.data(), used}, depth, states))
+    if (stop.stop_requested()) return false;
+  for (std::size_t lane = 0; lane < used; ++lane) balances[lane] = searches[lane].answer();
+  return true;
+}
+
+void NodalSearch::start(const PreparedProfile& line, double load, double guess) {
+  *this = {};
+  load_ = load;
+  spacing_ = line.spacing;
+  // Complete contact at rest: usually enough, else the bracket grows.
+  upperBound_ = load / line.length + line.meanHeight;
+  lower_.depth = -std::numeric_limits<double>::min();  // nothing touches
+  ask(Stage::Bracket, guess > 0 && guess < upperBound_ ? guess : upperBound_);
+}
+
+void NodalSearch::ask(Stage stage, double depth) {
+  stage_ = stage;
+  next_ = depth;
+}
+
+void NodalSearch::take(const NodalState& found) {
+  ++passes_;
+  switch (stage_) {
+    case Stage::Bracket:
+      return takeBracket(found);
+    case Stage::Narrow:
+      return takeNarrow(found);
+    case Stage::Threshold:
+      return takeThreshold(found);
+    case Stage::Above:
+      return takeAbove(found);
+    case Stage::Below:
+      return takeBelow(found);
+    case Stage::Answer:
+      return takeAnswer(found);
+    case Stage::Done:
+      return;
+  }
+}
+
+void NodalSearch::takeBracket(const NodalState& found) {
+  if (isEnough(found)) {
+    upper_ = found;
+    return chooseNext();
+  }
+  lower_ = found;
+  if (found.depth >= upperBound_) upperBound_ *= 2;
+  ask(Stage::Bracket, std::min(1.25 * found.depth, upperBound_));
+}
+
+void NodalSearch::takeNarrow(const NodalState& found) {
+  const bool enough = isEnough(found);
+  sameSide_ = enough == lastWasEnough_ ? sameSide_ + 1 : 0;
+  lastWasEnough_ = enough;
+  (enough ? upper_ : lower_) = found;
+  chooseNext();
+}
+
+/// The secant's point, kept off the ends that do not move, inside what both straight pieces allow.
+double NodalSearch::pointInside() const {
+  double low = lower_.depth, high = upper_.depth;
+  // Going down from above elements are only lost, going up from below they only join.
+  if (upper_.loaded > 0) low = std::max(low, straightTo(upper_));
+  if (lower_.loaded > 0) high = std::min(high, straightTo(lower_));
+  const double lowerForce = lower_.sums.pressure, upperForce = upper_.sums.pressure;
+  const double part = (load_ - lowerForce) / (upperForce - lowerForce);
+  double point = lower_.depth + part * (upper_.depth - lower_.depth);
+  if (sameSide_ > 1 || !(point > low && point < high)) point = 0.5 * (low + high);
+  if (!(point > lower_.depth && point < upper_.depth)) point = 0.5 * (lower_.depth + upper_.depth);
+  return point;
+}
+
+void NodalSearch::chooseNext() {
+  const double differing = upper_.loaded - lower_.loaded;
+  if (differing == 0 && passes_ < kMostNodalPasses) return ask(Stage::Answer, straightTo(upper_));
+  // Neighbouring numbers, but for rounding: what enters between them is on the edge.
+  const bool neighbours = upper_.depth - lower_.depth <= kRounding * upper_.depth;
+  if (neighbours || upper_.depth <= 0 || passes_ >= kMostNodalPasses)
+    return askAround(upper_.depth);
+  // Elements on the lowest level of the line are loaded at any depth: there is nothing to narrow.
+  if (lower_.depth < 0 && passes_ >= kPassesBeforeZero) return ask(Stage::Narrow, 0);
+  if (halving_) return ask(Stage::Narrow, 0.5 * (lower_.depth + upper_.depth));
+  if (differing == 1) return ask(Stage::Threshold, upper_.depth);
+  ask(Stage::Narrow, pointInside());
+}
+
+void NodalSearch::takeThreshold(const NodalState& found) {
+  upper_ = found;
+  const double edge = found.threshold;
+  const double slack = kRounding * found.depth;
+  if (!(edge > lower_.depth - slack && edge <= found.depth + slack)) return halve();
+  const double straight = straightTo(found);
+  if (straight >= edge) return ask(Stage::Answer, straight);
+  const double missing = load_ - lower_.sums.pressure - stiffness(lower_) * (edge - lower_.depth);
+  if (missing > 0) return askAround(edge);
+  ask(Stage::Answer, straightTo(lower_));
+}
+
+/// Where elements hardly relax from one to the next, a threshold loses its digits: from now on the
+/// bracket is halved down to neighbouring numbers.
+void NodalSearch::halve() {
+  halving_ = true;
+  chooseNext();
+}
+
+/// Whether an element touches at its very threshold is a matter of rounding, and in lanes even of
+/// its neighbours: one pass lies a little above and one a little below. Where these do not differ
+/// the threshold was wrong; between neighbouring numbers there is nothing better, and the two move
+/// apart.
+void NodalSearch::askAround(double edge) {
+  edge_ = edge;
+  reach_ = kRounding;
+  ask(Stage::Above, edge_ * (1 + reach_));
+}
+
+void NodalSearch::takeAbove(const NodalState& found) {
+  above_ = found;
+  if (!isEnough(found) && passes_ < kMostNodalPasses) {
+    if (!halving_ && found.depth < upper_.depth) {
+      lower_ = found;
+      return halve();
+    }
+    reach_ *= 8;
+    // At an edge of 0, of an element that touches without any depth, all its multiples are 0.
+    return ask(Stage::Above, edge_ > 0 ? edge_ * (1 + reach_) : reach_ * upperBound_);
+  }
+  if (edge_ <= 0) return finishBetween({}, above_);
+  ask(Stage::Below, edge_ * (1 - reach_));
+}
+
+void NodalSearch::takeBelow(const NodalState& found) {
+  if (!isEnough(found) || passes_ >= kMostNodalPasses) return finishBetween(found, above_);
+  if (!halving_ && found.depth > lower_.depth) {
+    upper_ = found;
+    return halve();
+  }
+  reach_ = std::min(8 * reach_, 1.0);
+  ask(Stage::Below, edge_ * (1 - reach_));
+}
+
+void NodalSearch::takeAnswer(const NodalState& found) {
+  const double residual = std::abs(found.sums.pressure - load_) / load_;
+  if (residual > kAcceptedResidual && passes_ < kMostNodalPasses) {
+    // On the straight piece it was looked for on, neighbouring depths are too far apart for this
+    // load: the answer lies between two of them.
+    if (found.loaded == upper_.loaded || found.loaded == lower_.loaded)
+      return askAround(found.depth);
+    (isEnough(found) ? upper_ : lower_) = found;
+    return ask(Stage::Narrow, 0.5 * (lower_.depth + upper_.depth));
+  }
+  answer_.balance = {found.depth, passes_, residual};
+  answer_.sums = found.sums;
+  answer_.marginalShare = 1;
+  stage_ = Stage::Done;
+}
+
+void NodalSearch::finishBetween(const NodalState& less, const NodalState& more) {
+  const double lessForce = less.sums.pressure, moreForce = more.sums.pressure;
+  const bool rises = moreForce > lessForce;
+  const double share = rises ? (load_ - lessForce) / (moreForce - lessForce) : 1;
+  const bool inside = rises && share >= 0 && share <= 1;  // not so only where passes ran out
+  answer_.sums = blend(less.sums, more.sums, share);
+  answer_.balance = {edge_, passes_,
+                     inside ? std::abs(answer_.sums.pressure - load_) / load_
+                            : std::numeric_limits<double>::infinity()};
+  answer_.marginalShare = more.loaded > less.loaded ? share : 1;
+  stage_ = Stage::Done;
 }
 
 }  // namespace asperity

@@ -7,142 +7,108 @@
 namespace asperity {
 namespace {
 
-/// A free arc of the elastomer: it left the line `depth` deep at `position`, where the line is at
-/// height `rise`.
+/// A free arc of the elastomer: it left the line `depth` deep at `position`, where the line has
+/// this height above its lowest point.
 struct FreeArc {
-  double rise, depth, position;
+  double height, depth, position;
 };
 
-/// Sums for the force balance only.
-class ForceGatherer {
+/// Sums up stretches of contact and free arcs. The two ways to either force share nothing.
+template <Output kOutput>
+class Gatherer {
  public:
-  ForceGatherer(double memory, double inverse) : memory_(memory), inverse_(inverse) {}
+  Gatherer(double relaxationLength, double inverse)
+      : relaxationLength_(relaxationLength), inverse_(inverse) {}
 
-  void wholeSegment(const SegmentBounds& bounds, const Cubic&, double depth, double length) {
-    sums.depth += depth * length - bounds.riseIntegral;
+  /// A segment that is in contact from end to end.
+  void wholeSegment(const SegmentBounds& bounds, const Cubic& height, double depth, double length) {
+    sums.depth += depth * length - bounds.heightIntegral;
     sums.stiffness += length;
+    if constexpr (kOutput == Output::Everything) addContact(height, 1, depth, length);
   }
-  /// Contact over t in [0, extent] of `rise`; `along` is the way in s for t from 0 to 1, negative
+  /// Contact over t in [0, extent] of `height`; `along` is the way in s for t from 0 to 1, negative
   /// where t runs back.
-  void contact(const Cubic& rise, double extent, double depth, double along) {
+  void contact(const Cubic& height, double extent, double depth, double along) {
     const double length = std::abs(along);
-    sums.depth += length * (depth * extent - rise.integral(extent));
+    sums.depth += length * (depth * extent - height.integral(extent));
     sums.stiffness += length * extent;
+    if constexpr (kOutput == Output::Everything) addContact(height, extent, depth, along);
   }
+  /// A free arc that ends at `to`.
   void arc(const FreeArc& from, double to) {
-    const double forgotten = -memory_ * std::expm1(-(to - from.position) * inverse_);
+    const double way = to - from.position;
+    const double forgotten = -relaxationLength_ * std::expm1(-way * inverse_);
     sums.depth += from.depth * forgotten;
     sums.stiffness += forgotten;
+    if constexpr (kOutput == Output::Everything)
+      sums.dissipation += 0.5 * from.depth * from.depth * -std::expm1(-2 * way * inverse_);
   }
 
-  ForceSums sums;
-
- protected:
-  double memory_, inverse_;
-};
-
-/// All sums; the two ways to either force share nothing.
-class StateGatherer {
- public:
-  StateGatherer(double memory, double inverse)
-      : force_(memory, inverse), memory_(memory), inverse_(inverse) {}
-
-  void wholeSegment(const SegmentBounds& bounds, const Cubic& rise, double depth, double length) {
-    force_.wholeSegment(bounds, rise, depth, length);
-    addContact(rise, 1, depth, length);
-  }
-  void contact(const Cubic& rise, double extent, double depth, double along) {
-    force_.contact(rise, extent, depth, along);
-    addContact(rise, extent, depth, along);
-  }
-  void arc(const FreeArc& from, double to) {
-    force_.arc(from, to);
-    const double fraction = -std::expm1(-2 * (to - from.position) * inverse_);
-    sums_.dissipation += 0.5 * from.depth * from.depth * fraction;
-  }
-
-  StateSums total() const {
-    StateSums total = sums_;
-    total.depth = force_.sums.depth;
-    total.stiffness = force_.sums.stiffness;
-    return total;
-  }
+  PassSums sums;
 
  private:
-  void addContact(const Cubic& rise, double extent, double depth, double along) {
+  void addContact(const Cubic& height, double extent, double depth, double along) {
     const double length = std::abs(along);
-    const double slopeSquared = rise.integralOfSlopeSquared(extent) / length;
-    addPressure(rise, extent, depth, along);
-    sums_.dissipation += memory_ * slopeSquared;
-    sums_.contactLength += length * extent;
-    sums_.slopeSquared += slopeSquared;
-    sums_.absoluteSlope += variation(rise, extent);
+    const double slopeSquared = height.integralOfSlopeSquared(extent) / length;
+    addPressure(height, extent, depth, along);
+    sums.dissipation += relaxationLength_ * slopeSquared;
+    sums.contactLength += length * extent;
+    sums.slopeSquared += slopeSquared;
   }
   /// p and p w' from the pressure itself, by Gauss's three points: exact for these polynomials, and
   /// sharing nothing with the sums of depth and of dissipation.
-  void addPressure(const Cubic& rise, double extent, double depth, double along) {
+  void addPressure(const Cubic& height, double extent, double depth, double along) {
     const double length = std::abs(along);
     constexpr double kPlace = 0.7745966692414834, kOuter = 5.0 / 18, kMiddle = 8.0 / 18;
     for (const auto& [place, weight] :
          {std::pair{-kPlace, kOuter}, std::pair{0.0, kMiddle}, std::pair{kPlace, kOuter}}) {
       const double t = 0.5 * extent * (1 + place);
-      const double slope = -rise.derivative(t) / along;  // w'
-      const double pressure = depth - rise(t) + memory_ * slope;
-      sums_.pressure += weight * extent * length * pressure;
-      sums_.work += weight * extent * length * pressure * slope;
+      const double slope = -height.derivative(t) / along;  // w'
+      const double pressure = depth - height(t) + relaxationLength_ * slope;
+      sums.pressure += weight * extent * length * pressure;
+      sums.work += weight * extent * length * pressure * slope;
     }
-  }
-  /// Integral of |d rise / dt| over [0, extent].
-  static double variation(const Cubic& rise, double extent) {
-    double sum = 0, last = rise.c0;
-    for (const double t : stationaryPoints(rise)) {
-      if (t >= extent) break;
-      sum += std::abs(rise(t) - last);
-      last = rise(t);
-    }
-    return sum + std::abs(rise(extent) - last);
   }
 
-  ForceGatherer force_;
-  StateSums sums_;
-  double memory_, inverse_;
+  double relaxationLength_, inverse_;
 };
 
-template <class Gatherer>
+template <Output kOutput>
 class Pass {
  public:
-  Pass(const PreparedProfile& line, double depth, double memory, NodeShape* shape)
+  Pass(const PreparedProfile& line, double depth, double relaxationLength, NodeShape* shape)
       : line_(line),
         depth_(depth),
-        memory_(memory),
-        // Without memory the free surface comes back at once: exp(-s * large) is 0 for any s > 0.
-        inverse_(memory > 0 ? std::min(1 / memory, 1e300) : 1e300),
+        relaxationLength_(relaxationLength),
+        // Without relaxation the free surface comes back at once: exp(-s * large) is 0 for s > 0.
+        inverse_(relaxationLength > 0 ? std::min(1 / relaxationLength, 1e300) : 1e300),
         lost_(-std::expm1(-line.spacing * inverse_)),
         shape_(shape),
-        gatherer(memory, inverse_) {}
+        gatherer_(relaxationLength, inverse_) {}
 
-  void run() {
-    surface_ = 0;
-    touching_ = true;
+  PassSums run() {
     for (std::size_t i = 0; i < line_.segments(); ++i) {
       record(i);
       segment(i);
     }
     // The lowest point of the next period takes over, always in contact.
-    if (!touching_) gatherer.arc(arc_, line_.length);
+    if (!touching_) gatherer_.arc(arc_, line_.length);
+    return gatherer_.sums;
   }
 
  private:
   void segment(std::size_t i) {
     const SegmentBounds bounds = line_.bounds(i);
     if (!touching_) {
+      // The free surface stays below the whole segment.
       const double far = surface_ + (depth_ - surface_) * lostOver(i);
       if (bounds.lowest >= far) {
         surface_ = far;
         return;
       }
-    } else if (depth_ - bounds.highest - memory_ * bounds.steepest > 0) {
-      gatherer.wholeSegment(bounds, line_.segment(i), depth_, line_.segmentLength(i));
+    } else if (depth_ - bounds.highest - relaxationLength_ * bounds.steepest > 0) {
+      // The pressure is above 0 on the whole segment.
+      gatherer_.wholeSegment(bounds, line_.segment(i), depth_, line_.segmentLength(i));
       return;
     }
     lookInside(i);
@@ -159,12 +125,12 @@ class Pass {
   /// is told from the line to the last digit even where the depth is far larger than all heights,
   /// or hardly relaxes over a period.
   double freeHeight(double position) const {
-    return arc_.rise - arc_.depth * std::expm1(-(position - arc_.position) * inverse_);
+    return arc_.height - arc_.depth * std::expm1(-(position - arc_.position) * inverse_);
   }
 
-  /// A segment to look inside: its rise over t in [0, 1], s = start + t along.
+  /// A segment to look inside: its height over t in [0, 1], s = start + t along.
   struct Inside {
-    Cubic rise;
+    Cubic height;
     double start, along;
     double at(double t) const { return start + t * along; }
   };
@@ -178,10 +144,10 @@ class Pass {
   /// Splits the segment where p changes sign; w e^(s/c) is monotone on each piece.
   void lookInside(std::size_t i) {
     const Inside inside = insideOf(i);
-    const Cubic& rise = inside.rise;
-    const double k = memory_ / inside.along;
-    const Cubic pressure{depth_ - rise.c0 - k * rise.c1, -rise.c1 - 2 * k * rise.c2,
-                         -rise.c2 - 3 * k * rise.c3, -rise.c3};
+    const Cubic& z = inside.height;
+    const double k = relaxationLength_ / inside.along;
+    const Cubic pressure{depth_ - z.c0 - k * z.c1, -z.c1 - 2 * k * z.c2, -z.c2 - 3 * k * z.c3,
+                         -z.c3};
     const Few<3> zeros = zerosInside(pressure);
     const bool onwards = inside.along > 0;
     double from = onwards ? 0 : 1;
@@ -199,16 +165,16 @@ class Pass {
   }
 
   void leave(const Inside& inside, double t) {
-    const double rise = inside.rise(t);
-    arc_ = {rise, depth_ - rise, inside.at(t)};
+    const double height = inside.height(t);
+    arc_ = {height, depth_ - height, inside.at(t)};
     touching_ = false;
   }
 
   void pressedPiece(const Inside& inside, double from, double to) {
     double entry = from;
     if (!touching_) {
-      const auto isReached = [&](double t) { return inside.rise(t) < freeHeight(inside.at(t)); };
-      // Where nothing is remembered the line is back at the surface when p vanishes, to rounding.
+      const auto isReached = [&](double t) { return inside.height(t) < freeHeight(inside.at(t)); };
+      // Without relaxation the line is back at the surface when p vanishes, to rounding.
       const double middle = 0.5 * (from + to);
       if (isReached(to))
         entry = entryBetween(inside, from, to);
@@ -216,19 +182,19 @@ class Pass {
         entry = entryBetween(inside, from, middle);
       else
         return;
-      gatherer.arc(arc_, inside.at(entry));
+      gatherer_.arc(arc_, inside.at(entry));
       touching_ = true;
     }
     const double low = std::min(entry, to);
-    gatherer.contact(inside.rise.about(low), std::abs(to - entry), depth_, inside.along);
+    gatherer_.contact(inside.height.about(low), std::abs(to - entry), depth_, inside.along);
   }
 
   /// Where the line catches up with the relaxing surface.
   double entryBetween(const Inside& inside, double from, double to) const {
     const auto gap = [&](double t, double& derivative) {
       const double free = freeHeight(inside.at(t));
-      derivative = -inside.rise.derivative(t) + inside.along * inverse_ * (depth_ - free);
-      return free - inside.rise(t);
+      derivative = -inside.height.derivative(t) + inside.along * inverse_ * (depth_ - free);
+      return free - inside.height(t);
     };
     double ignored = 0;
     const double first = gap(from, ignored);
@@ -239,37 +205,28 @@ class Pass {
 
   void record(std::size_t i) {
     if (!shape_) return;
-    const double height = touching_ ? line_.rise[i] : surface_;
+    const double height = touching_ ? line_.heightAboveMinimum[i] : surface_;
     shape_->depth.push_back(std::max(depth_ - height, 0.0));  // rounding may come out above
-    const double slope = line_.slopeIn[i];
-    const double p = touching_ ? depth_ - line_.rise[i] - memory_ * slope : 0;
+    const double p = touching_ ? depth_ - height - relaxationLength_ * line_.slopeIn[i] : 0;
     shape_->pressure.push_back(std::max(p, 0.0));
   }
 
   const PreparedProfile& line_;
-  double depth_, memory_, inverse_, lost_;
+  double depth_, relaxationLength_, inverse_, lost_;
   NodeShape* shape_;
-  bool touching_ = true;
-  double surface_ = 0;  // m, height of the free surface at the start of the segment
+  bool touching_ = true;  // the pass starts at the lowest point
+  double surface_ = 0;    // m, height of the free surface at the start of the segment
   FreeArc arc_{};
-
- public:
-  Gatherer gatherer;
+  Gatherer<kOutput> gatherer_;
 };
 
 }  // namespace
 
-ForceSums forceAt(const PreparedProfile& line, double depth, double memoryLength) {
-  Pass<ForceGatherer> pass(line, depth, memoryLength, nullptr);
-  pass.run();
-  return pass.gatherer.sums;
-}
-
-StateSums stateAt(const PreparedProfile& line, double depth, double memoryLength,
-                  NodeShape* shape) {
-  Pass<StateGatherer> pass(line, depth, memoryLength, shape);
-  pass.run();
-  return pass.gatherer.total();
+PassSums resolvedPass(const PreparedProfile& line, double depth, double relaxationLength,
+                      Output output, NodeShape* shape) {
+  if (output == Output::Force)
+    return Pass<Output::Force>(line, depth, relaxationLength, shape).run();
+  return Pass<Output::Everything>(line, depth, relaxationLength, shape).run();
 }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// One step of lane_stream.h: in every lane the next piece of a segment of its own, on which the
+// One step of the cubic kernel: in every lane the next piece of a segment of its own, on which the
 // pressure p is monotone. See resolved_pass.cpp for the same events in plain form; names follow it.
 // Compiled once per instruction set.
 
@@ -20,11 +20,11 @@ namespace HWY_NAMESPACE {
 struct alignas(64) Lanes {
   using Values = double[Wide::kLanes];
 
-  Values depth, memory, inverse;            // d, c, 1 / c
-  Values height0, height1, slope0, slope1;  // rise and d rise / d|s| at t = 0 and t = 1
+  Values depth, relaxationLength, inverse;  // d, c, 1 / c
+  Values height0, height1, slope0, slope1;  // z and dz/d|s| at t = 0 and t = 1
   Values start, along;
   Values from, limit;                               // t reached; t of the segment's end, or nearer
-  Values arcRise, arcPosition;                      // where the elastomer left the line
+  Values arcHeight, arcPosition;                    // where the elastomer left the line
   Values surface;                                   // height of free lanes at the segment's end
   Values sumDepth, freeStiffness, freeLoss;         // m^2, m, m^2
   Values contactLength, slopeSquared, sumPressure;  // m, m, m^2
@@ -47,6 +47,12 @@ HWY_INLINE void setFlags(WideMask mask, Lanes::Values& values) {
 struct WideCubic {
   Wide c0, c1, c2, c3;
 
+  /// As hermiteCubic in polynomial.h; `step`: from the first value to the second.
+  static HWY_INLINE WideCubic hermite(Wide value0, Wide step, Wide slope0, Wide slope1) {
+    return {value0, slope0, mulSub(Wide::all(3), step, slope0 + slope0 + slope1),
+            negMulAdd(Wide::all(2), step, slope0 + slope1)};
+  }
+
   HWY_INLINE Wide at(Wide t) const { return mulAdd(t, mulAdd(t, mulAdd(t, c3, c2), c1), c0); }
   HWY_INLINE Wide slopeAt(Wide t) const { return mulAdd(t, mulAdd(t, times(3, c3), c2 + c2), c1); }
   HWY_INLINE Wide halfCurvatureAt(Wide t) const { return mulAdd(times(3, c3), t, c2); }
@@ -63,9 +69,13 @@ class SegmentStep {
 
   HWY_INLINE void run() {
     readSegment();
+    // The next piece of the segment on which p is monotone.
     findPiece();
+    // Lanes in contact leave at once where p is not above 0 at the start of the piece.
     leave(touching_ & !upFrom_, from_);
+    // The edge of contact inside the piece, if there is one.
     findEvents();
+    // What free arcs and contact add to the sums.
     close();
     addContact();
     leave(exits_, edge_);
@@ -75,7 +85,7 @@ class SegmentStep {
  private:
   HWY_INLINE void readSegment() {
     depth_ = Wide::load(lanes_.depth);
-    memory_ = Wide::load(lanes_.memory);
+    relaxationLength_ = Wide::load(lanes_.relaxationLength);
     inverse_ = Wide::load(lanes_.inverse);
     busy_ = isSet(lanes_.busy);
     touching_ = busy_ & isSet(lanes_.touching);
@@ -84,17 +94,15 @@ class SegmentStep {
     onwards_ = along_ > Wide::all(0);
     perAlong_ = Wide::all(1) / along_;
     end_ = onlyIn(onwards_, Wide::all(1));
-    arcRise_ = Wide::load(lanes_.arcRise);
+    arcHeight_ = Wide::load(lanes_.arcHeight);
     arcPosition_ = Wide::load(lanes_.arcPosition);
     low_ = Wide::load(lanes_.height0);
-    const Wide fall = low_ - Wide::load(lanes_.height1);
-    const Wide k = memory_ * perAlong_;
-    inside_.c0 = depth_ - low_;
-    const Wide span = abs(along_);
+    // w = d - z over the segment.
+    const Wide step = low_ - Wide::load(lanes_.height1), span = abs(along_);
     const Wide m0 = -(Wide::load(lanes_.slope0) * span), m1 = -(Wide::load(lanes_.slope1) * span);
-    inside_.c1 = m0;
-    inside_.c2 = mulSub(Wide::all(3), fall, m0 + m0 + m1);
-    inside_.c3 = negMulAdd(Wide::all(2), fall, m0 + m1);
+    inside_ = WideCubic::hermite(depth_ - low_, step, m0, m1);
+    // p / 4G = w + c w'.
+    const Wide k = relaxationLength_ * perAlong_;
     pressure_.c0 = mulAdd(k, inside_.c1, inside_.c0);
     pressure_.c1 = mulAdd(k + k, inside_.c2, inside_.c1);
     pressure_.c2 = mulAdd(times(3, k), inside_.c3, inside_.c2);
@@ -133,7 +141,7 @@ class SegmentStep {
   }
 
   HWY_INLINE void leave(WideMask lanes, Wide t) {
-    arcRise_ = select(lanes, -below(Wide::all(0)).at(t), arcRise_);
+    arcHeight_ = select(lanes, -below(Wide::all(0)).at(t), arcHeight_);
     arcPosition_ = select(lanes, placeOf(t), arcPosition_);
     touching_ = touching_ & !lanes;
   }
@@ -142,13 +150,13 @@ class SegmentStep {
   /// the line catches up with the free surface, or, for a free lane, where p vanishes after a
   /// pressed stretch, which is where the line comes nearest to the free surface.
   HWY_INLINE void findEvents() {
-    arc_ = {depth_ - arcRise_, (start_ - arcPosition_) * inverse_, along_ * inverse_};
-    const WideGap<WideCubic> rising{below(arcRise_), arc_};
+    arc_ = {depth_ - arcHeight_, (start_ - arcPosition_) * inverse_, along_ * inverse_};
+    const WideGap<WideCubic> rising{below(arcHeight_), arc_};
     const WideMask free = busy_ & !touching_;
     exits_ = touching_ & !upTo_;
     const WideMask bumps = free & upFrom_ & !upTo_, rises = free & upTo_;
-    // Where p vanishes, that the line reaches the free surface has been found already. Where
-    // nothing is remembered it is back there to rounding, so only further inside one can tell.
+    // Where p vanishes, that the line reaches the free surface has been found already. Without
+    // relaxation it is back there to rounding, so only further inside one can tell.
     const WideMask reached =
         rises & isSet(lanes_.isPressedAtLimit) & (to_ == Wide::load(lanes_.limit));
     enters_ = WideMask::none();
@@ -189,7 +197,7 @@ class SegmentStep {
   }
 
   HWY_INLINE void closeArcs(WideMask lanes, Wide lost) {
-    const Wide forgotten = memory_ * lost, depth = depth_ - arcRise_;
+    const Wide forgotten = relaxationLength_ * lost, depth = depth_ - arcHeight_;
     // 1 - e^2 = (1 - e)(1 + e)
     const Wide energy = times(0.5, depth * depth) * (lost * (Wide::all(2) - lost));
     sumDepth_ = sumDepth_ + onlyIn(lanes, depth * forgotten);
@@ -214,7 +222,7 @@ class SegmentStep {
     const Wide squares = mulAdd(x, mulAdd(x, t3, c1 * b), c1 * c1);
     const Wide climb = mulAdd(x, mulAdd(x, c3, c2), c1);
     const Wide depths = span * x * mulAdd(x, change, w);
-    const Wide sinking = memory_ * x * select(onwards_, climb, -climb);
+    const Wide sinking = relaxationLength_ * x * select(onwards_, climb, -climb);
     const Wide length = Wide::load(lanes_.contactLength), slopes = Wide::load(lanes_.slopeSquared);
     sumDepth_ = sumDepth_ + onlyIn(lanes, depths);
     (length + onlyIn(lanes, x * span)).store(lanes_.contactLength);
@@ -228,7 +236,7 @@ class SegmentStep {
     if (any(free)) {
       const Wide over = (placeOf(end_) - arcPosition_) * inverse_;
       const Wide lost = lostAfter(max(over, Wide::all(0)));
-      mulAdd(depth_ - arcRise_, lost, arcRise_).store(lanes_.surface);
+      mulAdd(depth_ - arcHeight_, lost, arcHeight_).store(lanes_.surface);
       // A point takes over that is always in contact.
       const WideMask last = free & isSet(lanes_.closes);
       if (any(last)) closeArcs(last, lost);
@@ -236,7 +244,7 @@ class SegmentStep {
     sumDepth_.store(lanes_.sumDepth);
     freeStiffness_.store(lanes_.freeStiffness);
     freeLoss_.store(lanes_.freeLoss);
-    arcRise_.store(lanes_.arcRise);
+    arcHeight_.store(lanes_.arcHeight);
     arcPosition_.store(lanes_.arcPosition);
     setFlags(touching_, lanes_.touching);
     // Ready for the next segment where this one is finished.
@@ -249,11 +257,11 @@ class SegmentStep {
   }
 
   Lanes& lanes_;
-  Wide depth_, memory_, inverse_;
+  Wide depth_, relaxationLength_, inverse_;
   Wide start_, along_, perAlong_, end_;  // end_: t where material leaves the segment
-  WideCubic inside_, pressure_;          // w = d - rise and p, per 4G
+  WideCubic inside_, pressure_;          // w = d - z and p, per 4G
   WideArc arc_;
-  Wide low_, arcRise_, arcPosition_;  // low_: rise at t = 0
+  Wide low_, arcHeight_, arcPosition_;  // low_: z at t = 0
   Wide from_, to_, pressureFrom_, pressureTo_;
   Wide edge_, lost_;
   Wide sumDepth_, freeStiffness_, freeLoss_;

@@ -1,5 +1,5 @@
-// The summits of straight_pass.h: where the pressure p of a line of straight segments falls through
-// 0, inside a segment or at a corner. Compiled once per instruction set.
+// The summits of the linear kernel: where the pressure p of a line of straight segments falls
+// through 0, inside a segment or at a corner. Compiled once per instruction set.
 
 #if defined(ASPERITY_SUMMIT_SEARCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASPERITY_SUMMIT_SEARCH_INL
@@ -30,22 +30,22 @@ struct alignas(64) Summits {
   std::size_t count = 0;
   std::size_t segment[kMost];  // which it ends; where it is at a corner, the one that begins there
   std::size_t start[kMost];    // segment in which, or at whose start, p rose through 0 before
-  // Of the segment's start: s, rise, and the slope d rise / ds from there.
-  Values position, rise, slope;
+  // Of the segment's start: s, height, and the slope dz/ds from there.
+  Values position, nodeHeight, slope;
   Values inside;  // 1: inside the segment; 0: at its start
   // What SummitSearch::measure() adds:
   Values along;   // from the segment's start
-  Values height;  // rise
+  Values height;  // z
   Values depth;   // w
   Values order;   // ln w + s / c, by which one overtops another
 };
 
-/// Goes along a line at one depth and memory and gathers its summits, some at a time. A summit
-/// above the depth is none.
+/// Goes along a line at one depth and relaxation length and gathers its summits, some at a time. A
+/// summit above the depth is none.
 class SummitSearch {
  public:
-  SummitSearch(const PreparedProfile& line, double depth, double memory, double inverse)
-      : line_(line), depth_(depth), memory_(memory), inverse_(inverse) {}
+  SummitSearch(const PreparedProfile& line, double depth, double relaxationLength, double inverse)
+      : line_(line), depth_(depth), relaxationLength_(relaxationLength), inverse_(inverse) {}
 
   const Summits& summits() const { return summits_; }
 
@@ -67,13 +67,13 @@ class SummitSearch {
   }
 
  private:
-  static constexpr std::size_t kWord = 64, kWordLevel = 3;  // segments looked at together
+  static constexpr std::size_t kWord = 64, kWordLevel = 3;  // segments compared together
 
   /// Words that lie above the depth have no summits, nor have those under pressure all along.
   template <class Take>
   HWY_INLINE bool goOverWords(const Take& take) {
     const BlockLevel& words = line_.blocks[kWordLevel];
-    const One d = One::all(depth_), c = One::all(memory_);
+    const One d = One::all(depth_), c = One::all(relaxationLength_);
     for (std::size_t word = 0; word < words.size(); word += One::kLanes) {
       const One room = d - One::load(words.highest.data() + word);
       const unsigned rising = bitsOf(room > c * One::load(words.steepest.data() + word));
@@ -114,21 +114,22 @@ class SummitSearch {
   HWY_INLINE void addSegments(std::size_t first, std::size_t count) {
     // A bit a segment: p > 0 at its start, at its end; start below the depth.
     std::uint64_t begins = 0, ends = 0, below = 0;
-    const One d = One::all(depth_), c = One::all(memory_), none = One::all(0);
-    const auto look = [&](std::size_t k, One begin, One end, One slope) {
+    const One d = One::all(depth_), c = One::all(relaxationLength_), none = One::all(0);
+    const auto compare = [&](std::size_t k, One begin, One end, One slope) {
       const One needed = c * slope, room = d - begin;
       begins |= std::uint64_t{bitsOf(room > needed)} << k;
       ends |= std::uint64_t{bitsOf(d - end > needed)} << k;
       below |= std::uint64_t{bitsOf(room > none)} << k;
     };
-    const double *rise = line_.rise.data() + first, *slope = line_.slopeIn.data() + first;
+    const double *height = line_.heightAboveMinimum.data() + first,
+                 *slope = line_.slopeIn.data() + first;
     if (count == kWord) {
       for (std::size_t k = 0; k < kWord; k += One::kLanes)
-        look(k, One::load(rise + k), One::load(rise + k + 1), One::load(slope + k));
+        compare(k, One::load(height + k), One::load(height + k + 1), One::load(slope + k));
     } else {
       for (std::size_t k = 0; k < count; k += One::kLanes)
-        look(k, One::loadFirst(rise + k, count - k), One::loadFirst(rise + k + 1, count - k),
-             One::loadFirst(slope + k, count - k));
+        compare(k, One::loadFirst(height + k, count - k), One::loadFirst(height + k + 1, count - k),
+                One::loadFirst(slope + k, count - k));
       const std::uint64_t valid = (std::uint64_t{1} << count) - 1;
       begins &= valid, ends &= valid, below &= valid;
     }
@@ -160,23 +161,24 @@ class SummitSearch {
     summits_.segment[k] = segment;
     summits_.start[k] = start;
     summits_.position[k] = line_.position(segment);
-    summits_.rise[k] = line_.rise[segment];
+    summits_.nodeHeight[k] = line_.heightAboveMinimum[segment];
     summits_.slope[k] = slope;
     summits_.inside[k] = inside;
   }
 
   HWY_INLINE void measure() {
     constexpr double kLeast = 1e-300;
-    const One d = One::all(depth_), c = One::all(memory_), inverse = One::all(inverse_);
+    const One d = One::all(depth_), c = One::all(relaxationLength_), inverse = One::all(inverse_);
     for (std::size_t k = 0; k < summits_.count; k += One::kLanes) {
-      const One rise = One::load(summits_.rise + k), slope = One::load(summits_.slope + k);
+      const One height = One::load(summits_.nodeHeight + k), slope = One::load(summits_.slope + k);
       const OneMask inside = One::load(summits_.inside + k) > One::all(0);
-      const One corner = d - rise, vanishing = c * slope;  // p is 0 where w = c rise'
+      // At a corner the summit is the node; inside, p is 0 where w = c dz/ds.
+      const One corner = d - height, vanishing = c * slope;
       const One along = onlyIn(inside, (corner - vanishing) / slope);
       const One depth = select(inside, vanishing, corner);
       const One logarithm{hn::Log(kTag, max(depth, One::all(kLeast)).v)};
       along.store(summits_.along + k);
-      mulAdd(along, slope, rise).store(summits_.height + k);
+      mulAdd(along, slope, height).store(summits_.height + k);
       depth.store(summits_.depth + k);
       mulAdd(One::load(summits_.position + k) + along, inverse, logarithm)
           .store(summits_.order + k);
@@ -184,9 +186,9 @@ class SummitSearch {
   }
 
   const PreparedProfile& line_;
-  double depth_, memory_, inverse_;
+  double depth_, relaxationLength_, inverse_;
   std::size_t start_ = 0;  // of the stretch under pressure that is or was last
-  std::size_t next_ = 0;   // the first segment not looked at
+  std::size_t next_ = 0;   // the first segment not compared yet
   bool isRising_ = true;   // p > 0 before it; the lowest point, where travel starts, is in contact
   Summits summits_;
 };

@@ -1,4 +1,5 @@
-// Cubic polynomials on [0, 1] and the bracketed roots the contact kernels need. Pure functions.
+// Cubic polynomials on [0, 1], Hermite's among them, and the bracketed roots that the contact
+// kernels need. Pure functions.
 #pragma once
 
 #include <algorithm>
@@ -27,6 +28,34 @@ struct Cubic {
                                              t * (b * c * 0.5 + t * c * c * 0.2))));
   }
 };
+
+/// Hermite's cubic over t in [0, 1]: from value0 to value1 with these end slopes d/dt.
+inline Cubic hermiteCubic(double value0, double value1, double slope0, double slope1) {
+  const double step = value1 - value0;
+  return {value0, slope0, 3 * step - 2 * slope0 - slope1, slope0 + slope1 - 2 * step};
+}
+
+/// How far Hermite's cubic has come at t from its first value, on its way by `step` over an
+/// interval, with end slopes per unit of the interval.
+inline double hermiteRise(double t, double step, double interval, double slope0, double slope1) {
+  return t * t * (3 - 2 * t) * step + interval * t * (1 - t) * ((1 - t) * slope0 - t * slope1);
+}
+
+/// The same as weights of the two end values and end slopes, for many cubics at one t.
+struct HermiteWeights {
+  double value0, value1, slope0, slope1;
+};
+inline HermiteWeights hermiteWeights(double t, double interval) {
+  const double second = t * t * (3 - 2 * t);
+  return {1 - second, second, interval * t * (1 - t) * (1 - t), -interval * t * t * (1 - t)};
+}
+/// Weights of the cubic's own slope: of the mean slope over the interval and of the end slopes.
+struct HermiteSlopeWeights {
+  double mean, slope0, slope1;
+};
+inline HermiteSlopeWeights hermiteSlopeWeights(double t) {
+  return {6 * t * (1 - t), (1 - t) * (1 - 3 * t), t * (3 * t - 2)};
+}
 
 /// A few ascending numbers.
 template <int Capacity>

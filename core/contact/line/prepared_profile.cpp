@@ -7,24 +7,18 @@
 namespace asperity {
 namespace {
 
-/// The Hermite cubic through two heights with two end slopes (times the segment's length).
-Cubic hermite(double h0, double h1, double m0, double m1) {
-  const double step = h1 - h0;
-  return {h0, m0, 3 * step - 2 * m0 - m1, m0 + m1 - 2 * step};
-}
-
 /// Nodes and slopes of a line as material meets them, for either direction. Sliding towards +x,
 /// the line's right end comes first: s runs against x.
-class Traveller {
+class TravelOrder {
  public:
-  Traveller(const Line& line, Direction direction)
+  TravelOrder(const Line& line, Direction direction)
       : line_(line), count_(line.nodes()), forward_(direction == Direction::Forward) {}
 
   std::size_t next(std::size_t node) const {
     if (forward_) return node == 0 ? count_ - 1 : node - 1;
     return node + 1 == count_ ? 0 : node + 1;
   }
-  /// Segments from this node to the end of the Line in the way of travel.
+  /// Segments from this node to the end of the Line in the direction of travel.
   std::size_t nodesAhead(std::size_t node) const { return forward_ ? node : count_ - 1 - node; }
   std::size_t moved(std::size_t node, std::size_t by) const {
     return forward_ ? node - by : node + by;
@@ -47,8 +41,8 @@ class Traveller {
   Cubic cubicAfter(std::size_t node, double level) const {
     const std::size_t to = next(node);
     const double h = line_.spacing;
-    return hermite(line_.height[node] - level, line_.height[to] - level, slopeAfter(node) * h,
-                   slopeBefore(to) * h);
+    return hermiteCubic(line_.height[node] - level, line_.height[to] - level, slopeAfter(node) * h,
+                        slopeBefore(to) * h);
   }
 
  private:
@@ -63,51 +57,52 @@ struct Lowest {
   double fraction = 0;  // of the segment after that node
 };
 
-Lowest findLowest(const Line& line, const Traveller& traveller, Scheme scheme) {
+Lowest findLowest(const Line& line, const TravelOrder& order, Scheme scheme) {
   const std::size_t node = placeOfLowest(line.height);
   Lowest lowest{line.height[node], node};
   if (scheme != Scheme::Cubic) return lowest;
   const double third = line.spacing / 3;
   for (std::size_t i = 0; i < line.nodes(); ++i) {
     // A cubic lies above the lowest of its control points, two of which are its ends.
-    const std::size_t to = traveller.next(i);
-    const double control = std::min(line.height[i] + third * traveller.slopeAfter(i),
-                                    line.height[to] - third * traveller.slopeBefore(to));
+    const std::size_t to = order.next(i);
+    const double control = std::min(line.height[i] + third * order.slopeAfter(i),
+                                    line.height[to] - third * order.slopeBefore(to));
     if (control >= lowest.height) continue;
-    const Cubic cubic = traveller.cubicAfter(i, 0);
+    const Cubic cubic = order.cubicAfter(i, 0);
     for (const double t : stationaryPoints(cubic))
       if (cubic(t) < lowest.height) lowest = {cubic(t), i, t};
   }
   return lowest;
 }
 
-void setSegment(PreparedProfile& travel, std::size_t i, double rise, double slopeIn,
+void setSegment(PreparedProfile& profile, std::size_t i, double height, double slopeIn,
                 double slopeOut) {
-  travel.rise[i] = rise;
-  travel.slopeIn[i] = slopeIn;
-  travel.slopeOut[i] = slopeOut;
+  profile.heightAboveMinimum[i] = height;
+  profile.slopeIn[i] = slopeIn;
+  profile.slopeOut[i] = slopeOut;
 }
 
-/// Rises and slopes of `count` whole segments from `node` on, as segments `first` and on; returns
+/// Heights and slopes of `count` whole segments from `node` on, as segments `first` and on; returns
 /// the node behind them. Between the ends of the Line nodes follow each other without a look.
-std::size_t setWholeSegments(PreparedProfile& travel, const Line& line, const Traveller& traveller,
+std::size_t setWholeSegments(PreparedProfile& profile, const Line& line, const TravelOrder& order,
                              std::size_t node, std::size_t first, std::size_t count) {
-  const double perSpacing = 1 / line.spacing, level = travel.lowestHeight;
-  const bool isLinear = travel.scheme == Scheme::Linear;
-  double *rise = travel.rise.data(), *in = travel.slopeIn.data(), *out = travel.slopeOut.data();
+  const double perSpacing = 1 / line.spacing, level = profile.lowestHeight;
+  const bool isLinear = profile.scheme == Scheme::Linear;
+  double* height = profile.heightAboveMinimum.data();
+  double *in = profile.slopeIn.data(), *out = profile.slopeOut.data();
   for (std::size_t i = first, end = first + count; i < end;) {
-    const std::size_t run = std::min(traveller.nodesAhead(node), end - i);
+    const std::size_t run = std::min(order.nodesAhead(node), end - i);
     const auto take = [&](std::size_t k, std::size_t from, std::size_t to) {
       const double straight = (line.height[to] - line.height[from]) * perSpacing;
-      rise[i + k] = line.height[from] - level;
-      in[i + k] = isLinear ? straight : traveller.slopeAfter(from);
-      if (!isLinear) out[i + k] = traveller.slopeBefore(to);
+      height[i + k] = line.height[from] - level;
+      in[i + k] = isLinear ? straight : order.slopeAfter(from);
+      if (!isLinear) out[i + k] = order.slopeBefore(to);
     };
-    traveller.forRun(node, run, take);
+    order.forRun(node, run, take);
     i += run;
-    if (i == end) return traveller.moved(node, run);
-    node = traveller.moved(node, run);
-    const std::size_t to = traveller.next(node);  // over the end of the Line
+    if (i == end) return order.moved(node, run);
+    node = order.moved(node, run);
+    const std::size_t to = order.next(node);  // over the end of the Line
     take(0, node, to);
     node = to;
     ++i;
@@ -116,185 +111,193 @@ std::size_t setWholeSegments(PreparedProfile& travel, const Line& line, const Tr
 }
 
 /// Blocks of four times as many segments each over those of a level, as far as whole ones go.
-bool addBlocksOver(PreparedProfile& travel, std::size_t level, const std::stop_token& stop) {
-  while (travel.blocks[level].size() >= 4) {
+bool addBlocksOver(PreparedProfile& profile, std::size_t level, const std::stop_token& stop) {
+  while (profile.blocks[level].size() >= 4) {
     if (stop.stop_requested()) return false;
-    if (travel.blocks.size() == level + 1) travel.blocks.emplace_back();
-    mergeFours(travel.blocks[level], travel.blocks[level + 1]);
+    if (profile.blocks.size() == level + 1) profile.blocks.emplace_back();
+    mergeFours(profile.blocks[level], profile.blocks[level + 1]);
     ++level;
   }
-  travel.blocks.resize(level + 1);
+  profile.blocks.resize(level + 1);
   return true;
 }
 
 /// Finds a cut in each of equal parts of the line but the first, at its lowest node. Parts of long
 /// lines are no longer than what the cache of a core holds of them.
-void addCuts(PreparedProfile& travel) {
+void addCuts(PreparedProfile& profile) {
   constexpr std::size_t kFewestSegments = 16, kMostSegments = 8192, kFewestParts = 16;
-  travel.cuts.clear();
-  const std::size_t parts = std::max(kFewestParts, travel.segments() / kMostSegments);
-  const std::size_t size = travel.segments() / parts;
+  profile.cuts.clear();
+  const std::size_t parts = std::max(kFewestParts, profile.segments() / kMostSegments);
+  const std::size_t size = profile.segments() / parts;
   if (size < kFewestSegments) return;
   for (std::size_t k = 1; k < parts; ++k) {
-    const std::size_t segment = k * size + placeOfLowest({&travel.rise[k * size], size});
-    const double lowest = travel.rise[segment];
+    const std::size_t segment =
+        k * size + placeOfLowest({&profile.heightAboveMinimum[k * size], size});
+    const double lowest = profile.heightAboveMinimum[segment];
     std::size_t back = segment - 2;  // blocks[0][back - 1] is of segment `back`
-    while (back > 0 && segment - back < size && travel.blocks[0].lowest[back - 1] >= lowest) --back;
-    travel.cuts.push_back({segment, travel.position(segment) - travel.position(back + 1)});
+    while (back > 0 && segment - back < size && profile.blocks[0].lowest[back - 1] >= lowest)
+      --back;
+    profile.cuts.push_back({segment, profile.position(segment) - profile.position(back + 1)});
   }
 }
 
-bool resizeFor(PreparedProfile& travel, std::size_t segments, const std::stop_token& stop) {
-  travel.rise.resize(segments + 1);
+bool resizeFor(PreparedProfile& profile, std::size_t segments, const std::stop_token& stop) {
+  profile.heightAboveMinimum.resize(segments + 1);
   if (stop.stop_requested()) return false;
-  travel.slopeIn.resize(segments);
+  profile.slopeIn.resize(segments);
   if (stop.stop_requested()) return false;
-  travel.slopeOut.resize(travel.scheme == Scheme::Cubic ? segments : 0);
+  profile.slopeOut.resize(profile.scheme == Scheme::Cubic ? segments : 0);
   return !stop.stop_requested();
 }
 
-bool addCubicBlocks(PreparedProfile& travel, const std::stop_token& stop) {
-  const std::size_t last = travel.segments() - 1;
-  const auto bounds = [&travel](std::size_t i) {
-    return boundSegment(&travel.rise[i], travel.slopeIn[i], travel.slopeOut[i],
-                        travel.segmentLength(i));
+bool addCubicBlocks(PreparedProfile& profile, const std::stop_token& stop) {
+  const std::size_t last = profile.segments() - 1;
+  const auto bounds = [&profile](std::size_t i) {
+    return boundSegment(&profile.heightAboveMinimum[i], profile.slopeIn[i], profile.slopeOut[i],
+                        profile.segmentLength(i));
   };
-  travel.firstBounds = bounds(0);
-  travel.lastBounds = bounds(last);
-  if (!travel.blocks[0].resize(last - 1, stop)) return false;
-  boundSegments(&travel.rise[1], &travel.slopeIn[1], &travel.slopeOut[1], last - 1, travel.spacing,
-                travel.blocks[0]);
-  return addBlocksOver(travel, 0, stop);
+  profile.firstBounds = bounds(0);
+  profile.lastBounds = bounds(last);
+  if (!profile.blocks[0].resize(last - 1, stop)) return false;
+  boundSegments(&profile.heightAboveMinimum[1], &profile.slopeIn[1], &profile.slopeOut[1], last - 1,
+                profile.spacing, profile.blocks[0]);
+  return addBlocksOver(profile, 0, stop);
 }
 
 /// The lowest level of straight segments would be as large as all the rest and say nothing new.
-bool addStraightBlocks(PreparedProfile& travel, const std::stop_token& stop) {
-  const std::size_t inner = travel.segments() - 2;
-  travel.blocks[0].clear();
-  travel.blocks.resize(inner < 4 ? 1 : std::max<std::size_t>(travel.blocks.size(), 2));
+bool addStraightBlocks(PreparedProfile& profile, const std::stop_token& stop) {
+  const std::size_t inner = profile.segments() - 2;
+  profile.blocks[0].clear();
+  profile.blocks.resize(inner < 4 ? 1 : std::max<std::size_t>(profile.blocks.size(), 2));
   if (inner < 4) return true;
-  boundStraightFours(&travel.rise[1], &travel.slopeIn[1], inner, travel.spacing, travel.blocks[1]);
-  return addBlocksOver(travel, 1, stop);
+  boundStraightFours(&profile.heightAboveMinimum[1], &profile.slopeIn[1], inner, profile.spacing,
+                     profile.blocks[1]);
+  return addBlocksOver(profile, 1, stop);
 }
 
-/// Of the rise, by fours as far as they go.
-double integralOf(const PreparedProfile& travel) {
-  double integral = travel.bounds(0).riseIntegral;
-  const std::size_t fours = travel.blocks.size() > 1 ? travel.blocks[1].size() : 0;
-  for (std::size_t i = 0; i < fours; ++i) integral += travel.blocks[1].riseIntegral[i];
-  for (std::size_t i = 4 * fours + 1; i < travel.segments(); ++i)
-    integral += travel.bounds(i).riseIntegral;
+/// Integral of the height, by fours as far as they go.
+double integralOf(const PreparedProfile& profile) {
+  double integral = profile.bounds(0).heightIntegral;
+  const std::size_t fours = profile.blocks.size() > 1 ? profile.blocks[1].size() : 0;
+  for (std::size_t i = 0; i < fours; ++i) integral += profile.blocks[1].heightIntegral[i];
+  for (std::size_t i = 4 * fours + 1; i < profile.segments(); ++i)
+    integral += profile.bounds(i).heightIntegral;
   return integral;
 }
 
-bool addBounds(PreparedProfile& travel, const std::stop_token& stop) {
-  travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
-  const bool isCubic = travel.scheme == Scheme::Cubic;
-  if (!(isCubic ? addCubicBlocks(travel, stop) : addStraightBlocks(travel, stop))) return false;
-  travel.meanRise = integralOf(travel) / travel.length;
+bool addBounds(PreparedProfile& profile, const std::stop_token& stop) {
+  profile.blocks.resize(std::max<std::size_t>(profile.blocks.size(), 1));
+  const bool isCubic = profile.scheme == Scheme::Cubic;
+  if (!(isCubic ? addCubicBlocks(profile, stop) : addStraightBlocks(profile, stop))) return false;
+  profile.meanHeight = integralOf(profile) / profile.length;
   if (stop.stop_requested()) return false;
-  isCubic ? addCuts(travel) : travel.cuts.clear();
+  if (isCubic)
+    addCuts(profile);
+  else
+    profile.cuts.clear();
   return true;
 }
 
-bool addResolvedSegments(PreparedProfile& travel, const Line& line, const Traveller& traveller,
+bool addResolvedSegments(PreparedProfile& profile, const Line& line, const TravelOrder& order,
                          const Lowest& lowest, const std::stop_token& stop) {
   const double h = line.spacing, t = lowest.fraction;
   const std::size_t count = line.nodes(), split = t > 0 ? 1 : 0;
-  travel.startsInsideSegment = t > 0;
-  travel.startFraction = t;
-  travel.firstLength = (1 - t) * h;
-  travel.lastLength = t > 0 ? t * h : h;
-  if (!resizeFor(travel, count + split, stop)) return false;
+  profile.startsInsideSegment = t > 0;
+  profile.startFraction = t;
+  profile.firstLength = (1 - t) * h;
+  profile.lastLength = t > 0 ? t * h : h;
+  if (!resizeFor(profile, count + split, stop)) return false;
   std::size_t node = lowest.node;
-  if (split > 0) node = traveller.next(node);
-  node = setWholeSegments(travel, line, traveller, node, split, count - split);
+  if (split > 0) node = order.next(node);
+  node = setWholeSegments(profile, line, order, node, split, count - split);
   if (split > 0) {
     // The segment of the lowest point: its two parts, level at that point. About it, because the
     // difference of two heights would lose what rises next to it.
-    const Cubic whole = traveller.cubicAfter(node, lowest.height).about(t);
+    const Cubic whole = order.cubicAfter(node, lowest.height).about(t);
     const Cubic level{0, 0, whole.c2, whole.c3};
-    setSegment(travel, 0, 0, 0, level.derivative(1 - t) / h);
-    setSegment(travel, count, level(-t), level.derivative(-t) / h, 0);
-    travel.rise[1] = level(1 - t);
+    setSegment(profile, 0, 0, 0, level.derivative(1 - t) / h);
+    setSegment(profile, count, level(-t), level.derivative(-t) / h, 0);
+    profile.heightAboveMinimum[1] = level(1 - t);
   }
-  travel.rise.back() = 0;
-  return !stop.stop_requested() && addBounds(travel, stop);
+  profile.heightAboveMinimum.back() = 0;
+  return !stop.stop_requested() && addBounds(profile, stop);
 }
 
-bool addNodes(PreparedProfile& travel, const Line& line, const Traveller& traveller,
+bool addNodes(PreparedProfile& profile, const Line& line, const TravelOrder& order,
               const Lowest& lowest, const std::stop_token& stop) {
   const std::size_t count = line.nodes();
-  travel.rise.resize(count + 1);
-  travel.slopeIn.resize(count);
-  travel.slopeOut.clear();
-  travel.startsInsideSegment = false;
-  travel.startFraction = 0;
-  travel.firstLength = travel.lastLength = line.spacing;
-  travel.meanRise = 0;
+  profile.heightAboveMinimum.resize(count + 1);
+  profile.slopeIn.resize(count);
+  profile.slopeOut.clear();
+  profile.startsInsideSegment = false;
+  profile.startFraction = 0;
+  profile.firstLength = profile.lastLength = line.spacing;
+  profile.meanHeight = 0;
   std::size_t node = lowest.node;
   for (std::size_t i = 0; i < count; ++i) {
-    travel.rise[i] = line.height[node] - lowest.height;
+    profile.heightAboveMinimum[i] = line.height[node] - lowest.height;
     // At a corner the element takes the mean of both sides.
-    travel.slopeIn[i] = 0.5 * (traveller.slopeBefore(node) + traveller.slopeAfter(node));
-    travel.meanRise += travel.rise[i];
-    node = traveller.next(node);
+    profile.slopeIn[i] = 0.5 * (order.slopeBefore(node) + order.slopeAfter(node));
+    profile.meanHeight += profile.heightAboveMinimum[i];
+    node = order.next(node);
   }
-  travel.rise[count] = 0;
-  travel.meanRise /= static_cast<double>(count);
-  travel.blocks.resize(std::max<std::size_t>(travel.blocks.size(), 1));
-  travel.blocks[0].resizeForNodal(count - 1);
-  std::copy_n(travel.rise.begin() + 1, count - 1, travel.blocks[0].lowest.begin());
-  return addBlocksOver(travel, 0, stop);
+  profile.heightAboveMinimum[count] = 0;
+  profile.meanHeight /= static_cast<double>(count);
+  profile.blocks.resize(std::max<std::size_t>(profile.blocks.size(), 1));
+  profile.blocks[0].resizeForNodal(count - 1);
+  std::copy_n(profile.heightAboveMinimum.begin() + 1, count - 1, profile.blocks[0].lowest.begin());
+  return addBlocksOver(profile, 0, stop);
 }
 
 }  // namespace
 
 Cubic PreparedProfile::segment(std::size_t i) const {
   const double h = segmentLength(i);
-  return hermite(rise[i], rise[i + 1], slopeIn[i] * h, slopeAtEnd(i) * h);
+  return hermiteCubic(heightAboveMinimum[i], heightAboveMinimum[i + 1], slopeIn[i] * h,
+                      slopeAtEnd(i) * h);
 }
 
 Cubic PreparedProfile::segmentBackwards(std::size_t i) const {
   const double h = segmentLength(i);
-  return hermite(rise[i + 1], rise[i], -slopeAtEnd(i) * h, -slopeIn[i] * h);
+  return hermiteCubic(heightAboveMinimum[i + 1], heightAboveMinimum[i], -slopeAtEnd(i) * h,
+                      -slopeIn[i] * h);
 }
 
-std::vector<double> inLineOrder(const PreparedProfile& travel, const std::vector<double>& values,
+std::vector<double> inLineOrder(const PreparedProfile& profile, const std::vector<double>& values,
                                 Direction direction) {
-  const std::size_t skipped = travel.startsInsideSegment ? 1 : 0;  // the lowest point is no node
+  const std::size_t skipped = profile.startsInsideSegment ? 1 : 0;  // the lowest point is no node
   const std::size_t count = values.size() - skipped;
   std::vector<double> ordered(count);
   for (std::size_t k = skipped; k < values.size(); ++k) {
     const std::size_t away = k % count;
     const std::size_t node = direction == Direction::Forward
-                                 ? (travel.firstNode + count - away) % count
-                                 : (travel.firstNode + away) % count;
+                                 ? (profile.firstNode + count - away) % count
+                                 : (profile.firstNode + away) % count;
     ordered[node] = values[k];
   }
   return ordered;
 }
 
-bool prepareProfileInto(PreparedProfile& travel, const Line& line, Scheme scheme,
+bool prepareProfileInto(PreparedProfile& profile, const Line& line, Scheme scheme,
                         Direction direction, const std::stop_token& stop) {
-  travel.scheme = scheme;
-  travel.length = line.length;
-  travel.spacing = line.spacing;
-  travel.rmsHeight = line.rmsHeight;
-  travel.rmsSlope = line.rmsSlope;
-  const Traveller traveller(line, direction);
-  const Lowest lowest = findLowest(line, traveller, scheme);
-  travel.firstNode = lowest.node;
-  travel.lowestHeight = lowest.height;
+  profile.scheme = scheme;
+  profile.length = line.length;
+  profile.spacing = line.spacing;
+  profile.rmsHeight = line.rmsHeight;
+  profile.rmsSlope = line.rmsSlope;
+  const TravelOrder order(line, direction);
+  const Lowest lowest = findLowest(line, order, scheme);
+  profile.firstNode = lowest.node;
+  profile.lowestHeight = lowest.height;
   if (stop.stop_requested()) return false;
-  return scheme == Scheme::Nodal ? addNodes(travel, line, traveller, lowest, stop)
-                                 : addResolvedSegments(travel, line, traveller, lowest, stop);
+  return scheme == Scheme::Nodal ? addNodes(profile, line, order, lowest, stop)
+                                 : addResolvedSegments(profile, line, order, lowest, stop);
 }
 
 PreparedProfile prepareProfile(const Line& line, Scheme scheme, Direction direction) {
-  PreparedProfile travel;
-  prepareProfileInto(travel, line, scheme, direction);
-  return travel;
+  PreparedProfile profile;
+  prepareProfileInto(profile, line, scheme, direction);
+  return profile;
 }
 
 }  // namespace asperity

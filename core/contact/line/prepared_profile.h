@@ -2,8 +2,9 @@
 // at the lowest point, where contact is certain and the period therefore closes in one pass.
 // Made once per line, scheme and direction; then read by any number of threads.
 //
-// s is the distance travelled by the material under the line (m), rise = z - z_lowest >= 0, and a
-// point of the line at indentation d presses the material w = d - rise deep.
+// s is the distance that the material has travelled under the line (m). Heights are measured from
+// the lowest point, z >= 0, so at indentation d a point of the line presses the material w = d - z
+// deep.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +12,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/contact/line/block_level.h"
 #include "core/contact/line/polynomial.h"
+#include "core/contact/line/segment_bounds.h"
 #include "core/scene/scene.h"
 #include "core/surface/line.h"
 
@@ -25,10 +26,10 @@ struct PreparedProfile {
   double length = 0;                       // m, period
   double spacing = 0;                      // m, of all segments but perhaps the first and the last
   double firstLength = 0, lastLength = 0;  // m, of those two
-  std::vector<double> rise;                // m, n + 1; first and last are the lowest point: 0
-  std::vector<double> slopeIn;   // d rise / ds at the start of each segment, n (nodal: at nodes)
+  std::vector<double> heightAboveMinimum;  // m, at nodes, n + 1; 0 at both ends
+  std::vector<double> slopeIn;   // dz/ds at the start of each segment, n (nodal: at the nodes)
   std::vector<double> slopeOut;  // at its end, n; cubic only
-  double lowestHeight = 0;       // m, z of the lowest point, where rise is 0
+  double lowestHeight = 0;       // m, of the lowest point in the coordinates of the Line
   SegmentBounds firstBounds{}, lastBounds{};  // of the first and the last segment; cubic only
   /// blocks[k][b] bounds and sums up the 4^k whole segments from segment 1 + b 4^k on; the first
   /// and the last segment, which may be parts, stand outside. For nodal, likewise of nodes.
@@ -41,7 +42,7 @@ struct PreparedProfile {
     double clear;  // m: so far back of it nothing is lower, but for the segment before it
   };
   std::vector<Cut> cuts;
-  double meanRise = 0;                 // m, of the line as the scheme sees it
+  double meanHeight = 0;               // m, mean of z as the scheme sees the line
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself
 
   std::size_t firstNode = 0;         // node of the Line at or just before s = 0, in travel order
@@ -61,7 +62,9 @@ struct PreparedProfile {
   }
   /// Whether its end is the lower one. Contact there may be far shorter than the segment and far
   /// lower than its start; measured from that, both would have lost their digits.
-  bool isMeasuredBack(std::size_t i) const { return rise[i + 1] < rise[i] || i + 1 == segments(); }
+  bool isMeasuredBack(std::size_t i) const {
+    return heightAboveMinimum[i + 1] < heightAboveMinimum[i] || i + 1 == segments();
+  }
   double slopeAtEnd(std::size_t i) const { return slopeOut.empty() ? slopeIn[i] : slopeOut[i]; }
   SegmentBounds bounds(std::size_t i) const {
     if (scheme == Scheme::Linear) return straightBounds(i);
@@ -75,21 +78,22 @@ struct PreparedProfile {
   SegmentBounds block(std::size_t level, std::size_t i) const {
     return level == 0 ? bounds(i + 1) : blocks[level][i];
   }
-  /// The rise over segment i as a function of t = (s - s_i) / segmentLength(i).
+  /// The height over segment i as a function of t = (s - s_i) / segmentLength(i).
   Cubic segment(std::size_t i) const;
   /// The same measured back from the segment's end: t = (s_{i+1} - s) / segmentLength(i).
   Cubic segmentBackwards(std::size_t i) const;
 
  private:
   SegmentBounds straightBounds(std::size_t i) const {
-    const double begin = rise[i], end = rise[i + 1], slope = slopeIn[i];
+    const double begin = heightAboveMinimum[i], end = heightAboveMinimum[i + 1];
+    const double slope = slopeIn[i];
     return {std::min(begin, end), std::max(begin, end), slope, 0.5 * spacing * (begin + end),
             slope * slope * spacing};
   }
 };
 
 /// Values at the segments' starts (NodeShape) as values at the Line's nodes, in the order of x.
-std::vector<double> inLineOrder(const PreparedProfile& travel, const std::vector<double>& values,
+std::vector<double> inLineOrder(const PreparedProfile& profile, const std::vector<double>& values,
                                 Direction direction = Direction::Forward);
 
 PreparedProfile prepareProfile(const Line& line, Scheme scheme,
@@ -97,7 +101,7 @@ PreparedProfile prepareProfile(const Line& line, Scheme scheme,
 
 /// The same into one whose memory is used again. Returns false where `stop` was requested, which is
 /// looked at between steps of about ten numbers a node; it is then not whole.
-bool prepareProfileInto(PreparedProfile& travel, const Line& line, Scheme scheme,
+bool prepareProfileInto(PreparedProfile& profile, const Line& line, Scheme scheme,
                         Direction direction = Direction::Forward, const std::stop_token& stop = {});
 
 }  // namespace asperity

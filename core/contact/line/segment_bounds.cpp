@@ -17,20 +17,22 @@ namespace HWY_NAMESPACE {
 
 /// The arrays of a BlockLevel.
 struct Bounded {
-  double *lowest, *highest, *steepest, *riseIntegral, *slopeSquared;
+  double *lowest, *highest, *steepest, *heightIntegral, *slopeSquared;
 };
 
-// No fused operations: they would round otherwise where there are none.
-HWY_INLINE void bound(const double* rise, const double* slopeIn, const double* slopeOut,
+// Bounds one vector of segments. No fused operations: they would round otherwise where there are
+// none.
+HWY_INLINE void bound(const double* height, const double* slopeIn, const double* slopeOut,
                       double length, std::size_t k, const Bounded& to) {
   const auto all = [](double value) { return One::all(value); };
-  const One begin = One::load(rise + k), end = One::load(rise + k + 1);
+  const One begin = One::load(height + k), end = One::load(height + k + 1);
   const One in = One::load(slopeIn + k), out = One::load(slopeOut + k);
+  // The two inner control points of the height, and the one of its slope.
   const One span = all(length), third = all(length * (1.0 / 3)), perLength = all(1 / length);
   const One first = begin + in * third, second = end - out * third;
-  const One middle = all(3) * (second - first) * perLength;  // the slope's own control point
+  const One middle = all(3) * (second - first) * perLength;
   const One step = end - begin, m0 = in * span, m1 = out * span;
-  // Integral of (m0 + b t + c t^2)^2.
+  // Integral of the slope squared, (m0 + b t + c t^2)^2, by the coefficients of Hermite's cubic.
   const One b = all(2) * (all(3) * step - all(2) * m0 - m1), c = all(3) * (m0 + m1 - all(2) * step);
   const One high = b * c * all(0.5) + c * c * all(0.2);
   const One squares = m0 * m0 + (m0 * b + ((b * b + all(2) * m0 * c) * all(1.0 / 3) + high));
@@ -38,25 +40,25 @@ HWY_INLINE void bound(const double* rise, const double* slopeIn, const double* s
   max(max(begin, end), max(first, second)).store(to.highest + k);
   max(max(in, out), middle).store(to.steepest + k);
   (span * (all(0.5) * (begin + end) + span * (in - out) * all(1.0 / 12)))
-      .store(to.riseIntegral + k);
+      .store(to.heightIntegral + k);
   (squares * perLength).store(to.slopeSquared + k);
 }
 
-void boundAll(const double* rise, const double* slopeIn, const double* slopeOut, std::size_t count,
-              double length, double* lowest, double* highest, double* steepest,
-              double* riseIntegral, double* slopeSquared) {
+void boundAll(const double* height, const double* slopeIn, const double* slopeOut,
+              std::size_t count, double length, double* lowest, double* highest, double* steepest,
+              double* heightIntegral, double* slopeSquared) {
   constexpr std::size_t kLanes = One::kLanes;
-  const Bounded to{lowest, highest, steepest, riseIntegral, slopeSquared};
+  const Bounded to{lowest, highest, steepest, heightIntegral, slopeSquared};
   std::size_t k = 0;
-  for (; k + kLanes <= count; k += kLanes) bound(rise, slopeIn, slopeOut, length, k, to);
+  for (; k + kLanes <= count; k += kLanes) bound(height, slopeIn, slopeOut, length, k, to);
   if (k == count) return;
   // Those left over, padded.
-  double rises[kLanes + 1] = {}, in[kLanes] = {}, out[kLanes] = {};
-  std::copy(rise + k, rise + count + 1, rises);
+  double heights[kLanes + 1] = {}, in[kLanes] = {}, out[kLanes] = {};
+  std::copy(height + k, height + count + 1, heights);
   std::copy(slopeIn + k, slopeIn + count, in);
   std::copy(slopeOut + k, slopeOut + count, out);
-  bound(rises, in, out, length, 0,
-        {lowest + k, highest + k, steepest + k, riseIntegral + k, slopeSquared + k});
+  bound(heights, in, out, length, 0,
+        {lowest + k, highest + k, steepest + k, heightIntegral + k, slopeSquared + k});
 }
 
 /// Numbers 4 k + i of a row as vectors of neighbouring k, one for each i.
@@ -107,14 +109,14 @@ void sumOfFours(const double* from, double* to, std::size_t count) {
   mergeRow(from, to, count, kSum);
 }
 
-void riseOfFours(const double* rise, std::size_t count, double length, double* lowest,
-                 double* highest, double* riseIntegral) {
-  forFours<1>(rise, count, [&](std::size_t k, const double* row) {
+void heightOfFours(const double* height, std::size_t count, double length, double* lowest,
+                   double* highest, double* heightIntegral) {
+  forFours<1>(height, count, [&](std::size_t k, const double* row) {
     const Fours begins = Fours::load(row), ends = Fours::load(row + 1);
     min(begins.merged(kLeast), ends.d).store(lowest + k);
     max(begins.merged(kMost), ends.d).store(highest + k);
     const One inner = (begins.b + begins.c) + begins.d;
-    (One::all(length) * (One::all(0.5) * (begins.a + ends.d) + inner)).store(riseIntegral + k);
+    (One::all(length) * (One::all(0.5) * (begins.a + ends.d) + inner)).store(heightIntegral + k);
   });
 }
 
@@ -156,7 +158,7 @@ HWY_EXPORT(lowest);
 HWY_EXPORT(leastOfFours);
 HWY_EXPORT(mostOfFours);
 HWY_EXPORT(sumOfFours);
-HWY_EXPORT(riseOfFours);
+HWY_EXPORT(heightOfFours);
 HWY_EXPORT(slopeOfFours);
 
 std::size_t placeOfLowest(std::span<const double> values) {
@@ -164,19 +166,20 @@ std::size_t placeOfLowest(std::span<const double> values) {
   return static_cast<std::size_t>(std::find(values.begin(), values.end(), least) - values.begin());
 }
 
-void boundSegments(const double* rise, const double* slopeIn, const double* slopeOut,
+void boundSegments(const double* height, const double* slopeIn, const double* slopeOut,
                    std::size_t count, double length, BlockLevel& blocks) {
   HWY_DYNAMIC_DISPATCH(boundAll)
-  (rise, slopeIn, slopeOut, count, length, blocks.lowest.data(), blocks.highest.data(),
-   blocks.steepest.data(), blocks.riseIntegral.data(), blocks.slopeSquared.data());
+  (height, slopeIn, slopeOut, count, length, blocks.lowest.data(), blocks.highest.data(),
+   blocks.steepest.data(), blocks.heightIntegral.data(), blocks.slopeSquared.data());
 }
 
-void boundStraightFours(const double* rise, const double* slope, std::size_t count, double length,
+void boundStraightFours(const double* height, const double* slope, std::size_t count, double length,
                         BlockLevel& blocks) {
   const std::size_t fours = count / 4;
   blocks.resize(fours);
-  HWY_DYNAMIC_DISPATCH(riseOfFours)
-  (rise, fours, length, blocks.lowest.data(), blocks.highest.data(), blocks.riseIntegral.data());
+  HWY_DYNAMIC_DISPATCH(heightOfFours)
+  (height, fours, length, blocks.lowest.data(), blocks.highest.data(),
+   blocks.heightIntegral.data());
   HWY_DYNAMIC_DISPATCH(slopeOfFours)
   (slope, fours, length, blocks.steepest.data(), blocks.slopeSquared.data());
 }
@@ -192,14 +195,15 @@ void mergeFours(const BlockLevel& finer, BlockLevel& blocks) {
   if (isNodal) return;
   HWY_DYNAMIC_DISPATCH(mostOfFours)(finer.highest.data(), blocks.highest.data(), count);
   HWY_DYNAMIC_DISPATCH(mostOfFours)(finer.steepest.data(), blocks.steepest.data(), count);
-  HWY_DYNAMIC_DISPATCH(sumOfFours)(finer.riseIntegral.data(), blocks.riseIntegral.data(), count);
+  HWY_DYNAMIC_DISPATCH(sumOfFours)
+  (finer.heightIntegral.data(), blocks.heightIntegral.data(), count);
   HWY_DYNAMIC_DISPATCH(sumOfFours)(finer.slopeSquared.data(), blocks.slopeSquared.data(), count);
 }
 
-SegmentBounds boundSegment(const double* rise, double slopeIn, double slopeOut, double length) {
+SegmentBounds boundSegment(const double* height, double slopeIn, double slopeOut, double length) {
   double found[5][BlockLevel::kPadding];
   HWY_DYNAMIC_DISPATCH(boundAll)
-  (rise, &slopeIn, &slopeOut, 1, length, found[0], found[1], found[2], found[3], found[4]);
+  (height, &slopeIn, &slopeOut, 1, length, found[0], found[1], found[2], found[3], found[4]);
   return {found[0][0], found[1][0], found[2][0], found[3][0], found[4][0]};
 }
 

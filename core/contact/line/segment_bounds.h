@@ -1,32 +1,77 @@
 // Bounds and integrals of whole segments of one length and of blocks of them, many at a time; the
-// same bits on every instruction set. Pure functions.
+// same bits on every instruction set. Heights are above the line's lowest point. Pure functions.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
-
-#include "core/contact/line/block_level.h"
+#include <stop_token>
+#include <vector>
 
 namespace asperity {
 
-/// Segment k has the rises rise[k] and rise[k + 1] (m) at its ends and the slopes slopeIn[k] and
-/// slopeOut[k] there; it becomes block k of `blocks`, which has as many. length: m, of each.
+/// What a pass needs to know of a whole segment to decide without looking inside.
+struct SegmentBounds {
+  double lowest, highest;  // m, bounds of the height
+  double steepest;         // upper bound of dz/ds: pressure is lowest there
+  double heightIntegral;   // m^2
+  double slopeSquared;     // m, integral of (dz/ds)^2
+};
+
+/// Blocks of one size along the line, one array for each quantity, so that neighbouring blocks are
+/// compared in one vector. Each array has kPadding numbers more than there are blocks, which may be
+/// read but not used.
+class BlockLevel {
+ public:
+  static constexpr std::size_t kPadding = 8;
+
+  std::vector<double> lowest;                                           // all there is for nodal
+  std::vector<double> highest, steepest, heightIntegral, slopeSquared;  // as in SegmentBounds
+
+  std::size_t size() const { return lowest.empty() ? 0 : lowest.size() - kPadding; }
+  /// Returns false where `stop` was requested: fresh memory of long lines takes milliseconds.
+  bool resize(std::size_t blocks, const std::stop_token& stop = {}) {
+    for (std::vector<double>* values : all()) {
+      if (stop.stop_requested()) return false;
+      values->resize(blocks + kPadding);
+    }
+    return true;
+  }
+  void resizeForNodal(std::size_t blocks) {
+    clear();
+    lowest.resize(blocks + kPadding);
+  }
+  void clear() {
+    for (std::vector<double>* values : all()) values->clear();
+  }
+  SegmentBounds operator[](std::size_t i) const {
+    return {lowest[i], highest[i], steepest[i], heightIntegral[i], slopeSquared[i]};
+  }
+
+ private:
+  std::array<std::vector<double>*, 5> all() {
+    return {&lowest, &highest, &steepest, &heightIntegral, &slopeSquared};
+  }
+};
+
+/// Segment k has the heights height[k] and height[k + 1] (m) at its ends and the slopes slopeIn[k]
+/// and slopeOut[k] there; it becomes block k of `blocks`, which has as many. length: m, of each.
 /// Bounds by control points (a cubic lies within theirs), integrals exactly.
-void boundSegments(const double* rise, const double* slopeIn, const double* slopeOut,
+void boundSegments(const double* height, const double* slopeIn, const double* slopeOut,
                    std::size_t count, double length, BlockLevel& blocks);
 
-/// The same of one segment; rise: at its two ends.
-SegmentBounds boundSegment(const double* rise, double slopeIn, double slopeOut, double length);
+/// The same of one segment; height: at its two ends.
+SegmentBounds boundSegment(const double* height, double slopeIn, double slopeOut, double length);
 
-/// Blocks of four straight segments each, as far as whole ones go: of their rises at all ends and
+/// Blocks of four straight segments each, as far as whole ones go: of the heights at all ends and
 /// the slope of each.
-void boundStraightFours(const double* rise, const double* slope, std::size_t count, double length,
+void boundStraightFours(const double* height, const double* slope, std::size_t count, double length,
                         BlockLevel& blocks);
 
 /// Blocks of four of a finer level's each, as far as whole ones go.
 void mergeFours(const BlockLevel& finer, BlockLevel& blocks);
 
-/// The first of the lowest of some values, of which there is at least one.
+/// The place of the first of the lowest of some values, of which there is at least one.
 std::size_t placeOfLowest(std::span<const double> values);
 
 }  // namespace asperity

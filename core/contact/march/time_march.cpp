@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/contact/kernels/decay_moments.h"
+#include "core/contact/line/polynomial.h"
+#include "core/contact/steady_sliding.h"
 
 namespace asperity {
 namespace {
@@ -11,6 +14,14 @@ namespace {
 // Nodes in a step. A shorter way leaves only rounding of the differences of heights; over it no
 // slope changes.
 constexpr double kLeastMove = 1e-6;
+
+/// Of the terms of a balance: what is less beside them is rounding.
+constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+
+/// Pa, of p/4: what is less than this beside pressures p (N/m) is rounding of their balance.
+double pressureRounding(std::span<const double> pressure) {
+  return pressure.empty() ? 0 : 0.25 * kRounding * std::ranges::max(pressure);
+}
 
 }  // namespace
 
@@ -21,9 +32,9 @@ TimeMarch::TimeMarch(std::shared_ptr<const Line> line, double lowest, ElementLaw
       modes_(retardationModes(law_)),
       depth_(line_->nodes()),
       pressure_(line_->nodes()),
-      rise_(line_->nodes()),
+      height_(line_->nodes()),
       amplitude_(modes_.modes() * line_->nodes()),
-      lastRise_(line_->nodes()),
+      lastHeight_(line_->nodes()),
       free_(line_->nodes()),
       threshold_(line_->nodes()),
       creep_(modes_.modes()) {
@@ -70,12 +81,12 @@ void TimeMarch::goOnFrom(const TimeMarch& other) {
 
 void TimeMarch::settleAtRest(const MarchLoad& load) {
   const double stiffness = 4 * law_.equilibriumModulus * line_->spacing;
-  threshold_ = rise_;
+  threshold_ = height_;
   indentation_ =
       load.kind == LoadKind::Force ? balance(load.normalForce / stiffness).whole() : load.depth;
-  std::vector<double> depth(rise_.size());
+  std::vector<double> depth(height_.size());
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    depth[i] = std::max(indentation_ - rise_[i], 0.0);
+    depth[i] = std::max(indentation_ - height_[i], 0.0);
     pressure_[i] = 4 * law_.equilibriumModulus * depth[i];
   }
   setState(depth, indentation_);
@@ -110,14 +121,15 @@ void TimeMarch::placeLine() {
   const double t = ahead_;  // of the segment after node i - passedNodes_
   const auto size = static_cast<std::ptrdiff_t>(count);
   std::size_t from = static_cast<std::size_t>((size - passedNodes_) % size);
-  const double h01 = t * t * (3 - 2 * t), h00 = 1 - h01;
-  const double h10 = h * t * (1 - t) * (1 - t), h11 = -h * t * t * (1 - t);
+  const HermiteWeights weights = hermiteWeights(t, h);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t to = from + 1 == count ? 0 : from + 1;
     const double height = t == 0 ? line_->height[from]
-                                 : h00 * line_->height[from] + h01 * line_->height[to] +
-                                       h10 * line_->slopeAfter[from] + h11 * line_->slopeLeftOf(to);
-    rise_[i] = height - lowest_;
+                                 : weights.value0 * line_->height[from] +
+                                       weights.value1 * line_->height[to] +
+                                       weights.slope0 * line_->slopeAfter[from] +
+                                       weights.slope1 * line_->slopeLeftOf(to);
+    height_[i] = height - lowest_;
     from = to;
   }
 }
@@ -191,9 +203,9 @@ void TimeMarch::creepFreely() {
         free_[i] += creep.kept * amplitude[i] + creep.before * 0.25 * pressure_[i];
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const double gap = depth_[i] - (indentation_ - lastRise_[i]);
-    threshold_[i] = hasDashpot ? threshold_[i] + gap + (rise_[i] - lastRise_[i])
-                               : free_[i] + rise_[i] - indentation_;
+    const double gap = depth_[i] - (indentation_ - lastHeight_[i]);
+    threshold_[i] = hasDashpot ? threshold_[i] + gap + (height_[i] - lastHeight_[i])
+                               : free_[i] + height_[i] - indentation_;
   }
 }
 
@@ -207,12 +219,12 @@ MarchStep TimeMarch::finishStep(const Climb& climb) {
   std::size_t touching = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double pushed = std::max(climb.further - threshold_[i], 0.0);
-    const double start = depth_[i], end = pushed > 0 ? indentation_ - rise_[i] : free_[i];
+    const double start = depth_[i], end = pushed > 0 ? indentation_ - height_[i] : free_[i];
     const double last = 0.25 * pressure_[i], now = pushed / compliance_;
     const double mean = HasDashpot ? now : 0.5 * (last + now);
-    const double gap = start - (before - lastRise_[i]);
+    const double gap = start - (before - lastHeight_[i]);
     load += now;
-    advance += mean * (lastRise_[i] - rise_[i]);
+    advance += mean * (lastHeight_[i] - height_[i]);
     if (HasDashpot) closing += mean * gap;
     if (!HasDashpot) stored += 0.5 * modes_.glassyCompliance * (now - last) * (now + last);
     touching += pushed > 0 ? 1 : 0;
@@ -277,7 +289,7 @@ MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
   prepareSteps(dt);
   keepBegin();
   moveLine(distance);
-  std::swap(rise_, lastRise_);
+  std::swap(height_, lastHeight_);
   placeLine();
   creepFreely();
   before_ = indentation_;
@@ -292,6 +304,107 @@ MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
   result.slopeForce = moves ? result.lineWork / distance : slopeForce();
   recordStep(dt);
   return result;
+}
+
+// ---- What a march notes of its elements where a picture asks for it
+
+void TimeMarch::record(MarchRecords wanted) {
+  const std::size_t count = depth_.size();
+  if (!wanted.sinceContact) {
+    sinceContact_.clear();
+  } else if (sinceContact_.empty()) {
+    sinceContact_.assign(count, std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < count; ++i)
+      if (pressure_[i] > 0) sinceContact_[i] = 0;
+  }
+  if (!wanted.power)
+    power_.clear();
+  else if (power_.empty())
+    power_ = dissipatedPower(modes_, pressure_, amplitude_);
+  records_ = wanted;
+}
+
+void TimeMarch::setSinceContact(std::span<const double> seconds) {
+  sinceContact_.assign(seconds.begin(), seconds.end());
+}
+
+std::vector<double> TimeMarch::lineSlope() const {
+  const std::size_t count = line_->nodes();
+  const double h = line_->spacing, t = ahead_;
+  const auto size = static_cast<std::ptrdiff_t>(count);
+  std::size_t from = static_cast<std::size_t>((size - passedNodes_) % size);
+  std::vector<double> slope(count);
+  const HermiteSlopeWeights weights = hermiteSlopeWeights(t);
+  for (double& here : slope) {
+    const std::size_t to = from + 1 == count ? 0 : from + 1;
+    const double mean = (line_->height[to] - line_->height[from]) / h;
+    here = t == 0 ? 0.5 * (line_->slopeAfter[from] + line_->slopeLeftOf(from))
+                  : weights.mean * mean + weights.slope0 * line_->slopeAfter[from] +
+                        weights.slope1 * line_->slopeLeftOf(to);
+    from = to;
+  }
+  return slope;
+}
+
+void TimeMarch::keepBegin() {
+  if (!records_.power) return;
+  beginDepth_ = depth_;
+  beginPressure_ = pressure_;
+  beginAmplitude_ = amplitude_;
+}
+
+void TimeMarch::recordStep(double dt) {
+  if (records_.sinceContact)
+    for (std::size_t i = 0; i < sinceContact_.size(); ++i)
+      sinceContact_[i] = pressure_[i] > 0 ? 0 : sinceContact_[i] + dt;
+  if (records_.power) recordPower(dt);
+}
+
+/// Element by element what finishStep sums up as MarchStep::dissipated and gapWork.
+void TimeMarch::recordPower(double dt) {
+  const std::size_t count = depth_.size();
+  const bool hasDashpot = modes_.glassyCompliance == 0;
+  // Without a dashpot a pressure comes from the difference of depths.
+  const double ofDepth = hasDashpot ? 0 : kRounding * std::abs(indentation_) / compliance_;
+  const double rounding =
+      std::max({ofDepth, pressureRounding(beginPressure_), pressureRounding(pressure_)});
+  const auto unlessRounding = [rounding](double x) { return std::abs(x) > rounding ? x : 0; };
+  std::fill(power_.begin(), power_.end(), 0.0);
+  for (std::size_t j = 0; j < creep_.size(); ++j) {
+    const Creep creep = creep_[j];
+    const double* begin = beginAmplitude_.data() + j * count;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double now = 0.25 * pressure_[i], last = hasDashpot ? now : 0.25 * beginPressure_[i];
+      power_[i] += creep.taken(unlessRounding(last - creep.stiffness * begin[i]),
+                               unlessRounding(now - last));
+    }
+  }
+  if (hasDashpot)
+    for (std::size_t i = 0; i < count; ++i)
+      if (pressure_[i] > 0)
+        power_[i] += 0.25 * pressure_[i] * (beginDepth_[i] - (before_ - lastHeight_[i]));
+  for (double& power : power_) power *= 4 / dt;
+}
+
+std::vector<double> dissipatedPower(const RetardationModes& modes, std::span<const double> pressure,
+                                    std::span<const double> amplitudes) {
+  std::vector<double> power(pressure.size());
+  const double rounding = pressureRounding(pressure);
+  for (std::size_t j = 0; j < modes.modes(); ++j) {
+    const std::span<const double> amplitude = amplitudes.subspan(j * power.size(), power.size());
+    const double stiffness = modes.rate[j] / modes.fluidity[j];
+    for (std::size_t i = 0; i < power.size(); ++i) {
+      const double unheld = 0.25 * pressure[i] - stiffness * amplitude[i];
+      if (std::abs(unheld) > rounding) power[i] += 4 * modes.fluidity[j] * unheld * unheld;
+    }
+  }
+  return power;
+}
+
+void addLocalFriction(std::span<double> power, std::span<const double> pressure,
+                      const Interface& interface, double velocity) {
+  for (std::size_t i = 0; i < power.size(); ++i)
+    power[i] += localFrictionLoad(interface, pressure[i]) * std::abs(velocity);
 }
 
 }  // namespace asperity

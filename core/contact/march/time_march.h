@@ -2,13 +2,13 @@
 // it likes, also through rest, the rate of the indentation included, the force balance solved
 // exactly in every step.
 //
-// An element is held by its creeping amplitudes (core/contact/arms/retardation.h), which know nothing of
-// each other: y = J p/4 + sum a_j, a_j' = -rate_j a_j + fluidity_j p/4. Elements with a dashpot of
-// their own (Kelvin: one amplitude, J = 0) are loaded by a constant p in a step; their p jumps
-// where the line meets them. Elements without one are loaded by a p that is linear in time. Either
-// way y_new = max(y_free, d_new - rise), p >= 0 by construction, and F_N(d_new) is piecewise linear
-// and is solved exactly. With dt = dx / v friction converges at second order in dx; v dt beyond
-// about twice the way slid in a relaxation time cannot resolve it.
+// An element is held by its creeping amplitudes (core/contact/arms/retardation.h), which know
+// nothing of each other: y = J p/4 + sum a_j, a_j' = -rate_j a_j + fluidity_j p/4. Elements with a
+// dashpot of their own (Kelvin: one amplitude, J = 0) are loaded by a constant p in a step; their p
+// jumps where the line meets them. Elements without one are loaded by a p that is linear in time.
+// Either way y_new = max(y_free, d_new - z), p >= 0 by construction, and F_N(d_new) is piecewise
+// linear and is solved exactly. With dt = dx / v friction converges at second order in dx; v dt
+// beyond about twice the way slid in a relaxation time cannot resolve it.
 //
 // Ownership: holds its line, its law and its state. Threading: one thread at a time.
 #pragma once
@@ -93,7 +93,7 @@ class TimeMarch {
   const std::vector<double>& sinceContact() const { return sinceContact_; }
   /// W/m, dissipated in each element: mean over the last step, of which the sum is
   /// (MarchStep::dissipated + gapWork) / dt, or before the first one what its state says
-  /// (dissipation.h); 0 where what is left to creep is rounding. An element that the line meets
+  /// (dissipatedPower); 0 where what is left to creep is rounding. An element that the line meets
   /// within the step takes the work done on its way over the gap, too: so the sum balances lineWork
   /// and is of second order in dx as well. Empty where not recorded.
   const std::vector<double>& power() const { return power_; }
@@ -106,7 +106,8 @@ class TimeMarch {
   double indentation() const { return indentation_; }                // m
   const std::vector<double>& depth() const { return depth_; }        // m, y at x_i = i spacing
   const std::vector<double>& pressure() const { return pressure_; }  // N/m
-  const std::vector<double>& rise() const { return rise_; }  // m, of the line above each element
+  /// m, of the line over each element, above its lowest point.
+  const std::vector<double>& heightAboveMinimum() const { return height_; }
   /// m, a_j, [mode][element]
   const std::vector<double>& amplitudes() const { return amplitude_; }
   const Line& line() const { return *line_; }
@@ -156,11 +157,11 @@ class TimeMarch {
   double before_ = 0;               // m, indentation at the step's begin
   std::ptrdiff_t passedNodes_ = 0;  // by which the line has moved, of one period
   double ahead_ = 0;                // less this part of a node
-  std::vector<double> depth_, pressure_, rise_;
-  std::vector<double> amplitude_;  // m, [mode][element]
-  std::vector<double> lastRise_;   // m, before the step
-  std::vector<double> free_;       // m, depths at the end of the step if nothing touches
-  std::vector<double> threshold_;  // m, climb of the line at which each element is touched
+  std::vector<double> depth_, pressure_, height_;
+  std::vector<double> amplitude_;   // m, [mode][element]
+  std::vector<double> lastHeight_;  // m, before the step
+  std::vector<double> free_;        // m, depths at the end of the step if nothing touches
+  std::vector<double> threshold_;   // m, climb of the line at which each element is touched
   std::vector<Creep> creep_;
   MarchRecords records_;
   std::vector<double> sinceContact_, power_;
@@ -168,5 +169,20 @@ class TimeMarch {
   double preparedFor_ = -1;                                          // s, dt of creep_
   double compliance_ = 0;  // m / Pa, y over p/4 pressed on at the end of the step
 };
+
+// ---- Where the power goes: what the dashpots of each element turn into heat. Pure; any thread.
+
+/// W/m, now, of elements under pressures p (N/m) with creeping amplitudes a_j (m), [mode][element]
+/// as TimeMarch holds them. Each amplitude is a spring and a dashpot side by side that follow
+/// a_j' = -rate_j a_j + fluidity_j p/4, so that the dashpots take 4 sum a_j'^2 / fluidity_j; of
+/// Kelvin elements 4 eta u'^2, in contact or free. Its integral over a period of steady sliding is
+/// F_x v. Zeros for elastic elements, and where what is left to creep is rounding: at rest.
+std::vector<double> dissipatedPower(const RetardationModes& modes, std::span<const double> pressure,
+                                    std::span<const double> amplitudes);
+
+/// Adds to the power (W/m) of each element what local friction turns into heat where p (N/m) is
+/// above 0, at this velocity (m/s, either sign).
+void addLocalFriction(std::span<double> power, std::span<const double> pressure,
+                      const Interface& interface, double velocity);
 
 }  // namespace asperity

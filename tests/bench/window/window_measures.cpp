@@ -13,8 +13,9 @@
 
 #include "tests/ui/window/fresh_paints.h"
 #include "ui/panels/value_slider.h"
-#include "ui/window/main/contact_canvas.h"
+#include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/main_window.h"
+#include "ui/window/main/scene_document.h"
 
 namespace asperity::bench {
 namespace {
@@ -93,7 +94,7 @@ class Window {
     Scene scene;
     scene.accuracy.scheme = scheme;
     scene.accuracy.oversampling = oversampling;
-    window_.showScene(scene);
+    window_.document().open(scene);
     waitUntilDone();
   }
 

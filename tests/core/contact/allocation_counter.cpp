@@ -17,12 +17,12 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   return std::malloc(size > 0 ? size : 1);
 }
 void* operator new(std::size_t size) {
-  if (void* memory = operator new(size, std::nothrow)) return memory;
+  if (void* relaxationLength = operator new(size, std::nothrow)) return relaxationLength;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept {
-  std::free(memory);
+void operator delete(void* relaxationLength) noexcept {
+  std::free(relaxationLength);
 }
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
+void operator delete(void* relaxationLength, std::size_t) noexcept {
+  std::free(relaxationLength);
 }

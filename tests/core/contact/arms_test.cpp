@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/contact/steady_solver.h"
-#include "core/material/temperature_shift.h"
-#include "core/surface/shapes.h"
+#include "core/material/element_law.h"
+#include "core/surface/line.h"
 #include "tests/core/contact/lines.h"
 #include "tests/core/elastomers.h"
 
@@ -84,7 +84,7 @@ TEST(Arms, FullContactOfEveryRheologyIsTheIntegralOverTheSpectrum) {
       } else {
         EXPECT_LT(result.mu, 1e-14) << name;
       }
-      EXPECT_LT(relative(result.indentation - line.meanRise, 1e-3), 1e-9) << name;
+      EXPECT_LT(relative(result.indentation - line.meanHeight, 1e-3), 1e-9) << name;
     }
 }
 
@@ -223,7 +223,7 @@ TEST(Arms, PressureAndGapExcludeEachOther) {
       const double lost = state.result.powerDissipated;
       EXPECT_NEAR(state.result.powerIn, lost, 1e-8 * lost + 1e-15 * 0.02 * velocity) << name;
       for (std::size_t i = 0; i < line.segments(); ++i) {
-        const double gap = shape.nodes.depth[i] - (d - line.rise[i]);
+        const double gap = shape.nodes.depth[i] - (d - line.heightAboveMinimum[i]);
         EXPECT_GE(gap, -1e-12 * d);
         EXPECT_GE(shape.nodes.pressure[i], 0);
         if (gap > 1e-9 * d) {

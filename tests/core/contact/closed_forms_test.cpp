@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/surface/shapes.h"
+#include "core/surface/line.h"
 #include "tests/core/contact/lines.h"
 
 namespace asperity {
@@ -48,7 +48,7 @@ TEST_P(Represented, WedgeIsExactWhateverTheGrid) {
     for (const std::size_t nodes : {64UL, 1000UL}) {
       const double c = ratio * a;
       const PreparedProfile line = prepareProfile(wedgeLine(isolated(a, c), nodes, t), GetParam());
-      const SteadyResult result = slideAtDepth(line, withMemory(c), d);
+      const SteadyResult result = slideAtDepth(line, withRelaxationLength(c), d);
       const Forces exact = wedgeForces(t, d, c);
       EXPECT_LT(relative(result.normalForce, exact.normal), 1e-9) << ratio;
       if (c > 0) {
@@ -66,7 +66,7 @@ TEST(ClosedForms, ParabolaIsExactForCubicWhateverTheGrid) {
       const double c = ratio * a;
       const PreparedProfile line =
           prepareProfile(parabolaLine(isolated(a, c), nodes, radius), Scheme::Cubic);
-      const SteadyResult result = slideAtDepth(line, withMemory(c), d);
+      const SteadyResult result = slideAtDepth(line, withRelaxationLength(c), d);
       const Forces exact = parabolaForces(radius, d, c);
       EXPECT_LT(relative(result.normalForce, exact.normal), 1e-9) << ratio;
       if (c > 0) {
@@ -80,7 +80,8 @@ TEST(ClosedForms, ParabolaConvergesAtSecondOrderForLinear) {
   const Forces exact = parabolaForces(radius, d, c);
   const auto error = [&](std::size_t nodes) {
     const Line line = parabolaLine(isolated(a, c), nodes, radius);
-    const SteadyResult r = slideAtDepth(prepareProfile(line, Scheme::Linear), withMemory(c), d);
+    const SteadyResult r =
+        slideAtDepth(prepareProfile(line, Scheme::Linear), withRelaxationLength(c), d);
     return std::max(relative(r.normalForce, exact.normal),
                     relative(r.tangentialForce, exact.tangential));
   };
@@ -91,7 +92,8 @@ TEST(ClosedForms, ParabolaConvergesAtSecondOrderForLinear) {
 TEST(ClosedForms, NodalShapesApproachTheClosedForms) {
   const double t = 1e-3, d = 2e-6, a = d / t, c = 0.5 * a;
   const Line wedge = wedgeLine(isolated(a, c), 200000, t);
-  const SteadyResult w = slideAtDepth(prepareProfile(wedge, Scheme::Nodal), withMemory(c), d);
+  const SteadyResult w =
+      slideAtDepth(prepareProfile(wedge, Scheme::Nodal), withRelaxationLength(c), d);
   EXPECT_LT(relative(w.normalForce, wedgeForces(t, d, c).normal), 1e-3);
   EXPECT_LT(relative(w.tangentialForce, wedgeForces(t, d, c).tangential), 1e-3);
 }
@@ -99,7 +101,7 @@ TEST(ClosedForms, NodalShapesApproachTheClosedForms) {
 TEST(ClosedForms, ParabolaAtLowVelocityHasFrictionCOverR) {
   const double radius = 0.1, d = 2e-6, a = std::sqrt(2 * radius * d), c = 1e-9 * a;
   const PreparedProfile line = prepareProfile(parabolaLine(4 * a, 64, radius), Scheme::Cubic);
-  EXPECT_LT(relative(slideAtDepth(line, withMemory(c), d).mu, c / radius), 1e-8);
+  EXPECT_LT(relative(slideAtDepth(line, withRelaxationLength(c), d).mu, c / radius), 1e-8);
 }
 
 TEST(ClosedForms, ParabolaAtFixedForceHasItsMaximumWhereTheFormulaSays) {
@@ -107,7 +109,7 @@ TEST(ClosedForms, ParabolaAtFixedForceHasItsMaximumWhereTheFormulaSays) {
   const double a0 = std::cbrt(3 * radius * force / (8 * kModulus));
   const PreparedProfile line = prepareProfile(parabolaLine(80 * a0, 2000, radius), Scheme::Cubic);
   const auto friction = [&](double ratio) {
-    return slideAtForce(line, withMemory(ratio * a0), force).mu * radius / a0;
+    return slideAtForce(line, withRelaxationLength(ratio * a0), force).mu * radius / a0;
   };
   EXPECT_NEAR(friction(1.397), 0.4431, 5e-5);
   EXPECT_GT(friction(1.397), friction(1.30));
@@ -120,8 +122,9 @@ TEST(ClosedForms, SineInFullContact) {
   const double exact = c * q * q * amplitude * amplitude / (2 * d);
   const auto error = [&](std::size_t nodes, Scheme scheme) {
     const Line line = sineLine(length, nodes, amplitude, 4);
-    return relative(slideAtDepth(prepareProfile(line, scheme), withMemory(c), d + amplitude).mu,
-                    exact);
+    return relative(
+        slideAtDepth(prepareProfile(line, scheme), withRelaxationLength(c), d + amplitude).mu,
+        exact);
   };
   EXPECT_LT(error(200, Scheme::Nodal), 1e-12);
   EXPECT_LT(error(2000, Scheme::Linear), 1e-3);
@@ -139,7 +142,7 @@ TEST(ClosedForms, FastSine) {
   const double c = 1e5 * length;
   for (int i = 0; i < 7; ++i) {
     const double force = ratios[i] * amplitude * 4 * kModulus * c;
-    const SteadyResult result = slideAtForce(line, withMemory(c), force);
+    const SteadyResult result = slideAtForce(line, withRelaxationLength(c), force);
     EXPECT_EQ(result.status, SteadyStatus::Balanced);
     EXPECT_NEAR(result.mu / (amplitude * q), table[i], 5.1e-4) << ratios[i];
   }

@@ -10,7 +10,7 @@
 #include "core/contact/steady_solver.h"
 #include "core/contact/sweep.h"
 #include "core/scene/plan.h"
-#include "core/surface/shapes.h"
+#include "core/surface/line.h"
 #include "tests/core/contact/lines.h"
 #include "tests/core/elastomers.h"
 
@@ -46,26 +46,28 @@ TEST(CompleteContact, BeginsForASineWhereTheClosedFormSays) {
 
 TEST(CompleteContact, IsToldToTheLastDigit) {
   forEachLine([](const PreparedProfile& line) {
-    for (const double memory : {0.0, 1e-7, 1e-5, 1e-3, 1.0}) {
-      const double above = completeAbove(line, memory);
-      EXPECT_TRUE(isContactComplete(line, above * (1 + 1e-15), memory));
-      EXPECT_FALSE(isContactComplete(line, above * (1 - 1e-15), memory));
+    for (const double relaxationLength : {0.0, 1e-7, 1e-5, 1e-3, 1.0}) {
+      const double above = completeAbove(line, relaxationLength);
+      EXPECT_TRUE(isContactComplete(line, above * (1 + 1e-15), relaxationLength));
+      EXPECT_FALSE(isContactComplete(line, above * (1 - 1e-15), relaxationLength));
       // The pass itself, which looks for edges, agrees.
-      EXPECT_LT(relative(stateAt(line, above * (1 + 1e-12), memory).contactLength, line.length),
+      EXPECT_LT(relative(resolvedPass(line, above * (1 + 1e-12), relaxationLength).contactLength,
+                         line.length),
                 1e-13);  // a sum of a thousand lengths
-      EXPECT_LT(stateAt(line, above * (1 - 1e-6), memory).contactLength, line.length * (1 - 1e-12));
+      EXPECT_LT(resolvedPass(line, above * (1 - 1e-6), relaxationLength).contactLength,
+                line.length * (1 - 1e-12));
     }
   });
 }
 
 TEST(CompleteContact, WithoutASearchTheSameAsWithOne) {
   forEachLine([](const PreparedProfile& line) {
-    for (const double memory : {1e-7, 1e-5, 1e-3}) {
-      const double depth = 1.001 * completeAbove(line, memory),
-                   load = (depth - line.meanRise) * line.length;
-      const Balance balance = balanceResolved(line, memory, load);
-      const StateSums sought = stateAt(line, balance.depth, memory);
-      const double wanted = sought.dissipation / sought.depth, velocity = memory / kTau;
+    for (const double relaxationLength : {1e-7, 1e-5, 1e-3}) {
+      const double depth = 1.001 * completeAbove(line, relaxationLength),
+                   load = (depth - line.meanHeight) * line.length;
+      const Balance balance = balanceResolved(line, relaxationLength, load);
+      const PassSums sought = resolvedPass(line, balance.depth, relaxationLength);
+      const double wanted = sought.dissipation / sought.depth, velocity = relaxationLength / kTau;
       const std::uint64_t before = searches();
       const SteadyResult plain =
           slideAtForce(line, {kModulus, kTau, velocity}, 4 * kModulus * load);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/surface/shapes.h"
+#include "core/surface/line.h"
 #include "tests/core/contact/lines.h"
 
 namespace asperity {
@@ -67,11 +67,13 @@ TEST(Identities, TheElastomerNeverReachesThroughTheLine) {
   forEachCase([](const PreparedProfile& line, const SlidingConditions& conditions, double,
                  const SteadyResult& result) {
     const NodeShape shape = shapeAt(line, conditions, result.indentation);
-    const double highest = *std::max_element(line.rise.begin(), line.rise.end());
+    const double highest =
+        *std::max_element(line.heightAboveMinimum.begin(), line.heightAboveMinimum.end());
     for (std::size_t i = 0; i < shape.depth.size(); ++i) {
       EXPECT_GE(shape.depth[i], 0);
       // u <= z - d
-      EXPECT_GE(shape.depth[i] - (result.indentation - line.rise[i]), -1e-15 * highest);
+      EXPECT_GE(shape.depth[i] - (result.indentation - line.heightAboveMinimum[i]),
+                -1e-15 * highest);
     }
   });
 }

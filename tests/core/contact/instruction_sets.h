@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/contact/kernels/lane_pass.h"
+#include "core/contact/kernels/kernels.h"
 
 namespace asperity {
 

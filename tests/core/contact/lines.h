@@ -30,8 +30,8 @@ inline Line roughLine(std::int64_t elements, std::int64_t oversampling = 1, doub
 
 inline constexpr double kModulus = 1e7, kTau = 1e-3;  // Pa, s
 
-/// The conditions whose memory length v tau is c (m).
-inline SlidingConditions withMemory(double c) {
+/// The conditions whose relaxation length v tau is c (m).
+inline SlidingConditions withRelaxationLength(double c) {
   return {kModulus, kTau, c / kTau};
 }
 

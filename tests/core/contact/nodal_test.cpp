@@ -1,5 +1,5 @@
 // The paper's N separate elements: Eq. (2), its jumps, and its known shortcomings.
-#include "core/contact/kernels/nodal_pass.h"
+#include "core/contact/kernels/kernels.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(Nodal, ForceNeverFallsWithDepth) {
   for (const double c : {1e-6, 1e-3, 1.0}) {
     double last = 0;
     for (int i = 0; i < 2000; ++i) {
-      const double force = nodalStateAt(line, i * 1e-9, c).sums.pressure;
+      const double force = nodalPass(line, i * 1e-9, c).sums.pressure;
       EXPECT_GE(force, last * (1 - 1e-14));
       last = force;
     }
@@ -44,12 +44,12 @@ TEST(Nodal, TheThresholdIsWhereAnElementIsLost) {
   const PreparedProfile line = prepareProfile(roughLine(200), Scheme::Nodal);
   for (const double c : {1e-6, 1e-4, 1e-2})
     for (const double depth : {1e-8, 1e-7, 1e-6}) {
-      const NodalState state = nodalStateAt(line, depth, c);
+      const NodalState state = nodalPass(line, depth, c);
       const double edge = state.threshold;
       ASSERT_LE(edge, depth);
-      const double above = nodalStateAt(line, edge * (1 + 1e-12), c).sums.stiffness;
+      const double above = nodalPass(line, edge * (1 + 1e-12), c).sums.stiffness;
       const double lower = edge > 0 ? edge * (1 - 1e-12) : -1e-300;
-      const double below = nodalStateAt(line, lower, c).sums.stiffness;
+      const double below = nodalPass(line, lower, c).sums.stiffness;
       EXPECT_NEAR(above, state.sums.stiffness, 0.5 * line.spacing);
       EXPECT_LT(below, above);
     }

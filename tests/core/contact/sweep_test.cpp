@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/contact/kernels/cubic_kernel.h"
-#include "core/surface/shapes.h"
+#include "core/contact/kernels/kernels.h"
+#include "core/surface/line.h"
 #include "tests/core/contact/allocation_counter.h"
 #include "tests/core/contact/csv_table.h"
 #include "tests/core/contact/fixed_depths.h"
@@ -292,7 +292,7 @@ TEST_P(Sweep, NearlyFullContact) {
   for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic}) {
     const PreparedProfile line = prepareProfile(roughLine(400), scheme);
     for (const double velocity : {1e-4, 0.01, 0.3, 10.0}) {
-      double low = line.meanRise, high = 1;  // depths
+      double low = line.meanHeight, high = 1;  // depths
       for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
         const auto result = slideAtDepth(line, {kModulus, kTau, velocity}, middle);
@@ -327,10 +327,10 @@ TEST_P(Sweep, PartsOfAPassAddUp) {
     const PreparedProfile line =
         prepareProfile(roughLine(2000, 2, 0.3, realization), Scheme::Cubic);
     for (const double depth : {3e-7, 1e-6, 2e-6, 4e-6})
-      for (const double memory : {1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1.0}) {
-        FixedDepths whole(depth, memory), cut(depth, memory, 16);
-        passLanes(line, whole);
-        passLanes(line, cut);
+      for (const double relaxationLength : {1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1.0}) {
+        FixedDepths whole(depth, relaxationLength), cut(depth, relaxationLength, 16);
+        runCubicPasses(line, whole);
+        runCubicPasses(line, cut);
         ASSERT_EQ(whole.found.size(), 1U);
         ASSERT_EQ(cut.found.size(), 1U);
         const PassSums &a = whole.found[0], &b = cut.found[0];
@@ -338,7 +338,7 @@ TEST_P(Sweep, PartsOfAPassAddUp) {
         EXPECT_NEAR(b.dissipation, a.dissipation, 1e-12 * a.dissipation);
         EXPECT_NEAR(b.stiffness, a.stiffness, 1e-10 * a.stiffness);
         EXPECT_NEAR(b.pressure, a.pressure, 1e-9 * a.pressure);
-        if (memory < 1e-5) {
+        if (relaxationLength < 1e-5) {
           EXPECT_GT(b.segmentsInspected, a.segmentsInspected);  // it was cut
         }
       }
@@ -349,11 +349,11 @@ TEST_P(Sweep, PartsOfAPassAddUp) {
 TEST_P(Sweep, StopsInsideAPass) {
   const PreparedProfile line = prepareProfile(roughLine(20000, 1, 0.0), Scheme::Cubic);
   FixedDepths whole(1e-6, 1e-8), queue(1e-6, 1e-8, 1, 1);
-  passLanes(line, whole);
+  runCubicPasses(line, whole);
   ASSERT_EQ(whole.found.size(), 1U);
   EXPECT_GT(whole.found[0].segmentsInspected, 300);  // it looks up every 256 steps
   EXPECT_LT(whole.found[0].segmentsInspected, 256 * (whole.timesAsked() + 1));
-  passLanes(line, queue);
+  runCubicPasses(line, queue);
   EXPECT_TRUE(queue.found.empty());
 }
 

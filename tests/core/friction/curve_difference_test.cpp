@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
+#include "core/base/input_error.h"
+#include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
 #include "core/friction/realizations.h"
-#include "core/friction/running_mean.h"
-#include "core/base/input_error.h"
 #include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"
 

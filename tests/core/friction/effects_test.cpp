@@ -3,11 +3,10 @@
 
 #include <cmath>
 
+#include "core/base/input_error.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/line_plan.h"
 #include "core/scene/effects.h"
-#include "core/base/input_error.h"
 #include "core/scene/plan.h"
 #include "tests/core/elastomers.h"
 #include "tests/core/small_scene.h"

@@ -92,7 +92,7 @@ TEST(Ensemble, MeanAndStandardErrorAreThoseOfTheRealizations) {
   const auto n = static_cast<double>(scene.ensemble.realizations);
   for (int r = 0; r < scene.ensemble.realizations; ++r) {
     const PreparedProfile line = prepareProfile(source.make(r), scene.accuracy.scheme);
-    const double mu = slideAtForce(line, conditionsOf(scene, 0.1), scene.load.normalForce).mu;
+    const double mu = slideAtForce(line, slidingConditions(scene, 0.1), scene.load.normalForce).mu;
     sum += mu;
     squares += mu * mu;
   }
@@ -111,7 +111,7 @@ TEST(Ensemble, TheSweepGivesWhatEachVelocityGivesAlone) {
   const PreparedProfile line = prepareProfile(source.make(0), scene.accuracy.scheme);
   for (const CurvePoint& point : curve.points) {
     const SteadyResult alone =
-        slideAtForce(line, conditionsOf(scene, point.velocity), scene.load.normalForce);
+        slideAtForce(line, slidingConditions(scene, point.velocity), scene.load.normalForce);
     EXPECT_NEAR(point.mu / alone.mu, 1, 1e-10);
     EXPECT_NEAR(point.indentation / alone.indentation, 1, 1e-11);
   }

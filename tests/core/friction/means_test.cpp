@@ -149,7 +149,7 @@ TEST(ConstantIndentation, MeanOfRatiosAndRatioOfMeansAreTwoColumns) {
   double ratios = 0, tangential = 0, normal = 0;
   for (std::int64_t r = 0; r < 30; ++r) {
     const SteadyResult result = slideAtDepth(prepareProfile(source.make(r), Scheme::Cubic),
-                                             conditionsOf(scene, 0.01), 2e-7);
+                                             slidingConditions(scene, 0.01), 2e-7);
     ratios += result.mu / 30;
     tangential += result.tangentialForce;
     normal += result.normalForce;

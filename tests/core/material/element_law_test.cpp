@@ -5,9 +5,8 @@
 
 #include <cmath>
 
-#include "core/scene/effects.h"
 #include "core/base/input_error.h"
-#include "core/material/temperature_shift.h"
+#include "core/scene/effects.h"
 #include "tests/core/elastomers.h"
 
 namespace asperity {

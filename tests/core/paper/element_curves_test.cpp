@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/paper/literal_march.h"
 #include "core/friction/ensemble.h"
+#include "core/paper/literal_march.h"
 #include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"
 
@@ -27,7 +27,7 @@ TEST(ElementCurves, LiteralIsWhatManyPeriodsFromAFlatElastomerEndWith) {
   whole.steps = kPeriods * kElements;
   for (const ElementPoint& point : curve)
     for (std::int64_t r = 0; r < kLines; ++r) {
-      const double expected = literalMarch(source.make(r), conditionsOf(scene, point.velocity),
+      const double expected = literalMarch(source.make(r), slidingConditions(scene, point.velocity),
                                            scene.load.normalForce, whole)
                                   .mu /
                               source.statistics().rmsSlope;

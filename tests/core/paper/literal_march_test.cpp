@@ -18,11 +18,11 @@ constexpr double kForce = 0.0034;  // N, of Fig. 2
 TEST(LiteralMarch, AgreesWithTheNodalPassAtLowVelocity) {
   for (int realization = 0; realization < 3; ++realization) {
     const Line line = roughLine(1000, 1, 0.7, realization);
-    const PreparedProfile travel = prepareProfile(line, Scheme::Nodal);
+    const PreparedProfile profile = prepareProfile(line, Scheme::Nodal);
     for (const double velocity : {1e-4, 1e-3, 1e-2}) {
       const SlidingConditions conditions{kModulus, kTau, velocity};
       const LiteralResult literal = literalMarch(line, conditions, kForce);
-      const SteadyResult steady = slideAtForce(travel, conditions, kForce);
+      const SteadyResult steady = slideAtForce(profile, conditions, kForce);
       EXPECT_NEAR(literal.mu / steady.mu, 1, 0.03) << velocity;
       EXPECT_NEAR(literal.contactFraction, steady.contactFraction, 2e-3);
       EXPECT_NEAR(literal.indentation / steady.indentation, 1, 1e-2);
@@ -62,12 +62,12 @@ TEST(LiteralMarch, LevelsOffWhereTheResolvedLineFalls) {
   const double velocities[2] = {100, 1000};
   for (int realization = 0; realization < 8; ++realization) {
     const Line line = roughLine(500, 1, 0.7, realization);
-    const PreparedProfile travel =
+    const PreparedProfile profile =
         prepareProfile(roughLine(500, 4, 0.7, realization), Scheme::Cubic);
     for (int i = 0; i < 2; ++i) {
       const SlidingConditions conditions{kModulus, kTau, velocities[i]};
       literal[i] += literalMarch(line, conditions, kForce).mu / line.rmsSlope / 8;
-      resolved[i] += slideAtForce(travel, conditions, kForce).mu / line.rmsSlope / 8;
+      resolved[i] += slideAtForce(profile, conditions, kForce).mu / line.rmsSlope / 8;
     }
   }
   EXPECT_NEAR(literal[1] / literal[0], 1, 0.02);
@@ -101,11 +101,11 @@ TEST(LiteralMarch, VectorsChangeOnlyTheLastDigits) {
 /// From the steady shape it goes on as it would have at the end of a period, at one sweep a step.
 TEST(LiteralMarch, StartsFromTheSteadyShape) {
   const Line line = roughLine(1000);
-  const PreparedProfile travel = prepareProfile(line, Scheme::Nodal);
+  const PreparedProfile profile = prepareProfile(line, Scheme::Nodal);
   const SlidingConditions conditions{kModulus, kTau, 0.01};
-  const SteadyResult steady = slideAtForce(travel, conditions, kForce);
+  const SteadyResult steady = slideAtForce(profile, conditions, kForce);
   std::vector<double> depth =
-      inLineOrder(travel, shapeAt(travel, conditions, steady.indentation).depth);
+      inLineOrder(profile, shapeAt(profile, conditions, steady.indentation).depth);
   std::rotate(depth.begin(), depth.begin() + 1, depth.end());  // one step before
   const LiteralResult result =
       literalMarch(line, conditions, kForce,

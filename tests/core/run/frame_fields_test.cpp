@@ -5,7 +5,7 @@
 #include <numeric>
 #include <thread>
 
-#include "core/contact/march/dissipation.h"
+#include "core/contact/march/time_march.h"
 #include "core/run/contact_age.h"
 #include "core/run/runner.h"
 #include "core/run/simulation.h"

@@ -3,13 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
 
+#include "core/base/input_error.h"
 #include "core/friction/study.h"
 #include "core/scene/columns.h"
-#include "core/base/input_error.h"
 
 namespace asperity {
 namespace {
@@ -128,6 +129,81 @@ TEST(MotionTable, EachNthStepIsARowOfTheWholeTableAndTheLastOneToo) {
   options.every = 1;
   options.mostRows = 100;
   EXPECT_LE(rowsOf(scene, options).size(), 100U);
+}
+
+/// Some 10,000 steps: none of them is missing where friction is greatest or least.
+TEST(MotionTable, ThePictureOfALineShowsThePeaksOfAllSteps) {
+  Scene scene = someMotion(SlidingKind::Oscillation);
+  scene.sliding.frequency = 50;
+  scene.sliding.duration = 1;
+  const MotionTable table = marchMotion(scene, {});
+  const auto& rows = table.lines[0];
+  ASSERT_GT(rows.size(), 4000U);
+  EXPECT_LT(table.drawn.size(), 4000U);
+  for (const auto member : {&TransientSample::mu, &TransientSample::velocity,
+                            &TransientSample::indentation, &TransientSample::contactFraction}) {
+    const auto value = [member](const TransientSample& sample) { return sample.*member; };
+    EXPECT_EQ(std::ranges::max(table.drawn, {}, value).*member,
+              std::ranges::max(rows, {}, value).*member);
+    EXPECT_EQ(std::ranges::min(table.drawn, {}, value).*member,
+              std::ranges::min(rows, {}, value).*member);
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(table.drawn, {}, &TransientSample::time));
+  // Each peak of the velocity, not the first alone.
+  EXPECT_GT(std::ranges::count_if(table.drawn, [](const auto& s) { return s.velocity > 0.99; }),
+            50);
+}
+
+TEST(MotionTable, ThePictureOfAShortMotionShowsEachStep) {
+  const MotionTable table = marchMotion(someMotion(SlidingKind::Start), {});
+  const auto& rows = table.lines[0];
+  ASSERT_EQ(table.drawn.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(table.drawn[i].time, rows[i].time);
+    EXPECT_EQ(table.drawn[i].mu, rows[i].mu);
+  }
+}
+
+/// Steps of 1/500 of 5 ms.
+TEST(MotionTable, TimesAreMultiplesOfTheStepAndPrintedShort) {
+  Scene scene = someMotion(SlidingKind::Start);
+  scene.sliding.duration = 5e-3;
+  std::istringstream lines(motionCsv(marchMotion(scene, {})));
+  std::string line;
+  std::getline(lines, line);
+  int rows = 0;
+  while (std::getline(lines, line)) {
+    ++rows;
+    const std::string time = cellsOf(line).front();
+    EXPECT_LE(time.size(), 8U) << time;
+    EXPECT_NEAR(std::stod(time), 1e-5 * rows, 1e-16);
+  }
+  EXPECT_EQ(rows, 500);
+}
+
+/// Friction of an elastic body is rounding: the axis shows the 0 that lies within its error.
+TEST(MotionTable, TheBandOfErrorsFitsOnTheAxis) {
+  Scene scene = someMotion(SlidingKind::Step);
+  scene.elastomer.rheology = Rheology::Elastic;
+  for (const Rheology rheology : {Rheology::Elastic, Rheology::Kelvin}) {
+    scene.elastomer.rheology = rheology;
+    const MotionTable table = marchMotion(scene, {});
+    const Diagram friction = motionSheet(scene, table).diagrams[1];
+    for (const DiagramSeries& series : friction.series)
+      for (const DiagramPoint& point : series.points) {
+        if (!series.isBand) continue;
+        EXPECT_GE(point.low, friction.y.from);
+        EXPECT_LE(point.high, friction.y.to);
+      }
+  }
+}
+
+TEST(MotionTable, ThePictureSaysThatFrictionIsOfDeformationAlone) {
+  Scene scene = someMotion(SlidingKind::Start);
+  EXPECT_EQ(motionSheet(scene, marchMotion(scene, {})).diagrams[1].y.title, "friction \u03BC");
+  scene.interface.frictionCoefficient = 0.1;
+  EXPECT_EQ(motionSheet(scene, marchMotion(scene, {})).diagrams[1].y.title,
+            "friction \u03BC, deformation alone");
 }
 
 TEST(MotionTable, LinesAreRealizationsAndTheirMeanIsThePicture) {

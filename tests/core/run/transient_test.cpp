@@ -302,7 +302,8 @@ TEST(Transient, StaysFiniteThroughRestAndBack) {
         const TimeMarch& march = transient.march();
         for (std::size_t k = 0; k < march.depth().size(); ++k) {
           EXPECT_GE(march.pressure()[k], 0);
-          EXPECT_GE(march.depth()[k] - (march.indentation() - march.rise()[k]), -1e-15);
+          EXPECT_GE(march.depth()[k] - (march.indentation() - march.heightAboveMinimum()[k]),
+                    -1e-15);
         }
       }
     }

@@ -66,7 +66,7 @@ TEST(Plan, EffectsOfNoStrengthAreLeftOut) {
           "interface":{"friction_coefficient":0}})",
       "s.json");
   for (const Stage stage : {Stage::RollOff, Stage::SummitCorrelation, Stage::TemperatureShift,
-                            Stage::FreeSurface, Stage::Arms, Stage::Closure, Stage::Interface})
+                            Stage::FreeSurface, Stage::Arms, Stage::Periodicity, Stage::Interface})
     EXPECT_FALSE(callsFor(scene, Purpose::Curve, stage)) << nameOf(stage);
 }
 
@@ -78,7 +78,7 @@ TEST(Plan, EffectsWithStrengthRun) {
           "interface":{"shear_stress":10}})",
       "s.json");
   for (const Stage stage : {Stage::RollOff, Stage::SummitCorrelation, Stage::TemperatureShift,
-                            Stage::FreeSurface, Stage::Arms, Stage::Closure, Stage::Interface})
+                            Stage::FreeSurface, Stage::Arms, Stage::Periodicity, Stage::Interface})
     EXPECT_TRUE(callsFor(scene, Purpose::Curve, stage)) << nameOf(stage);
   EXPECT_THAT(reasonOf(scene, Purpose::Curve, Stage::TemperatureShift), HasSubstr("at 310 K"));
   EXPECT_THAT(reasonOf(scene, Purpose::Curve, Stage::Arms), HasSubstr("1 internal variable an"));

@@ -255,6 +255,10 @@ TEST(SceneFile, ShippedScenesAreValid) {
                          ? 1
                          : 0;
       EXPECT_EQ(sentences, 2U) << entry.path();
+      // Who starts from it gets the chosen resolution. Simple shapes need no points between.
+      const SurfaceKind kind = scene.surface.kind;
+      const bool isSimple = kind == SurfaceKind::Parabola || kind == SurfaceKind::Wedge;
+      EXPECT_EQ(scene.accuracy.oversampling, isSimple ? 1 : 0) << entry.path();
     }
 }
 

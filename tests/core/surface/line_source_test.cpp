@@ -8,9 +8,8 @@
 
 #include "core/base/input_error.h"
 #include "core/scene/scene_file.h"
-#include "core/surface/phase_factors.h"
 #include "core/surface/profile_file.h"
-#include "core/surface/random_phase.h"
+#include "core/surface/random_phases.h"
 #include "core/surface/surface_file.h"
 #include "tests/core/temporary_folder.h"
 

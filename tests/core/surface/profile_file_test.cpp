@@ -1,6 +1,9 @@
 #include "core/surface/profile_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <cmath>
 
 #include "core/base/input_error.h"
 #include "tests/core/temporary_folder.h"
@@ -141,6 +144,77 @@ TEST(ProfileFile, FilesOfAnotherKindAreNamed) {
 /// A scene may name any file, so that its content must not appear in a message.
 TEST(ProfileFile, MessagesNamePlacesAndNotContent) {
   EXPECT_EQ(errorOf("1\n2\n\x1b[31m\xff\n"), "p.csv: row 3: column 1 is not a number");
+}
+
+// ---- Parts of a file ----------------------------------------------------------------------------
+
+/// A slow wave and a fast one, 5 um apart; with positions or without.
+std::string waves(std::size_t rows, bool hasPositions) {
+  std::string text = hasPositions ? "x (m),z (m)\n" : "z (m)\n";
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto x = static_cast<double>(i);
+    const double height = 1e-6 * std::sin(6.283185307179586 * x / static_cast<double>(rows)) +
+                          1e-7 * std::sin(0.7 * x);
+    text += hasPositions ? fmt::format("{},{}\n", 5e-6 * x, height) : fmt::format("{}\n", height);
+  }
+  return text;
+}
+
+TEST(ProfileExtent, IsThatOfTheWholeFile) {
+  const TemporaryFolder folder;
+  for (const std::size_t rows : {3U, 500U, 900U, 40000U, 300000U})
+    for (const bool hasPositions : {true, false}) {
+      const auto file = folder.write("p.csv", waves(rows, hasPositions));
+      const ProfileExtent extent = profileExtent(file);
+      const auto exact = static_cast<double>(rows);
+      if (hasPositions) {
+        EXPECT_EQ(extent.rows, static_cast<std::int64_t>(rows));
+        EXPECT_NEAR(extent.length, 5e-6 * exact, 5e-6 * exact * 1e-9);
+      } else {
+        EXPECT_NEAR(static_cast<double>(extent.rows), exact, 0.03 * exact);
+        EXPECT_EQ(extent.length, 0);
+      }
+      EXPECT_NEAR(extent.rmsHeight, 1e-6 * std::sqrt(0.505), rows > 3 ? 5e-8 : 1e-6) << rows;
+    }
+}
+
+TEST(ProfileExtent, AFaultAtEitherEndIsFoundWithItsRow) {
+  const TemporaryFolder folder;
+  const std::string good = waves(40000, true);
+  const auto complaint = [&](const std::string& text) -> std::string {
+    try {
+      profileExtent(folder.write("p.csv", text));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(complaint(good), "none");
+  EXPECT_THAT(complaint(good + "high,1\n"), HasSubstr("row 40002: column 1 is not a number"));
+  EXPECT_THAT(complaint(good + "0,1\n"), HasSubstr("positions must increase"));
+  EXPECT_THAT(complaint(good + "9,1\n"), HasSubstr("positions must be uniform"));
+  EXPECT_THAT(complaint("a\nb\n" + good), HasSubstr("row 2: column 1 is not a number"));
+}
+
+/// What stands in the middle is left to the run, unless it looks like no rows at all.
+TEST(ProfileExtent, PartsThatDoNotFitAreReadWhole) {
+  const TemporaryFolder folder;
+  std::string text = waves(40000, true);
+  text += std::string(text.size(), '\n');  // half of the file is empty lines
+  EXPECT_EQ(profileExtent(folder.write("p.csv", text)).rows, 40000);
+}
+
+TEST(ProfileStart, IsTheFirstRows) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("p.csv", waves(5000, true));
+  const Profile whole = readProfile(file);
+  for (const std::int64_t rows : {3, 100, 2500, 5000}) {
+    const Profile start = readProfileStart(file, rows);
+    ASSERT_EQ(start.height.size(), static_cast<std::size_t>(rows));
+    EXPECT_TRUE(std::equal(start.height.begin(), start.height.end(), whole.height.begin()));
+    EXPECT_NEAR(start.length, 5e-6 * static_cast<double>(rows), 1e-9);
+  }
+  EXPECT_EQ(readProfileStart(file, 6000).height, whole.height);
 }
 
 }  // namespace

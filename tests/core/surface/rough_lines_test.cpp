@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "core/surface/line_source.h"
-#include "core/surface/summit_correlation.h"
+#include "core/surface/spectrum.h"
 
 namespace asperity {
 namespace {

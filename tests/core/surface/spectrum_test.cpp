@@ -9,10 +9,10 @@ namespace asperity {
 namespace {
 
 TEST(Spectrum, TheNyquistModeIsDropped) {
-  EXPECT_EQ(modesOf(3), 1U);
-  EXPECT_EQ(modesOf(4), 1U);
-  EXPECT_EQ(modesOf(5), 2U);
-  EXPECT_EQ(modesOf(5000), 2499U);
+  EXPECT_EQ(modeCount(3), 1U);
+  EXPECT_EQ(modeCount(4), 1U);
+  EXPECT_EQ(modeCount(5), 2U);
+  EXPECT_EQ(modeCount(5000), 2499U);
 }
 
 TEST(Spectrum, AmplitudesFollowThePowerLawAndGiveTheHeight) {
@@ -41,8 +41,8 @@ TEST(Spectrum, SlopeOfThePapersLine) {
 
 TEST(Spectrum, HeightAndSlopeOfOneMode) {
   FourierLine line{0.02, {0, {3e-7, 4e-7}}};  // amplitude 2 |c| = 1e-6 at mode 2
-  EXPECT_NEAR(rmsHeightOf(line), 1e-6 / std::sqrt(2), 1e-20);
-  EXPECT_NEAR(rmsSlopeOf(line), 1e-6 * 200 * std::numbers::pi / std::sqrt(2), 1e-16);
+  EXPECT_NEAR(rmsHeight(line), 1e-6 / std::sqrt(2), 1e-20);
+  EXPECT_NEAR(rmsSlope(line), 1e-6 * 200 * std::numbers::pi / std::sqrt(2), 1e-16);
 }
 
 }  // namespace

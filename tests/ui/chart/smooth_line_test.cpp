@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/run/line_diagrams.h"
-#include "core/surface/shapes.h"
+#include "core/surface/line.h"
 #include "ui/chart/diagram_series.h"
 
 namespace asperity {

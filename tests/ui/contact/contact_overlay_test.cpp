@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "tests/ui/contact/sample_frame.h"
-#include "ui/draw/colours.h"
 #include "ui/contact/contact_forces.h"
+#include "ui/draw/colours.h"
 #include "ui/draw/text_metrics.h"
 
 namespace asperity {
@@ -232,6 +232,21 @@ TEST(ForceArrows, ShowFrictionInTotal) {
   const double deformation = arrowsOf(frame).sideways;
   frame.muInterface = frame.muSteady;
   EXPECT_NEAR(arrowsOf(frame).sideways, 2 * deformation, 1e-3);
+}
+
+/// In a low picture they do not lie across the line, now or later.
+TEST(ForceArrows, StayAboveTheLineOfALowPicture) {
+  const Frame frame = *sampleFrame({});
+  for (const float height : {220.0F, 260.0F, 300.0F, 340.0F}) {
+    ContactPictureOptions options;
+    options.width = 700;
+    options.height = static_cast<int>(height);
+    const ContactLayout layout = layoutContact(frame, options, 60);
+    const float top = layout.plot.y + 40;
+    const ForceArrows arrows = forceArrows(frame, layout, top);
+    for (const double line : frame.lineHeight)
+      EXPECT_TRUE(arrows.down == 0 || layout.py(line) > top + arrows.down);
+  }
 }
 
 TEST(ForceArrows, StayInThePlotWhateverTheForces) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/run/simulation.h"
 #include "tests/ui/contact/sample_frame.h"
 #include "tests/ui/contact/tidy_texts.h"
 #include "ui/contact/contact_insets.h"
@@ -74,6 +75,91 @@ TEST(Probe, SaysItInEngineeringUnits) {
             "\u00B5m; pressure p = 12.0 N/m; slope z\u2032 = \u22120.00150; ");
 }
 
+Scene movingScene(SlidingKind kind) {
+  Scene scene;
+  scene.surface.elements = 300;
+  scene.accuracy.oversampling = 4;
+  scene.load.normalForce = 0.2;
+  scene.sliding = {kind, 0.05, 0.2};
+  scene.sliding.duration = 0.05;
+  scene.sliding.amplitude = 0.05;
+  return scene;
+}
+
+/// p = 4 (G |u| - eta du/dt) at every point of every frame, with what the crosshair says.
+void expectTheLaw(const Frame& frame) {
+  const double g = frame.scene->elastomer.shearModulus;
+  const double eta = g * frame.scene->elastomer.relaxationTime;
+  const double largest = std::ranges::max(frame.pressure);
+  for (std::size_t i = 0; i < frame.pressure.size(); ++i) {
+    const auto reading = probeReading(frame, static_cast<double>(i) * frame.spacing);
+    ASSERT_TRUE(reading->surfaceRate);
+    EXPECT_NEAR(reading->pressure, 4 * (-g * reading->surface - eta * *reading->surfaceRate),
+                1e-12 * largest);
+  }
+}
+
+/// Relative difference (root mean square) between the rates said and those by which the elastomer
+/// moves until the next frame.
+double rateError(const Frame& now, const Frame& next) {
+  double difference = 0, all = 0;
+  for (std::size_t i = 0; i < now.pressure.size(); ++i) {
+    const double x = static_cast<double>(i) * now.spacing;
+    const bool isHeld = now.pressure[i] > 0 && next.pressure[i] > 0;
+    const bool isFree = now.pressure[i] == 0 && next.pressure[i] == 0;
+    if (!isHeld && !isFree) continue;  // the rate jumps where an element is met
+    const double moved = (next.surfaceHeight[i] - now.surfaceHeight[i]) / (next.time - now.time);
+    const double mean =
+        0.5 * (*probeReading(now, x)->surfaceRate + *probeReading(next, x)->surfaceRate);
+    difference += std::pow(mean - moved, 2);
+    all += moved * moved;
+  }
+  return std::sqrt(difference / all);
+}
+
+TEST(Probe, PressureInAMotionIsThatOfTheDepthAndTheRateShown) {
+  for (const SlidingKind kind : {SlidingKind::Step, SlidingKind::Start, SlidingKind::Oscillation}) {
+    Simulation simulation(std::make_shared<const Scene>(movingScene(kind)), 1);
+    for (int i = 0; i < 30; ++i) {
+      simulation.advance(0.02, 1.0 / 60);
+      expectTheLaw(simulation.frame());
+    }
+    const Frame now = simulation.frame();
+    simulation.advance(1e-3, 1.0 / 60);
+    EXPECT_LT(rateError(now, simulation.frame()), 0.25);
+  }
+}
+
+TEST(Probe, PressureOfASettlingPictureIsThatOfTheDepthAndTheRateShown) {
+  Scene scene = movingScene(SlidingKind::Steady);
+  Simulation simulation(std::make_shared<const Scene>(scene), 1);
+  EXPECT_FALSE(probeReading(simulation.frame(), 0)->surfaceRate);  // it is v z'
+  scene.load.normalForce = 2;
+  simulation.update(std::make_shared<const Scene>(scene), 2);
+  int settling = 0;
+  for (int i = 0; i < 5; ++i) {
+    simulation.advance(1e-4, 1.0 / 60);
+    const Frame frame = simulation.frame();
+    if (!frame.isSettling) break;
+    ++settling;
+    expectTheLaw(frame);
+  }
+  EXPECT_GT(settling, 0);
+}
+
+TEST(Probe, RateIsSaidWhereTheLawHasOne) {
+  Scene scene = movingScene(SlidingKind::Step);
+  Simulation simulation(std::make_shared<const Scene>(scene), 1);
+  const auto lines = probeLines(*probeReading(simulation.frame(), 0));
+  EXPECT_TRUE(
+      std::ranges::any_of(lines, [](const ProbeLine& line) { return line.label == "rate du/dt"; }));
+  scene.elastomer.rheology = Rheology::Prony;
+  scene.elastomer.equilibriumModulus = 1e7;
+  scene.elastomer.arms = {{1e7, 1e-3}};
+  simulation = Simulation(std::make_shared<const Scene>(scene), 2);
+  EXPECT_FALSE(probeReading(simulation.frame(), 0)->surfaceRate);
+}
+
 struct Size {
   int width, height;
   float scale;
@@ -138,6 +224,50 @@ TEST(Probe, ReadoutNeverCoversThePoint) {
       EXPECT_LE(right, static_cast<float>(size.width));
     }
   EXPECT_GT(shown, 200);
+}
+
+/// The readout's box: the last layer's triangles, or no width where there is none.
+Box readoutBox(const DrawList& list) {
+  const DrawLayer& layer = list.layers.back();
+  if (!layer.lines.empty() || layer.triangles.size() != 12) return {};
+  float left = 1e9F, right = 0, top = 1e9F, bottom = 0;
+  for (const DrawVertex& v : layer.triangles) {
+    left = std::min(left, v.x);
+    right = std::max(right, v.x);
+    top = std::min(top, v.y);
+    bottom = std::max(bottom, v.y);
+  }
+  return {left, top, right - left, bottom - top};
+}
+
+/// Pictures as journals print them, 86 mm at 300 dots to an inch: low in units of their texts.
+TEST(Probe, ReadoutStaysInThePlotAndOffTheMagnifier) {
+  SampleOptions sample;
+  sample.points = 400;
+  Frame frame = *sampleFrame(sample);
+  frame.sinceContact.assign(400, 1.234e-3);
+  frame.power.assign(400, 0.123);
+  int shown = 0;
+  for (const Size& size : {Size{1016, 760, 3.125F},
+                           {1016, 500, 3.125F},
+                           {508, 380, 1.5F},
+                           {480, 300, 1},
+                           {640, 360, 1}})
+    for (int i = 0; i <= 40; ++i) {
+      ContactPictureOptions options;
+      options.width = size.width;
+      options.height = size.height;
+      options.scale = size.scale;
+      options.probe = i / 40.0 * frame.length;
+      options.magnifier = Magnifier{*options.probe - 0.02 * frame.length, 8};
+      const Box box = readoutBox(composeContact(frame, options));
+      if (!(box.width > 0)) continue;
+      ++shown;
+      const Clip plot = contactPlotArea(frame, options);
+      EXPECT_GE(box.y, plot.y) << size.width << " " << i;
+      EXPECT_LE(box.bottom(), plot.y + plot.height) << size.width << " " << i;
+    }
+  EXPECT_GT(shown, 100);
 }
 
 /// The plate under the scale's bars is the second but last rectangle of the top layer's triangles.

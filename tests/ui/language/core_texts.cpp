@@ -12,10 +12,9 @@
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
-#include "core/contact/balance_error.h"
+#include "core/contact/steady_sliding.h"
 #include "core/friction/curve_difference.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/line_plan.h"
 #include "core/paper/figure.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/motion_table.h"
@@ -178,7 +177,7 @@ Texts refusalTexts() {
   for (const double residual : {0.0, 0.03}) {
     unmet.residual = residual;
     for (const char* where : {"", " on realization 3"})
-      texts.insert(unmetBalance(unmet, 0.5, where).what());
+      texts.insert(balanceError(unmet, 0.5, where).what());
   }
   const auto refused = [&](const Parameter& row, const auto& give) {
     Scene scene;

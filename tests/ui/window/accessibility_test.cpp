@@ -13,7 +13,7 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/figures/gallery_page.h"
-#include "ui/window/main/shortcut_sheet.h"
+#include "ui/window/main/menu_keys.h"
 
 namespace asperity {
 namespace {
@@ -45,7 +45,7 @@ bool isInsideOfAControl(const QWidget* widget) {
 }
 
 TEST_F(AccessibilityTest, WhatTakesTheFocusHasAName) {
-  window_.gallery();
+  window_.figures().gallery();
   int count = 0;
   for (QWidget* widget : window_.findChildren<QWidget*>()) {
     if (widget->focusPolicy() == Qt::NoFocus || isInsideOfAControl(widget)) continue;

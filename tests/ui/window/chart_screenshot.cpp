@@ -16,10 +16,13 @@
 
 #include "ui/chart/chart_view.h"
 #include "ui/window/curve/curve_commands.h"
+#include "ui/window/main/appearance.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/run_window.h"
+#include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/session.h"
+#include "ui/window/main/window_layout.h"
 
 namespace {
 
@@ -39,7 +42,7 @@ class Walk {
   void show(const std::function<void(Scene&)>& change) {
     Scene scene = window_.session().scene();
     change(scene);
-    window_.editScene(scene);
+    window_.document().edit(scene);
     complete();
   }
   void complete() {
@@ -56,7 +59,7 @@ class Walk {
   }
   void present(bool on) {
     const QSize size = window_.size();
-    window_.setPresenting(on);
+    window_.windowLayout().setPresenting(on);
     window_.resize(size);
   }
   void tab(int index) { window_.findChild<QTabWidget*>("tabs")->setCurrentIndex(index); }
@@ -140,7 +143,7 @@ int main(int argc, char** argv) {
   const std::vector<LibraryScene> library = libraryScenes();
   const auto scene = std::ranges::find(library, QStringLiteral("figure_2"), &LibraryScene::name);
   MainWindow window(scene == library.end() ? Scene{} : scene->scene);
-  window.setDark(parser.isSet("dark"));
+  window.appearance().setDark(parser.isSet("dark"));
   const QStringList sides = parser.value("size").split('x');
   window.resize(sides[0].toInt(), sides[1].toInt());
   window.show();

@@ -1,5 +1,5 @@
 // The contact view driven as by hands: wheel, drag, pinch, keys, menu.
-#include "ui/window/main/contact_canvas.h"
+#include "ui/window/contact/contact_canvas.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 
 #include "core/run/steady_frames.h"
 #include "qt_application.h"
-#include "ui/window/main/contact_view_actions.h"
+#include "ui/window/contact/contact_view_actions.h"
 
 namespace asperity {
 namespace {

@@ -22,8 +22,8 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/chart/chart_view.h"
-#include "ui/window/main/command_text.h"
-#include "ui/window/main/contact_canvas.h"
+#include "ui/window/contact/contact_canvas.h"
+#include "ui/window/main/exports.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
@@ -90,7 +90,7 @@ TEST_F(CopyTest, AShippedSceneIsSaidByItsNameAndWhatDiffers) {
 TEST_F(CopyTest, AFileIsSaidByItsPathHoweverItIsCalled) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("it's mine.json");
-  ASSERT_TRUE(window_.saveScene(file));
+  ASSERT_TRUE(window_.documents().saveTo(file));
   type("sliding.velocity", "0.125 m/s");
   action("copyCurveCommand").trigger();
   const QStringList words = wordsOf(clipboardText());
@@ -104,7 +104,7 @@ TEST_F(CopyTest, ASceneFromNowhereIsSaidWithAllThatDiffers) {
   scene.description = "two\nlines";
   scene.elastomer.rheology = Rheology::Prony;
   scene.elastomer.arms = {{1e6, 1e-4}, {2e6, 1e-2}};
-  window_.showScene(scene);
+  window_.document().open(scene);
   action("copyCommand").trigger();
   EXPECT_EQ(writeScene(sceneSaid(wordsOf(clipboardText()))), writeScene(scene));
 }
@@ -128,7 +128,7 @@ TEST_F(CopyTest, ColoursAreSaidWhereTheyAreNotTheUsualOnes) {
 }
 
 TEST_F(CopyTest, ThePictureIsSaidAsItIsShown) {
-  window_.setDark(true);
+  window_.appearance().setDark(true);
   window_.resize(1000, 700);
   action("copyCommand").trigger();
   QStringList words = wordsOf(clipboardText());
@@ -141,7 +141,7 @@ TEST_F(CopyTest, ThePictureIsSaidAsItIsShown) {
   const QSize size = window_.canvas().size();
   EXPECT_EQ(words.value(words.indexOf("--size") + 1),
             QStringLiteral("%1x%2").arg(size.width()).arg(size.height()));
-  window_.setDark(false);
+  window_.appearance().setDark(false);
 }
 
 /// What a copied call draws.
@@ -173,8 +173,8 @@ class CallTest : public MainWindowTest {
   }
   QImage shown() {
     const QString file = folder_.filePath("shown.png");
-    QSignalSpy exported(&window_, &MainWindow::exported);
-    window_.savePicture(file);
+    QSignalSpy exported(&window_.exports(), &Exports::exported);
+    window_.exports().savePicture(file);
     EXPECT_TRUE(waitFor([&] { return exported.count() == 1; }));
     return QImage(file);
   }
@@ -257,7 +257,7 @@ TEST_F(CallTest, DrawsTheMomentOfAMotion) {
                                       {SlidingKind::Start, ContactOverlay::Power}}) {
     canvas.setOverlay(overlay);
     canvas.magnify(true);
-    window_.showScene(motionOf(kind));
+    window_.document().open(motionOf(kind));
     session().setPlaying(true);
     ASSERT_TRUE(waitFor([&] {
       return frame() && frame()->sceneNumber == session().sceneNumber() && frame()->time > 0.005;
@@ -326,7 +326,7 @@ TEST_F(CallTest, DrawsWhatTheCurveIsComparedWith) {
 
 TEST_F(CopyTest, ThePictureGoesToTheClipboard) {
   ASSERT_TRUE(waitForFrame());
-  QSignalSpy exported(&window_, &MainWindow::exported);
+  QSignalSpy exported(&window_.exports(), &Exports::exported);
   const QSize size = window_.canvas().size();
   QTest::keyClick(&window_, Qt::Key_C, Qt::ControlModifier);
   ASSERT_TRUE(waitFor([&] { return exported.count() == 1; }));
@@ -338,16 +338,16 @@ TEST_F(CopyTest, ThePictureGoesToTheClipboard) {
 TEST_F(CopyTest, PicturesAreSavedAndOpenAsTheirScene) {
   ASSERT_TRUE(waitForFrame());
   const QTemporaryDir folder;
-  QSignalSpy exported(&window_, &MainWindow::exported);
+  QSignalSpy exported(&window_.exports(), &Exports::exported);
   int count = 0;
   for (const char* name : {"a.png", "a.svg", "a.pdf"}) {
     const QString file = folder.filePath(name);
-    window_.savePicture(file);
+    window_.exports().savePicture(file);
     ASSERT_TRUE(waitFor([&] { return exported.count() == count + 1; })) << name;
     ++count;
     EXPECT_EQ(writeScene(readProvenance(file.toStdString())), writeScene(smallScene())) << name;
   }
-  window_.savePicture(folder.filePath("a.bmp"));
+  window_.exports().savePicture(folder.filePath("a.bmp"));
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   EXPECT_TRUE(window_.messages().text().contains(".bmp"));
 }

@@ -99,7 +99,7 @@ TEST_F(CurveCommandsTest, PinsAreKeptComparedAndLetGo) {
   action("pinCurve").trigger();
   Scene scene = session().scene();
   scene.elastomer.shearModulus *= 2;
-  window_.editScene(scene);
+  window_.document().edit(scene);
   ASSERT_TRUE(waitForCurve());
   action("pinCurve").trigger();
   ASSERT_EQ(session().friction().pinned().size(), 2U);
@@ -123,7 +123,7 @@ TEST_F(CurveCommandsTest, DimensionlessAxesStayWhileScenesChange) {
   action("dimensionlessAxes").trigger();
   Scene scene = session().scene();
   scene.load.normalForce *= 3;
-  window_.editScene(scene);
+  window_.document().edit(scene);
   ASSERT_TRUE(waitForCurve());
   EXPECT_NE(chart().x.title.find("∇z"), std::string::npos);
   const double from = velocity();
@@ -140,7 +140,7 @@ TEST_F(CurveCommandsTest, WhatIsShownIsSavedInEveryFormatAndOpensAgain) {
   action("pinCurve").trigger();
   Scene scene = session().scene();
   scene.elastomer.shearModulus *= 2;
-  window_.editScene(scene);
+  window_.document().edit(scene);
   ASSERT_TRUE(waitForCurve());
   const QTemporaryDir folder;
   for (const char* name : {"curve.png", "curve.svg", "curve.pdf", "curve.csv"}) {
@@ -199,7 +199,7 @@ TEST_F(CurveCommandsTest, ASettingChosenInTheAccuracyPanelIsComparedBelowTheCurv
 
   Scene scene = session().scene();
   scene.load.normalForce *= 5;
-  window_.editScene(scene);
+  window_.document().edit(scene);
   EXPECT_TRUE(strip().isFaded) << "until that of the new scene is there";
   ASSERT_TRUE(waitForCurve());
   ASSERT_TRUE(waitFor(isComplete));
@@ -219,13 +219,13 @@ TEST_F(CurveCommandsTest, ATargetLeavesNothingToCompare) {
   ASSERT_TRUE(waitFor([this] { return plot().sheet().diagrams.size() == 2; }));
   Scene scene = session().scene();
   scene.accuracy.targetRelativeError = 0.1;
-  window_.editScene(scene);
+  window_.document().edit(scene);
   EXPECT_FALSE(control<QWidget>("comparisonBox").isEnabled());
   ASSERT_TRUE(waitFor([this] { return plot().sheet().diagrams.size() == 1; }));
 }
 
 TEST_F(CurveCommandsTest, ASliderBringsANewCurveAtOnceAndNeverMixesItWithTheOld) {
-  window_.showScene(Scene{});  // the paper's size
+  window_.document().open(Scene{});  // the paper's size
   ASSERT_TRUE(waitForCurve());
   auto& slider = control<ValueSlider>("slider:elastomer.shear_modulus");
   std::vector<double> milliseconds;

@@ -12,8 +12,8 @@
 #include "core/scene/scene_file.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
+#include "ui/window/main/document_commands.h"
 #include "ui/window/main/message_bar.h"
-#include "ui/window/main/recent_files.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {
@@ -123,7 +123,7 @@ TEST_F(DocumentTest, AnArmThatWasAddedOrRemovedIsUndoneByTheKey) {
   Scene scene = smallScene();
   scene.elastomer.rheology = Rheology::Prony;
   scene.elastomer.arms = {{1e7, 1e-3}, {2e6, 0.1}};
-  window_.showScene(scene);
+  window_.document().open(scene);
   const auto arms = [&] { return session().scene().elastomer.arms.size(); };
   const auto undo = [] {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier);
@@ -216,7 +216,7 @@ TEST_F(DocumentTest, AnUnchangedSceneIsLeftWithoutAQuestion) {
 TEST_F(DocumentTest, TheQuestionNamesTheSceneAndItsFileAndHasLetters) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("mine.json");
-  ASSERT_TRUE(window_.saveScene(file));
+  ASSERT_TRUE(window_.documents().saveTo(file));
   press("load.normal_force");
   QString text, detail;
   QStringList buttons;
@@ -233,7 +233,7 @@ TEST_F(DocumentTest, TheQuestionNamesTheSceneAndItsFileAndHasLetters) {
   EXPECT_TRUE(detail.contains(file)) << detail.toStdString();
   ASSERT_EQ(buttons.size(), 3);
   for (const QString& button : buttons) EXPECT_TRUE(button.contains('&')) << button.toStdString();
-  window_.showScene(smallScene());
+  window_.document().open(smallScene());
 }
 
 TEST_F(DocumentTest, CancelStaysWithTheChangedScene) {
@@ -263,7 +263,7 @@ TEST_F(DocumentTest, DiscardLosesTheChangesAndTheHistory) {
 TEST_F(DocumentTest, SaveWritesTheFileBeforeTheSceneIsLeft) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("mine.json");
-  ASSERT_TRUE(window_.saveScene(file));
+  ASSERT_TRUE(window_.documents().saveTo(file));
   type("load.normal_force", "0.75 N");
   answer(QMessageBox::Save);
   EXPECT_TRUE(window_.close());
@@ -273,7 +273,7 @@ TEST_F(DocumentTest, SaveWritesTheFileBeforeTheSceneIsLeft) {
 
 TEST_F(DocumentTest, SaveThatFailsStays) {
   QTemporaryDir folder;
-  ASSERT_TRUE(window_.saveScene(folder.filePath("mine.json")));
+  ASSERT_TRUE(window_.documents().saveTo(folder.filePath("mine.json")));
   folder.remove();
   press("load.normal_force");
   const Scene changed = session().scene();
@@ -309,7 +309,7 @@ TEST_F(DocumentTest, RecentFilesAreOfferedWhileTheyAreThere) {
   const QTemporaryDir folder;
   auto& menu = control<QMenu>("recentMenu");
   for (int i = 0; i < kMostRecentFiles + 2; ++i)
-    ASSERT_TRUE(window_.saveScene(folder.filePath(QStringLiteral("%1.json").arg(i))));
+    ASSERT_TRUE(window_.documents().saveTo(folder.filePath(QStringLiteral("%1.json").arg(i))));
   EXPECT_EQ(recentFiles().size(), kMostRecentFiles);
   EXPECT_EQ(menu.actions().first()->text(), "9.json");
   ASSERT_TRUE(QFile::remove(folder.filePath("9.json")));
@@ -327,8 +327,8 @@ TEST_F(DocumentTest, AnOpenedFileIsSavedWhereItCameFrom) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   const QTemporaryDir folder;
   const QString file = folder.filePath("mine.json");
-  ASSERT_TRUE(window_.saveScene(file));
-  window_.showScene(Scene{});
+  ASSERT_TRUE(window_.documents().saveTo(file));
+  window_.document().open(Scene{});
   EXPECT_TRUE(window_.document().file().isEmpty());
   ASSERT_TRUE(open(file));
   type("sliding.velocity", "0.125 m/s");

@@ -17,9 +17,9 @@
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_picture.h"
 #include "ui/window/figures/gallery_page.h"
+#include "ui/window/main/menu_keys.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_library.h"
-#include "ui/window/main/shortcut_sheet.h"
 
 namespace asperity {
 namespace {
@@ -52,7 +52,7 @@ TEST_P(EachLanguage, NothingIsCutOff) {
   ASSERT_TRUE(window.waitForCurve());
   auto& tabs = *window->findChild<QTabWidget*>("tabs");
   for (const bool dark : {false, true}) {
-    window->setDark(dark);
+    window->appearance().setDark(dark);
     for (int tab = 0; tab < tabs.count(); ++tab) {
       tabs.setCurrentIndex(tab);
       EXPECT_EQ(cutOffIn(*window), "") << tabs.tabText(tab).toStdString();
@@ -65,7 +65,7 @@ TEST_P(EachLanguage, NothingOfTheAccuracyPanelIsCutOffInAPresentation) {
   WindowIn window(GetParam());
   ASSERT_TRUE(window.waitForCurve());
   window->findChild<QAction*>("go:accuracyPanel")->trigger();
-  window->setPresenting(true);
+  window->windowLayout().setPresenting(true);
   window->resize(1280, 720);
   auto& panel = *window->findChild<AccuracyPanel*>("accuracyPanel");
   ASSERT_TRUE(QTest::qWaitFor(
@@ -76,7 +76,7 @@ TEST_P(EachLanguage, NothingOfTheAccuracyPanelIsCutOffInAPresentation) {
 
 TEST_P(EachLanguage, NothingOfTheFiguresPageIsCutOff) {
   WindowIn window(GetParam());
-  window->openFigures();
+  window->figures().openFigures();
   EXPECT_EQ(cutOffIn(*window), "");
 }
 
@@ -84,7 +84,7 @@ TEST_P(EachLanguage, NothingOfTheFiguresPageIsCutOff) {
 TEST_P(EachLanguage, NothingIsCutOffInAPresentation) {
   WindowIn window(GetParam());
   ASSERT_TRUE(window.waitForCurve());
-  window->setPresenting(true);
+  window->windowLayout().setPresenting(true);
   window->showNormal();  // the screen here may be smaller
   window->resize(1280, 720);
   auto& dock = *window->findChild<QDockWidget*>("parameterDock");
@@ -101,11 +101,11 @@ TEST_P(EachLanguage, NothingIsCutOffInAPresentation) {
 
   ASSERT_EQ(window->width(), 1280);
 
-  window->openFigures();
-  EXPECT_EQ(cutOffIn(window->gallery()), "");
-  const auto& list = *window->gallery().findChild<FigureList*>();
+  window->figures().openFigures();
+  EXPECT_EQ(cutOffIn(window->figures().gallery()), "");
+  const auto& list = *window->figures().gallery().findChild<FigureList*>();
   EXPECT_GE(list.width(), list.minimumSizeHint().width());
-  EXPECT_GE(window->gallery().picture().width(), 1280 / 2);
+  EXPECT_GE(window->figures().gallery().picture().width(), 1280 / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Window, EachLanguage, testing::Values("en", "de"),
@@ -146,7 +146,7 @@ TEST(GermanWindow, ShippedScenesSpeakGermanAndOthersAsTheyWereWritten) {
   Scene own = smallScene();
   own.title = "linear";
   own.description = "velocity sweep";
-  window->showScene(own);
+  window->document().open(own);
   EXPECT_EQ(title->text(), "linear");
   EXPECT_EQ(description->toPlainText(), "velocity sweep");
   EXPECT_EQ(window->windowTitle(), QStringLiteral("linear[*] – Asperity"));
@@ -156,7 +156,7 @@ TEST(GermanWindow, AComplaintAboutTheSceneIsGerman) {
   WindowIn window("de");
   Scene empty = smallScene();
   empty.elastomer = prony(0, {});
-  window->editScene(empty);
+  window->document().edit(empty);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window->messages().isVisible(); }, kWindowPatience));
   EXPECT_EQ(window->messages().text(),
             "elastomer.equilibrium_modulus: ist 0 und alles andere auch: Das Elastomer ist leer");

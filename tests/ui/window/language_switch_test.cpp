@@ -20,12 +20,13 @@
 #include "ui/chart/chart_view.h"
 #include "ui/panels/arms_editor.h"
 #include "ui/window/accuracy/accuracy_panel.h"
+#include "ui/window/contact/contact_canvas.h"
 #include "ui/window/figures/claims_table.h"
 #include "ui/window/figures/gallery_page.h"
 #include "ui/window/main/contact_canvas.h"
 #include "ui/window/main/message_bar.h"
+#include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_document.h"
-#include "ui/window/main/window_language.h"
 
 namespace asperity {
 namespace {
@@ -41,7 +42,7 @@ TEST(LanguageSwitch, LeavesNoWordBehindInEitherDirection) {
   window->setLanguage("de");
   EXPECT_EQ(presentLanguage(), "de");
   ASSERT_TRUE(window.waitForCurve());
-  EXPECT_TRUE(window->isTouring());
+  EXPECT_TRUE(window->tour().isRunning());
   const Texts german = textsOf(*window);
   EXPECT_THAT(leftOver(german, english), IsEmpty());
   EXPECT_GT(german.size(), 150U);
@@ -57,10 +58,10 @@ TEST(LanguageSwitch, KeepsSceneHistoryRunsAndLayout) {
   ASSERT_TRUE(window.waitForCurve());
   Scene scene = window->session().scene();
   scene.load.normalForce = 0.01;
-  window->editScene(scene);
+  window->document().edit(scene);
   window->findChild<QAction*>("resetAll")->trigger();
   window->document().history().undo();
-  window->setDark(true);
+  window->appearance().setDark(true);
   window->findChild<QDockWidget*>("parameterDock")->hide();
   auto* tabs = window->findChild<QTabWidget*>("tabs");
   const QString name = tabs->widget(2)->objectName();
@@ -73,7 +74,7 @@ TEST(LanguageSwitch, KeepsSceneHistoryRunsAndLayout) {
   EXPECT_EQ(window->session().scene(), scene);
   EXPECT_EQ(window->session().sceneNumber(), number);  // nothing was begun anew
   EXPECT_FALSE(window->session().isPlaying());
-  EXPECT_TRUE(window->isDark());
+  EXPECT_TRUE(window->appearance().isDark());
   EXPECT_TRUE(window->findChild<QDockWidget*>("parameterDock")->isHidden());
   tabs = window->findChild<QTabWidget*>("tabs");
   EXPECT_EQ(tabs->currentWidget()->objectName(), name);
@@ -169,26 +170,26 @@ TEST(LanguageSwitch, KeepsWhatIsBeingTypedAndWhyItWasRefused) {
 
 TEST(LanguageSwitch, KeepsTheFiguresPage) {
   WindowIn window("en");
-  window->setDark(true);
+  window->appearance().setDark(true);
   window->resize(1920, 1080);
-  window->openFigures();
-  window->gallery().findChild<QSpinBox*>("realizations")->setValue(2);
-  window->gallery().choose(FigureName::Exponents, true);
+  window->figures().openFigures();
+  window->figures().gallery().findChild<QSpinBox*>("realizations")->setValue(2);
+  window->figures().gallery().choose(FigureName::Exponents, true);
   const auto made = [&] {
-    return window->gallery().gallery().status(FigureName::Exponents).made != nullptr;
+    return window->figures().gallery().gallery().status(FigureName::Exponents).made != nullptr;
   };
   ASSERT_TRUE(QTest::qWaitFor(made, 6 * kWindowPatience));
-  const auto claims = [&] { return window->gallery().findChild<ClaimsTable*>(); };
+  const auto claims = [&] { return window->figures().gallery().findChild<ClaimsTable*>(); };
   ASSERT_GT(claims()->rowCount(), 1);
   claims()->selectRow(1);
   std::vector<int> heights;
   for (int row = 0; row < claims()->rowCount(); ++row) heights.push_back(claims()->rowHeight(row));
 
   window->setLanguage("de");
-  EXPECT_EQ(window->gallery().findChild<QSpinBox*>("realizations")->value(), 2);
+  EXPECT_EQ(window->figures().gallery().findChild<QSpinBox*>("realizations")->value(), 2);
   EXPECT_EQ(claims()->unfolded(), 1);
   window->setLanguage("en");
-  EXPECT_EQ(window->gallery().chosen(), FigureName::Exponents);
+  EXPECT_EQ(window->figures().gallery().chosen(), FigureName::Exponents);
   EXPECT_EQ(claims()->unfolded(), 1);
   const auto haveTheirHeights = [&] {
     for (int row = 0; row < claims()->rowCount(); ++row)
@@ -202,17 +203,17 @@ TEST(LanguageSwitch, KeepsComplaintsComparisonsAndFigures) {
   WindowIn window("en");
   ASSERT_TRUE(window.waitForCurve());
   window->findChild<QCheckBox*>("comparisonWanted")->setChecked(true);
-  window->openFigures();
-  FigureGallery* figures = &window->gallery().gallery();
+  window->figures().openFigures();
+  FigureGallery* figures = &window->figures().gallery().gallery();
   window->setLanguage("de");
-  EXPECT_TRUE(window->isShowingFigures());
-  EXPECT_EQ(&window->gallery().gallery(), figures);
-  window->closeFigures();
+  EXPECT_TRUE(window->figures().isShowingFigures());
+  EXPECT_EQ(&window->figures().gallery().gallery(), figures);
+  window->figures().closeFigures();
   EXPECT_TRUE(window->findChild<QCheckBox*>("comparisonWanted")->isChecked());
 
   Scene empty = smallScene();
   empty.elastomer = prony(0, {});
-  window->editScene(empty);
+  window->document().edit(empty);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window->messages().isVisible(); }, kWindowPatience));
   const QString key = window->messages().text().section(':', 0, 0);
   window->setLanguage("en");
@@ -251,7 +252,7 @@ TEST(LanguageSwitch, KeepsTheMeasuredComparisonOfMethods) {
   EXPECT_TRUE(panel->findChild<QToolButton*>("region:1"));
   Scene other = window->session().scene();
   other.load.normalForce *= 2;
-  window->editScene(other);
+  window->document().edit(other);
   EXPECT_FALSE(panel->comparedMethods());
 }
 

@@ -71,7 +71,7 @@ TEST_F(LayoutTest, TheMotionsTabComesOnlyWithAMotion) {
   EXPECT_FALSE(tabs().isTabVisible(1));
   Scene moving = smallScene();
   moving.sliding.kind = SlidingKind::Step;
-  window_.showScene(moving);
+  window_.document().open(moving);
   EXPECT_TRUE(action("tab:transientStrips").isVisible());
   EXPECT_TRUE(tabs().isTabVisible(1));
 }
@@ -99,8 +99,9 @@ TEST_F(LayoutTest, ThePageOfFiguresShowsOneAtOnceAndNothingOfTheScene) {
   ASSERT_TRUE(waitFor([&] { return description.isVisible(); }));
   action("figures").trigger();
   EXPECT_FALSE(description.isVisible());
-  const FigureName first = window_.gallery().chosen();
-  EXPECT_TRUE(waitFor([&] { return window_.gallery().gallery().status(first).made != nullptr; }));
+  const FigureName first = window_.figures().gallery().chosen();
+  EXPECT_TRUE(
+      waitFor([&] { return window_.figures().gallery().gallery().status(first).made != nullptr; }));
   action("figures").trigger();
   EXPECT_TRUE(description.isVisible());
 }
@@ -109,7 +110,7 @@ TEST_F(LayoutTest, ThePlanIsWholeInAPresentation) {
   action("go:planList").trigger();
   auto& plan = control<QTreeWidget>("planList");
   for (const bool presenting : {true, false}) {
-    window_.setPresenting(presenting);
+    window_.windowLayout().setPresenting(presenting);
     QCoreApplication::processEvents();
     const QFontMetrics metrics(plan.font());
     for (int row = 0; row < plan.topLevelItemCount(); ++row)
@@ -124,7 +125,7 @@ TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   const double before = QApplication::font().pointSizeF();
   QTest::keyClick(&window_, Qt::Key_F5);
-  EXPECT_TRUE(window_.isPresenting());
+  EXPECT_TRUE(window_.windowLayout().isPresenting());
   EXPECT_TRUE(window_.isFullScreen());
   EXPECT_NEAR(QApplication::font().pointSizeF(), presentedScale(window_.screen()->size()) * before,
               0.01);
@@ -136,7 +137,7 @@ TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
   QTest::keyClick(&window_, Qt::Key_F9);  // keys go on without a menu
   EXPECT_TRUE(dock().isVisible());
   QTest::keyClick(&window_, Qt::Key_Escape);
-  EXPECT_FALSE(window_.isPresenting());
+  EXPECT_FALSE(window_.windowLayout().isPresenting());
   EXPECT_FALSE(window_.isFullScreen());
   EXPECT_EQ(QApplication::font().pointSizeF(), before);
   EXPECT_TRUE(window_.menuBar()->isVisible());
@@ -145,8 +146,8 @@ TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
 
 TEST_F(LayoutTest, WhatEndsAPresentationIsAsItWasBefore) {
   dock().hide();
-  window_.setPresenting(true);
-  window_.setPresenting(false);
+  window_.windowLayout().setPresenting(true);
+  window_.windowLayout().setPresenting(false);
   EXPECT_FALSE(dock().isVisible());
 }
 
@@ -168,11 +169,11 @@ TEST_F(LayoutTest, APresentationGivesBackSizesToThePixel) {
     action(opened).trigger();
     QCoreApplication::processEvents();
     QTest::keyClick(&window_, Qt::Key_F5);
-    EXPECT_EQ(window_.gallery().isVisible(), QString(opened) == "figures");
-    if (window_.gallery().isVisible()) {
+    EXPECT_EQ(window_.figures().gallery().isVisible(), QString(opened) == "figures");
+    if (window_.figures().gallery().isVisible()) {
       EXPECT_FALSE(dock().isVisible());
       EXPECT_FALSE(window_.statusBar()->isVisible());
-      window_.closeFigures();
+      window_.figures().closeFigures();
     }
     EXPECT_TRUE(QTest::qWaitFor([&] { return sizes() == before; }, 2000)) << opened;
     EXPECT_EQ(sizes(), before) << opened;
@@ -191,45 +192,45 @@ TEST_F(LayoutTest, EscapeClosesTheFiguresAndThenEndsThePresentation) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   QTest::keyClick(&window_, Qt::Key_F5);
   QTest::keyClick(&window_, Qt::Key_G, Qt::ControlModifier);
-  ASSERT_TRUE(window_.gallery().isVisible());
+  ASSERT_TRUE(window_.figures().gallery().isVisible());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
-  EXPECT_FALSE(window_.gallery().isVisible());
-  EXPECT_TRUE(window_.isPresenting());
+  EXPECT_FALSE(window_.figures().gallery().isVisible());
+  EXPECT_TRUE(window_.windowLayout().isPresenting());
   for (const QWidget* hidden : std::initializer_list<QWidget*>{&dock(), window_.statusBar()})
     EXPECT_FALSE(hidden->isVisible());
   QTest::keyClick(&window_, Qt::Key_Escape);
-  EXPECT_FALSE(window_.isPresenting());
+  EXPECT_FALSE(window_.windowLayout().isPresenting());
 }
 
 TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   const auto next = [] {
     auto window = std::make_unique<MainWindow>(smallScene());
-    window->rememberLayout();
+    window->windowLayout().remember();
     window->show();
     return window;
   };
   auto first = next();
   first->findChild<QDockWidget*>("parameterDock")->hide();
   first->findChild<QAction*>("tab:planList")->setChecked(false);
-  first->setColours(Colours::Dark);
+  first->appearance().setColours(Colours::Dark);
   const QRect place(QGuiApplication::screens().back()->geometry().topLeft() + QPoint(100, 100),
                     QSize(1100, 700));
   first->setGeometry(place);
-  first->setPresenting(true);  // is not kept
+  first->windowLayout().setPresenting(true);  // is not kept
   ASSERT_TRUE(first->close());
   first.reset();
 
   auto second = next();
   EXPECT_FALSE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
   EXPECT_FALSE(second->findChild<QAction*>("tab:planList")->isChecked());
-  EXPECT_EQ(second->colours(), Colours::Dark);
-  EXPECT_TRUE(second->isDark());
+  EXPECT_EQ(second->appearance().colours(), Colours::Dark);
+  EXPECT_TRUE(second->appearance().isDark());
   EXPECT_FALSE(second->isFullScreen());
   EXPECT_TRUE(second->menuBar()->isVisible());
   EXPECT_EQ(second->geometry(), place);
-  second->restoreDefaultLayout();
+  second->windowLayout().restoreDefault();
   EXPECT_TRUE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
-  second->setColours(Colours::Light);
+  second->appearance().setColours(Colours::Light);
 }
 
 /// The window with what a window manager draws around it.
@@ -247,7 +248,7 @@ TEST_F(LayoutTest, TheFirstWindowFitsItsScreen) {
     QSettings().clear();
     MainWindow window(smallScene());
     window.setScreen(screen);
-    window.rememberLayout();
+    window.windowLayout().remember();
     const QSize room = screen->availableGeometry().size();
     EXPECT_LE(window.width(), room.width() - 8);
     EXPECT_LE(window.height(), room.height() - 34);
@@ -266,14 +267,14 @@ TEST_F(LayoutTest, AWindowOfALargerScreenFitsASmallerOne) {
     QSettings().clear();
     {
       MainWindow first(smallScene());
-      first.rememberLayout();
+      first.windowLayout().remember();
       first.setGeometry(9000, 2000, 2500, 1400);  // of a screen that is away then
       first.show();
       if (maximized) first.showMaximized();
       ASSERT_TRUE(first.close());
     }
     MainWindow second(smallScene());
-    second.rememberLayout();
+    second.windowLayout().remember();
     second.setWindowState(Qt::WindowNoState);
     const QScreen* there = QGuiApplication::screenAt(second.geometry().center());
     ASSERT_TRUE(there);
@@ -284,7 +285,7 @@ TEST_F(LayoutTest, AWindowOfALargerScreenFitsASmallerOne) {
     QRect much(0, 0, 2700, 1600);
     much.moveCenter(screen->geometry().center());
     window.setGeometry(much);
-    window.fitToScreen();
+    window.windowLayout().fitToScreen();
     expectOnScreen(window, *screen);
   }
 }
@@ -297,7 +298,7 @@ TEST_F(LayoutTest, CommandsThatHaveNoRoomAreBehindAnArrow) {
   ASSERT_TRUE(waitFor([&] { return !more.isVisible(); }));
   window_.setMinimumSize(300, 300);
   for (const bool dark : {false, true}) {
-    window_.setDark(dark);
+    window_.appearance().setDark(dark);
     for (const int width : {880, 700, 500}) {
       window_.resize(width, 600);
       ASSERT_TRUE(waitFor([&] { return bar.width() <= width && more.isVisible(); })) << width;
@@ -317,13 +318,13 @@ TEST_F(LayoutTest, CommandsThatHaveNoRoomAreBehindAnArrow) {
 }
 
 TEST_F(LayoutTest, ColoursOfTheDesktopUnlessChosen) {
-  EXPECT_EQ(window_.colours(), Colours::System);
-  EXPECT_EQ(window_.isDark(), systemIsDark());
+  EXPECT_EQ(window_.appearance().colours(), Colours::System);
+  EXPECT_EQ(window_.appearance().isDark(), systemIsDark());
   action("light").trigger();
-  EXPECT_EQ(window_.isDark(), !systemIsDark());
+  EXPECT_EQ(window_.appearance().isDark(), !systemIsDark());
   EXPECT_TRUE(action(systemIsDark() ? "colours:1" : "colours:2").isChecked());
   action("colours:0").trigger();
-  EXPECT_EQ(window_.isDark(), systemIsDark());
+  EXPECT_EQ(window_.appearance().isDark(), systemIsDark());
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ class FiguresInTheWindowTest : public testing::Test {
   }
 
   QAction& action(const QString& name) { return *window_->findChild<QAction*>(name); }
-  GalleryPage& page() { return window_->gallery(); }
+  GalleryPage& page() { return window_->figures().gallery(); }
 
   std::unique_ptr<MainWindow> window_;
 };
@@ -96,7 +96,7 @@ TEST_F(FiguresInTheWindowTest, AFigureOpensAsASceneToPlayWith) {
 
 /// Of what is in sight: never the contact behind the page.
 TEST_F(FiguresInTheWindowTest, PicturesAreOfTheFigureThatIsShown) {
-  window_->openFigures();
+  window_->figures().openFigures();
   page().choose(FigureName::Forces, false);
   for (const char* name : {"savePicture", "copyPicture", "copyCommand", "copyCurveCommand"})
     EXPECT_FALSE(action(name).isEnabled()) << name;
@@ -114,7 +114,7 @@ TEST_F(FiguresInTheWindowTest, PicturesAreOfTheFigureThatIsShown) {
   });
   action("savePicture").trigger();
   EXPECT_EQ(proposed, "figure_1.png");
-  window_->closeFigures();
+  window_->figures().closeFigures();
   for (const char* name : {"savePicture", "copyPicture", "copyCommand", "copyCurveCommand"})
     EXPECT_TRUE(action(name).isEnabled()) << name;
 }
@@ -124,7 +124,7 @@ TEST_F(FiguresInTheWindowTest, TheContactGoesOnWhileAFigureIsComputed) {
   action("figure:6").trigger();
   const auto part = [&] { return page().gallery().status(FigureName::Plateau).part; };
   ASSERT_TRUE(waitFor([&] { return part() > 0; }));
-  window_->closeFigures();  // behind its page the contact rests
+  window_->figures().closeFigures();  // behind its page the contact rests
   QSignalSpy frames(&window_->session(), &Session::frameArrived);
   EXPECT_TRUE(waitFor([&] { return frames.count() >= 5; }));
   EXPECT_EQ(page().gallery().computing(), FigureName::Plateau);

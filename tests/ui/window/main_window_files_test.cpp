@@ -35,7 +35,7 @@ TEST_F(MainWindowTest, WhatIsSaidOfAFileStaysWhileTheSceneRuns) {
   ASSERT_TRUE(waitForFrame());
   EXPECT_TRUE(waitFor([&] { return !runs.isEmpty(); }));
   EXPECT_TRUE(window_.messages().isVisible());
-  window_.showScene(smallScene());
+  window_.document().open(smallScene());
   EXPECT_FALSE(window_.messages().isVisible());
 }
 
@@ -50,7 +50,7 @@ TEST_F(MainWindowTest, AProfileWithoutAFileIsNeitherRunNorSaved) {
   EXPECT_EQ(session().sceneNumber(), before);
   EXPECT_FALSE(window_.messages().isVisible());
   const QTemporaryDir folder;
-  EXPECT_FALSE(window_.saveScene(folder.filePath("scene.json")));
+  EXPECT_FALSE(window_.documents().saveTo(folder.filePath("scene.json")));
   EXPECT_TRUE(window_.messages().text().contains("choose a profile file"));
 }
 
@@ -59,8 +59,8 @@ TEST_F(MainWindowTest, AFailureIsOverOnceItGoesWell) {
   const QTemporaryDir folder;
   ASSERT_TRUE(waitForFrame());
   const auto save = [&](const QString& file, bool isSaved) {
-    QSignalSpy saved(&window_, &MainWindow::exported);
-    window_.savePicture(file);
+    QSignalSpy saved(&window_.exports(), &Exports::exported);
+    window_.exports().savePicture(file);
     ASSERT_TRUE(
         waitFor([&] { return saved.count() == 1 || window_.messages().text().contains(file); }));
     EXPECT_EQ(saved.count() == 1, isSaved);
@@ -68,17 +68,17 @@ TEST_F(MainWindowTest, AFailureIsOverOnceItGoesWell) {
   const QString nowhere = folder.filePath("no_such_folder/picture.png");
   save(nowhere, false);
   EXPECT_TRUE(window_.messages().isVisible());
-  EXPECT_FALSE(window_.saveScene(folder.filePath("no_such_folder/scene.json")));
+  EXPECT_FALSE(window_.documents().saveTo(folder.filePath("no_such_folder/scene.json")));
   save(folder.filePath("picture.png"), true);
   EXPECT_TRUE(window_.messages().isVisible()) << "of the scene that was not saved";
-  EXPECT_TRUE(window_.saveScene(folder.filePath("scene.json")));
+  EXPECT_TRUE(window_.documents().saveTo(folder.filePath("scene.json")));
   EXPECT_FALSE(window_.messages().isVisible());
 
   Scene broken = smallScene();
   broken.surface.kind = SurfaceKind::Sine;
   broken.surface.waves = 8;
   broken.surface.elements = 10;
-  window_.showScene(broken);
+  window_.document().open(broken);
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   const QString complaint = window_.messages().text();
   save(nowhere, false);
@@ -93,8 +93,8 @@ TEST_F(MainWindowTest, ScenesAreSavedAndOpened) {
   const QString file = folder.filePath("scene.json");
   QTest::keyClick(&control<ValueSlider>("slider:load.normal_force"), Qt::Key_Right);
   const Scene changed = window_.panel().scene();
-  ASSERT_TRUE(window_.saveScene(file));
-  window_.showScene(Scene{});
+  ASSERT_TRUE(window_.documents().saveTo(file));
+  window_.document().open(Scene{});
   ASSERT_TRUE(open(file));
   EXPECT_EQ(writeScene(window_.panel().scene()), writeScene(changed));
   EXPECT_EQ(writeScene(session().scene()), writeScene(changed));
@@ -108,7 +108,7 @@ TEST_F(MainWindowTest, APictureDroppedOnItOpensItsScene) {
   scene.title = "from a picture";
   writeSvg(file.toStdString(), DrawList{}, {"a title", pictureOrigin("render", scene)});
 
-  QSignalSpy reads(&window_, &MainWindow::sceneRead);
+  QSignalSpy reads(&window_.documents(), &DocumentCommands::sceneRead);
   drop(file);
   ASSERT_TRUE(waitFor([&] { return reads.count() == 1; }));
   EXPECT_EQ(session().scene().title, "from a picture");
@@ -133,7 +133,7 @@ TEST_F(MainWindowTest, APipeKeepsNothingWaiting) {
   scene.surface.kind = SurfaceKind::Profile;
   scene.surface.file = "pipe.png";
   QSignalSpy complaints(&session(), &Session::complained);
-  window_.showScene(scene);
+  window_.document().open(scene);
   EXPECT_TRUE(waitFor([&] { return !complaints.isEmpty(); }));
   EXPECT_TRUE(window_.messages().text().contains("only regular files"));
 }
@@ -147,13 +147,13 @@ TEST_F(MainWindowTest, TheNewestOpeningWins) {
     scene.title = name;
     std::ofstream(folder.filePath(name).toStdString()) << writeScene(scene);
   }
-  window_.openScene(folder.filePath("a"));
+  window_.documents().openFile(folder.filePath("a"));
   EXPECT_TRUE(open(folder.filePath("b")));
   EXPECT_EQ(session().scene().title, "b");
-  window_.openScene(folder.filePath("a"));
+  window_.documents().openFile(folder.filePath("a"));
   Scene chosen = smallScene();
   chosen.title = "chosen meanwhile";
-  window_.showScene(chosen);
+  window_.document().open(chosen);
   EXPECT_FALSE(open(folder.filePath("gone")));  // read after the first one
   EXPECT_EQ(session().scene().title, "chosen meanwhile");
 }
@@ -211,11 +211,11 @@ TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
   scene.surface.file = "line.csv";
   scene.surface.length = 0;
   scene.surface.elements = 0;
-  window_.showScene(scene);
+  window_.document().open(scene);
   ASSERT_TRUE(waitForFrame());
   EXPECT_EQ(control<ValueEntry>("entry:surface.length").placeholderText(), "0.0064");
   EXPECT_EQ(control<ValueEntry>("entry:surface.elements").placeholderText(), "64");
-  ASSERT_TRUE(window_.saveScene(folder.filePath("a/b/scene.json")));
+  ASSERT_TRUE(window_.documents().saveTo(folder.filePath("a/b/scene.json")));
   ASSERT_TRUE(open(folder.filePath("a/b/scene.json")));
   EXPECT_EQ(window_.panel().scene().surface.file, "../../line.csv");
   ASSERT_TRUE(waitForFrame());
@@ -257,7 +257,7 @@ TEST_F(MainWindowTest, FilesThatDoNotReadOrWriteAreExplained) {
   EXPECT_FALSE(open(folder.filePath("missing.json")));
   EXPECT_TRUE(window_.messages().isVisible());
   EXPECT_TRUE(window_.messages().text().contains("missing.json"));
-  EXPECT_FALSE(window_.saveScene(folder.filePath("no/such/folder.json")));
+  EXPECT_FALSE(window_.documents().saveTo(folder.filePath("no/such/folder.json")));
   EXPECT_EQ(window_.panel().scene(), before);
 }
 

@@ -18,9 +18,17 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
-#include "ui/window/main/contact_canvas.h"
+#include "ui/window/contact/contact_canvas.h"
+#include "ui/window/figures/figure_pages.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/document_commands.h"
+#include "ui/window/main/exports.h"
 #include "ui/window/main/main_window.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/scene_document.h"
 #include "ui/window/main/session.h"
+#include "ui/window/main/tour.h"
+#include "ui/window/main/window_layout.h"
 
 namespace asperity {
 
@@ -34,8 +42,8 @@ inline Scene smallScene() {
 
 /// Opens a file in a window; whether its scene is shown, once it was read.
 inline bool openIn(MainWindow& window, const QString& file) {
-  QSignalSpy reads(&window, &MainWindow::sceneRead);
-  window.openScene(file);
+  QSignalSpy reads(&window.documents(), &DocumentCommands::sceneRead);
+  window.documents().openFile(file);
   return QTest::qWaitFor([&] { return !reads.isEmpty(); }, kWindowPatience) &&
          reads.takeFirst().at(1).toBool();
 }

@@ -28,8 +28,8 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
+#include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/appearance.h"
-#include "ui/window/main/contact_canvas.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/session.h"
@@ -139,7 +139,7 @@ TEST_F(MainWindowTest, AStepByHandIsSeen) {
   for (const std::int64_t elements : {256, 5000}) {
     Scene scene = smallScene();
     scene.surface.elements = elements;
-    window_.showScene(scene);
+    window_.document().open(scene);
     ASSERT_TRUE(waitForFrame());
     session().setPlaying(false);
     for (const int zoom : {0, 6, 6}) {
@@ -233,14 +233,14 @@ TEST_F(MainWindowTest, ASceneThatCannotRunIsExplainedAndTheWindowLives) {
   Scene broken = smallScene();
   broken.surface.kind = SurfaceKind::Profile;
   broken.surface.file = "no_such_profile.csv";
-  window_.showScene(broken);
+  window_.document().open(broken);
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   EXPECT_TRUE(window_.messages().text().contains("surface.file"));
   EXPECT_TRUE(window_.messages().text().contains("no_such_profile.csv"));
   EXPECT_TRUE(control<ValueEntry>("entry:surface.file").hasError());
   EXPECT_TRUE(control<QLabel>("error:surface.file").isVisible());
 
-  window_.showScene(smallScene());
+  window_.document().open(smallScene());
   ASSERT_TRUE(waitForFrame());
   EXPECT_TRUE(waitFor([&] { return !window_.messages().isVisible(); }));
 }
@@ -251,7 +251,7 @@ TEST_F(MainWindowTest, WhatMendsASceneTakesItsComplaintsAway) {
   broken.surface.kind = SurfaceKind::Sine;
   broken.surface.waves = 8;
   broken.surface.elements = 10;
-  window_.showScene(broken);
+  window_.document().open(broken);
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   auto& waves = control<ValueEntry>("entry:surface.waves");
   EXPECT_TRUE(waves.hasError());
@@ -267,7 +267,7 @@ TEST_F(MainWindowTest, AFailedCurveStaysExplainedWhileTheContactRuns) {
   still.elastomer.shearModulus = 1e15;
   still.elastomer.relaxationTime = 1e12;  // contacts shorter than the digits of numbers
   still.load.normalForce = 1e-30;
-  window_.showScene(still);
+  window_.document().open(still);
   ASSERT_TRUE(waitForFrame());
   ASSERT_TRUE(waitFor([&] { return window_.messages().isVisible(); }));
   QSignalSpy frames(&session(), &Session::frameArrived);
@@ -295,13 +295,14 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
   EXPECT_FALSE(tabs.isTabVisible(1));
   Scene moving = smallScene();
   moving.sliding.kind = SlidingKind::Step;
-  window_.showScene(moving);
+  window_.document().open(moving);
   EXPECT_TRUE(tabs.isTabVisible(1));
   EXPECT_EQ(tabs.currentWidget(), &strips);
   ASSERT_TRUE(waitFor([&] { return samples() > 3; }));
   EXPECT_EQ(strips.sheet().status, "");  // no line yet, before the step
   const QImage image = strips.grab().toImage();
-  const QColor line = colourOf(seriesColour(0, window_.isDark() ? darkTheme() : lightTheme()));
+  const QColor line =
+      colourOf(seriesColour(0, window_.appearance().isDark() ? darkTheme() : lightTheme()));
   int drawn = 0;  // pixels of the line's colour, or nearly: it is smooth
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) {
@@ -313,14 +314,14 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
   EXPECT_GT(drawn, 3);
   const auto noteOf = [&](SlidingKind kind) {
     moving.sliding.kind = kind;
-    window_.showScene(moving);
+    window_.document().open(moving);
     EXPECT_TRUE(
         waitFor([&] { return frame()->sceneNumber == session().sceneNumber() && samples() > 3; }));
     return strips.sheet().status;
   };
   EXPECT_TRUE(noteOf(SlidingKind::Start).starts_with("predicted rate"));
   EXPECT_EQ(noteOf(SlidingKind::Oscillation), "");
-  window_.showScene(smallScene());
+  window_.document().open(smallScene());
   EXPECT_FALSE(tabs.isTabVisible(1));
   EXPECT_EQ(tabs.currentWidget(), &window_.plotView());
 }
@@ -358,7 +359,7 @@ TEST_F(MainWindowTest, TheContactIsPainted) {
 
 TEST_F(MainWindowTest, LightAndDark) {
   for (const bool dark : {true, false}) {
-    window_.setDark(dark);
+    window_.appearance().setDark(dark);
     EXPECT_EQ(window_.palette().color(QPalette::Window).lightness() < 128, dark);
     ASSERT_TRUE(waitForFrame());
   }

@@ -1,5 +1,5 @@
 // The program ends soon after its window is closed, whatever works in the background.
-#include "ui/window/main/quit_limit.h"
+#include "ui/window/main/run_window.h"
 
 #include <gtest/gtest.h>
 

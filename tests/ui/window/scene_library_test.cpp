@@ -61,7 +61,7 @@ TEST_F(MainWindowTest, AnOpenedSceneSaysWhatToLookFor) {
   window_.findChild<QAction*>("scene:region_2")->trigger();
   EXPECT_TRUE(window_.description().isVisible());
   EXPECT_EQ(window_.description().text().toStdString(), session().scene().description);
-  window_.showScene(smallScene());
+  window_.document().open(smallScene());
   EXPECT_FALSE(window_.description().isVisible());
 }
 

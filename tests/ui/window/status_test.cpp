@@ -13,9 +13,8 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/draw/ticks.h"
+#include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
-#include "ui/window/main/contact_canvas.h"
-#include "ui/window/main/elided_label.h"
 #include "ui/window/main/status_line.h"
 
 namespace asperity {
@@ -106,7 +105,7 @@ TEST_F(StatusTest, ACurveToATargetIsFinished) {
   for (const double target : {0.2, 0.05, 0.01}) {
     Scene scene = smallScene();
     scene.accuracy.targetRelativeError = target;
-    window_.showScene(scene);
+    window_.document().open(scene);
     ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
     ASSERT_TRUE(waitForFrame());
     ASSERT_TRUE(waitFor([&] { return !control<QProgressBar>("workProgress").isVisible(); }));
@@ -133,7 +132,7 @@ TEST_F(StatusTest, ASingleLineToATargetHasItsCurve) {
   Scene scene = smallScene();
   scene.surface.kind = SurfaceKind::Sine;
   scene.accuracy.targetRelativeError = 0.01;
-  window_.showScene(scene);
+  window_.document().open(scene);
   ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
   ASSERT_TRUE(waitFor([&] { return fact("accuracyMeasured").contains(", error "); }));
   EXPECT_FALSE(fact("accuracyMeasured").contains(QStringLiteral("–")));
@@ -167,7 +166,7 @@ TEST_F(StatusTest, ALongCurveIsStoppedAndBegunAnew) {
   Scene endless = smallScene();
   endless.surface.elements = 5000;
   endless.ensemble.realizations = 1000000;
-  window_.showScene(endless);
+  window_.document().open(endless);
   auto& button = control<QToolButton>("workStop");
   auto& progress = control<QProgressBar>("workProgress");
   ASSERT_TRUE(waitFor([&] { return session().curve() && button.isVisible(); }));
@@ -307,7 +306,7 @@ TEST_F(StatusTest, WhatIsOfTheSceneBeforeSaysSo) {
   EXPECT_FALSE(marker().isFaded);
   Scene scene = session().scene();
   scene.surface.elements = 8388608;
-  window_.editScene(scene);
+  window_.document().edit(scene);
   ASSERT_TRUE(waitFor([&] { return veil.isVisible(); }));
   EXPECT_EQ(veil.size(), window_.canvas().size());
   EXPECT_TRUE(marker().isFaded);

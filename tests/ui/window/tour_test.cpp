@@ -16,7 +16,6 @@
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
-#include "ui/window/main/tour_bar.h"
 
 namespace asperity {
 namespace {
@@ -49,7 +48,7 @@ TEST_F(TourTest, SixStepsEachWithASceneThatRuns) {
   }
   click("tourEnd");
   EXPECT_FALSE(bar().isVisible());
-  EXPECT_FALSE(window_.isTouring());
+  EXPECT_FALSE(window_.tour().isRunning());
 }
 
 TEST_F(TourTest, GoesForwardAndBackByKeys) {
@@ -97,7 +96,7 @@ TEST_F(TourTest, WhatIsTriedIsNotAskedAbout) {
   press("load.normal_force");
   action("scene:figure_2").trigger();
   EXPECT_EQ(asked_, 0);
-  EXPECT_FALSE(window_.isTouring());
+  EXPECT_FALSE(window_.tour().isRunning());
   EXPECT_FALSE(bar().isVisible());
 }
 
@@ -107,29 +106,29 @@ TEST_F(TourTest, AnOwnSceneIsAskedAboutBeforeTheTour) {
   answer(QMessageBox::Cancel);
   action("tour").trigger();
   EXPECT_EQ(asked_, 1);
-  EXPECT_FALSE(window_.isTouring());
+  EXPECT_FALSE(window_.tour().isRunning());
   EXPECT_EQ(session().scene(), own);
 }
 
 TEST_F(TourTest, IsOfferedUntilTaken) {
   auto& hint = control<MessageBar>("hintBar");
   EXPECT_FALSE(hint.isVisible());
-  window_.offerTour();
+  window_.tour().offer();
   EXPECT_TRUE(hint.isVisible());
-  EXPECT_FALSE(window_.isTouring());  // offered, not forced
+  EXPECT_FALSE(window_.tour().isRunning());  // offered, not forced
   QTest::mouseClick(hint.findChild<QPushButton*>("acceptOffer"), Qt::LeftButton);
-  EXPECT_TRUE(window_.isTouring());
+  EXPECT_TRUE(window_.tour().isRunning());
   EXPECT_FALSE(hint.isVisible());
-  window_.offerTour();
+  window_.tour().offer();
   EXPECT_FALSE(hint.isVisible());
 }
 
 TEST_F(TourTest, IsOfferedUntilPutAway) {
   auto& hint = control<MessageBar>("hintBar");
-  window_.offerTour();
+  window_.tour().offer();
   QTest::mouseClick(hint.findChild<QToolButton*>("closeMessage"), Qt::LeftButton);
   EXPECT_FALSE(hint.isVisible());
-  window_.offerTour();
+  window_.tour().offer();
   EXPECT_FALSE(hint.isVisible());
 }
 
@@ -140,7 +139,7 @@ TEST_F(TourTest, TheScenesShowWhatTheTourSays) {
     for (const LibraryScene& entry : libraryScenes())
       if (entry.name == name) scene = entry.scene;
     if (velocity >= 0) scene.sliding.velocity = velocity;
-    window_.showScene(scene);
+    window_.document().open(scene);
     EXPECT_TRUE(waitForFrame());
     return frame()->muSteady;
   };

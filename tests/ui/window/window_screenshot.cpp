@@ -23,9 +23,11 @@
 #include "core/scene/scene_file.h"
 #include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
+#include "ui/window/contact/contact_canvas.h"
+#include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/figure_picture.h"
 #include "ui/window/figures/gallery_page.h"
-#include "ui/window/main/contact_canvas.h"
+#include "ui/window/main/appearance.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/run_window.h"
@@ -106,7 +108,7 @@ bool showFigure(MainWindow& window, const QString& word) {
   auto* action = window.findChild<QAction*>("figure:" + word);
   if (!action) return false;
   action->trigger();
-  FigurePicture& picture = window.gallery().picture();
+  FigurePicture& picture = window.figures().gallery().picture();
   const bool isThere = QTest::qWaitFor([&] { return picture.isPainted(); }, 300000);
   QTest::qWait(300);  // on the screen too
   return isThere;
@@ -151,7 +153,7 @@ int main(int argc, char** argv) {
                       : library.empty() ? Scene{}
                                         : library.front().scene;
   MainWindow window(scene);
-  window.setDark(wish.dark);
+  window.appearance().setDark(wish.dark);
   window.resize(wish.size);
   int pictures = 0;
   QObject::connect(&window.canvas(), &ContactCanvas::painted, [&] { ++pictures; });

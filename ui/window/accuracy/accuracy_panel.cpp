@@ -11,10 +11,11 @@
 #include <utility>
 
 #include "core/accuracy/work_precision_sheet.h"
+#include "core/run/motion_accuracy.h"
 #include "ui/chart/friction_chart.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
-#include "ui/draw/ticks.h"
 #include "ui/window/curve/comparison_box.h"
 #include "ui/window/curve/region_pictures.h"
 
@@ -43,8 +44,8 @@ QLabel* addLine(QVBoxLayout& column, const char* name) {
   return label;
 }
 
-/// Beside the picture: as wide as its texts need, in the large font of a presentation too. What
-/// does not fit the height is reached by a scroll bar.
+/// The controls beside the picture: as wide as their texts need, also in the large font of a
+/// presentation. A scroll bar reaches what does not fit the height.
 class ControlColumn : public QScrollArea {
  public:
   explicit ControlColumn(QWidget* content) {
@@ -72,12 +73,8 @@ class ControlColumn : public QScrollArea {
   }
 };
 
-QHBoxLayout* betweenItsEnds(QSlider& slider) {
-  auto* line = new QHBoxLayout;
-  line->addWidget(new QLabel(AccuracyPanel::tr("quick")));
-  line->addWidget(&slider, 1);
-  line->addWidget(new QLabel(AccuracyPanel::tr("exact")));
-  return line;
+QString comparingText() {
+  return AccuracyPanel::tr("measuring every method on this scene's lines …");
 }
 
 /// The diagram of this scene in the place of one of the paper's figures.
@@ -106,7 +103,8 @@ int placeOf(double target) {
   return static_cast<int>(std::lround(std::clamp(place, 0.0, 1.0 * kAccuracySteps)));
 }
 
-AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), slider_(new QSlider) {
+AccuracyPanel::AccuracyPanel(QWidget* parent)
+    : QWidget(parent), slider_(new QSlider), quick_(new QLabel), exact_(new QLabel) {
   setObjectName("accuracyPanel");
   auto* controls = new QWidget;
   auto* column = new QVBoxLayout(controls);
@@ -114,9 +112,12 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), slider_(new QSl
   slider_->setObjectName("accuracySlider");
   slider_->setOrientation(Qt::Horizontal);
   slider_->setRange(0, kAccuracySteps);
-  slider_->setAccessibleName(tr("accuracy from quick to exact"));
   connect(slider_, &QSlider::valueChanged, this, [this](int place) { setTarget(targetAt(place)); });
-  column->addLayout(betweenItsEnds(*slider_));
+  auto* targets = new QHBoxLayout;
+  targets->addWidget(quick_);
+  targets->addWidget(slider_, 1);
+  targets->addWidget(exact_);
+  column->addLayout(targets);
   target_ = addLine(*column, "accuracyTarget");
   predicted_ = addLine(*column, "accuracyPredicted");
   measured_ = addLine(*column, "accuracyMeasured");
@@ -124,13 +125,11 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), slider_(new QSl
   comparisonBox_ = new ComparisonBox;
   connect(comparisonBox_, &ComparisonBox::settingChanged, this, &AccuracyPanel::comparisonChanged);
   column->addWidget(comparisonBox_);
-  free_ = new QPushButton(tr("No target"));
+  free_ = new QPushButton;
   free_->setObjectName("accuracyFree");
-  free_->setToolTip(tr("Scheme, oversampling and realizations as the parameters say"));
   connect(free_, &QPushButton::clicked, this, [this] { setTarget(0); });
-  compare_ = new QPushButton(tr("Compare methods"));
+  compare_ = new QPushButton;
   compare_->setObjectName("accuracyCompare");
-  compare_->setToolTip(tr("Measures error against time of every method on this scene's lines"));
   connect(compare_, &QPushButton::clicked, this, &AccuracyPanel::compareMethods);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(free_);
@@ -141,28 +140,62 @@ AccuracyPanel::AccuracyPanel(QWidget* parent) : QWidget(parent), slider_(new QSl
   showInvitation();
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(0, 0, 0, 0);
-  auto* scrolled = new ControlColumn(controls);
-  scrolled->setAccessibleName(slider_->accessibleName());
-  line->addWidget(scrolled);
+  scrolled_ = new ControlColumn(controls);
+  line->addWidget(scrolled_);
   line->addWidget(picture_, 1);
+  showTexts();
+}
+
+/// All that does not depend on the scene.
+void AccuracyPanel::showTexts() {
+  quick_->setText(tr("quick"));
+  exact_->setText(tr("exact"));
+  for (QWidget* widget : {static_cast<QWidget*>(slider_), scrolled_})
+    widget->setAccessibleName(tr("accuracy from quick to exact"));
+  free_->setText(tr("No target"));
+  free_->setToolTip(tr("Scheme, oversampling and realizations as set in the parameters"));
+  compare_->setText(isComparing_ ? tr("Cancel") : tr("Compare methods"));
+  compare_->setToolTip(tr("Measures error against time of every method on this scene's lines"));
+}
+
+void AccuracyPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::LanguageChange) return;
+  showTexts();
+  showTarget();
+  if (measuredCurve_)
+    showMeasured(measuredCurve_->seconds, measuredCurve_->standardError, measuredCurve_->interval);
+  if (isComparing_) {
+    picture_->showText(comparingText());
+  } else if (!picture_->figure()) {
+    pictured_.reset();
+    showInvitation();
+  }
+  predict();
 }
 
 void AccuracyPanel::showScene(const Scene& scene) {
   scene_ = scene;
-  const double target = scene.accuracy.targetRelativeError;
-  const QSignalBlocker quiet(slider_);
-  slider_->setValue(target > 0 ? placeOf(target) : 0);
-  target_->setText(target > 0 ? tr("target: %1 of μ at every velocity").arg(percent(target))
-                              : tr("no target: as scheme and realizations say"));
-  free_->setEnabled(target > 0);
+  showTarget();
   comparisonBox_->allow(!choosesAccuracy(scene));
   comparisonBox_->suggestLines(scene.ensemble.realizations);
   dropOldPicture();
+  measuredCurve_.reset();
   measured_->clear();
   predict();
 }
 
+void AccuracyPanel::showTarget() {
+  const double target = scene_.accuracy.targetRelativeError;
+  const QSignalBlocker quiet(slider_);
+  slider_->setValue(target > 0 ? placeOf(target) : 0);
+  target_->setText(target > 0 ? tr("target: %1 of μ at every velocity").arg(percent(target))
+                              : tr("no target: scheme and realizations as set"));
+  free_->setEnabled(target > 0);
+}
+
 void AccuracyPanel::showMeasured(double time, double standardError, double interval) {
+  measuredCurve_ = {time, standardError, interval};
   const bool isSingle = !std::isfinite(standardError) && std::isfinite(interval);
   measured_->setText(
       isSingle ? tr("measured: %1, error %2").arg(seconds(time), percent(interval))
@@ -171,10 +204,6 @@ void AccuracyPanel::showMeasured(double time, double standardError, double inter
 
 std::optional<CurveSetting> AccuracyPanel::comparison() const {
   return comparisonBox_->setting();
-}
-
-void AccuracyPanel::setComparison(const std::optional<CurveSetting>& setting) {
-  comparisonBox_->setSetting(setting);
 }
 
 std::optional<ComparedMethods> AccuracyPanel::comparedMethods() const {
@@ -209,23 +238,19 @@ void AccuracyPanel::showEvent(QShowEvent* event) {
 
 void AccuracyPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  if (prediction_) prediction_->cancel();
+  prediction_.cancel();
 }
 
 void AccuracyPanel::predict() {
   if (!isVisible()) return;
-  if (!prediction_)
-    prediction_ = std::make_unique<PredictionWorker>([this](const PredictionAnswer& answer) {
-      QMetaObject::invokeMethod(this, [this, answer] { takePrediction(answer); });
-    });
   predicted_->setText(tr("predicting …"));
-  asked_ = prediction_->request(scene_);
+  prediction_.request(
+      [scene = scene_](const BackgroundWork::Run& run) { return predictRun(scene, 0, run.stop()); },
+      [this](const Prediction& prediction) { showPrediction(prediction); },
+      [this](const QString& reason) { predicted_->setText(reason); });
 }
 
-void AccuracyPanel::takePrediction(const PredictionAnswer& answer) {
-  if (answer.number != asked_) return;
-  if (!answer.prediction) return predicted_->setText(translatedText(answer.reason.toStdString()));
-  const Prediction& prediction = *answer.prediction;
+void AccuracyPanel::showPrediction(const Prediction& prediction) {
   if (prediction.steps > 0)
     return predicted_->setText(
         tr("predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)")
@@ -254,39 +279,38 @@ void AccuracyPanel::showInvitation() {
   picture_->showText(tr("“Compare methods” measures what accuracy costs for this scene."));
 }
 
-/// Starts, or cancels what was started.
+/// Starts the comparison, or cancels the one that runs.
 void AccuracyPanel::compareMethods() {
-  if (isComparing_) return comparison_->stop();
-  FigureWorkerEvents events;
-  const auto later = [this](auto&& what) { QMetaObject::invokeMethod(this, what); };
-  events.progressed = [this, later](FigureName, double part) {
-    later([this, part] {
-      if (isComparing_) compare_->setText(tr("Cancel (%1 %)").arg(std::lround(100 * part)));
-    });
-  };
-  events.finished = [this, later](std::shared_ptr<const MadeFigure> made) {
-    later([this, made] {
-      endComparison({});
-      picture_->showFigure(made);
-      dropOldPicture();  // the scene may have changed meanwhile
-    });
-  };
-  events.failed = [this, later](FigureName, const QString& reason) {
-    later([this, reason] { endComparison(reason); });
-  };
-  events.stopped = [this, later](FigureName) { later([this] { endComparison(tr("cancelled")); }); };
-  comparison_ = std::make_unique<FigureWorker>(std::move(events), comparisonOf(scene_));
+  if (isComparing_) {
+    comparison_.cancel();
+    endComparison();
+    return picture_->showText(tr("cancelled"));
+  }
   isComparing_ = true;
   compare_->setText(tr("Cancel"));
   pictured_ = scene_;
-  picture_->showText(tr("measuring every method on this scene's lines …"));
-  comparison_->start({});
+  picture_->showText(comparingText());
+  const auto progressed = [this](double part) {
+    compare_->setText(tr("Cancel (%1 %)").arg(std::lround(100 * part)));
+  };
+  comparison_.request(
+      [scene = scene_, progressed](const BackgroundWork::Run& run) {
+        return makeFigureBeside(run, comparisonOf(scene), {}, 0, progressed);
+      },
+      [this](std::shared_ptr<const MadeFigure> made) {
+        endComparison();
+        picture_->showFigure(std::move(made));
+        dropOldPicture();  // the scene may have changed meanwhile
+      },
+      [this](const QString& reason) {
+        endComparison();
+        picture_->showText(reason);
+      });
 }
 
-void AccuracyPanel::endComparison(const QString& text) {
+void AccuracyPanel::endComparison() {
   isComparing_ = false;
   compare_->setText(tr("Compare methods"));
-  if (!text.isEmpty()) picture_->showText(text);
 }
 
 }  // namespace asperity

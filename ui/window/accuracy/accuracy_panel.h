@@ -1,20 +1,20 @@
 // What accuracy costs: a slider from quick to exact, which sets the target of the friction curve's
-// error, with predicted time and error as it moves and the measured ones beside them; and the
-// work-precision diagram of the present scene on demand; and with what setting the curve is
-// compared. Predicts only while it is visible, on a
-// thread of its own. GUI thread; belongs to its parent. Failure: said in a line of the panel.
+// error, with predicted time and error as it moves and the measured ones beside them; the
+// work-precision diagram of the present scene on demand; and the setting with which the curve is
+// compared. Predicts in the background, and only while it is visible. GUI thread; belongs to its
+// parent. Failure: said in a line of the panel.
 #pragma once
 
 #include <QWidget>
-#include <cstdint>
 #include <memory>
 #include <optional>
 
+#include "core/accuracy/prediction.h"
 #include "core/friction/curve_difference.h"
 #include "core/scene/scene.h"
 #include "ui/contact/contact_picture.h"
-#include "ui/window/figures/figure_worker.h"
-#include "ui/window/tasks/prediction_worker.h"
+#include "ui/window/figures/made_figure.h"
+#include "ui/window/tasks/background_work.h"
 
 class QLabel;
 class QPushButton;
@@ -45,17 +45,16 @@ class AccuracyPanel : public QWidget {
   explicit AccuracyPanel(QWidget* parent = nullptr);
 
   void showScene(const Scene& scene);
-  /// Of the finished curve of the scene shown; errors are relative, root mean square. interval:
-  /// half of it, said where there is no standard error, as of a single line to a target.
+  /// Shows time and error of the finished curve of this scene; errors are relative, root mean
+  /// square. interval: half of it, said where there is no standard error, as of a single line to a
+  /// target.
   void showMeasured(double seconds, double standardError, double interval = kNotApplicable);
   void setTheme(const Theme& theme);
 
-  /// With what the curve is to be compared; none: with nothing.
+  /// The setting that the curve is to be compared with; none: no comparison.
   std::optional<CurveSetting> comparison() const;
-  void setComparison(const std::optional<CurveSetting>& setting);
 
-  /// What was measured, where it is shown; and such a result of before, if it is of the scene
-  /// shown.
+  /// The result that is shown, if there is one; and shows such a result if it is of this scene.
   std::optional<ComparedMethods> comparedMethods() const;
   void showComparedMethods(const ComparedMethods& compared);
 
@@ -65,33 +64,42 @@ class AccuracyPanel : public QWidget {
   void comparisonChanged();
 
  protected:
+  void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
  private:
   void setTarget(double target);
+  void showTexts();
+  void showTarget();
   void predict();
-  void takePrediction(const PredictionAnswer& answer);
+  void showPrediction(const Prediction& prediction);
   void compareMethods();
   void dropOldPicture();
   void showInvitation();
-  void endComparison(const QString& text);
+  void endComparison();
+
+  /// Time and error of a finished curve, to be said again in another language.
+  struct Measured {
+    double seconds, standardError, interval;
+  };
 
   Scene scene_;
   QSlider* slider_;
+  QLabel *quick_, *exact_;  // at its ends
   QLabel* target_;
   QLabel* predicted_;
   QLabel* measured_;
   ComparisonBox* comparisonBox_;
   QPushButton* free_;     // no target
   QPushButton* compare_;  // starts and cancels
+  QWidget* scrolled_;     // the controls
   RegionPictures* picture_;
   bool isComparing_ = false;
   std::optional<Scene> pictured_;  // whose methods are compared on the picture
-  std::uint64_t asked_ = 0;
-  // Last: their threads end before anything else here goes.
-  std::unique_ptr<FigureWorker> comparison_;
-  std::unique_ptr<PredictionWorker> prediction_;
+  std::optional<Measured> measuredCurve_;
+  BackgroundWork comparison_,
+      prediction_;  // last: their threads end before anything else here goes
 };
 
 }  // namespace asperity

@@ -5,25 +5,34 @@
 
 #include "core/base/input_error.h"
 #include "core/scene/plan.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
 
 PlanList::PlanList(QWidget* parent) : QTreeWidget(parent) {
   setObjectName("planList");
-  setAccessibleName(tr("which stages run, and why"));
-  setHeaderLabels({tr("stage"), tr("runs"), tr("because")});
   setRootIsDecorated(false);
   setUniformRowHeights(true);
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::TabFocus);
   setSelectionMode(QAbstractItemView::NoSelection);
+  keepTranslated(*this, [this] {
+    setAccessibleName(tr("which stages run, and why"));
+    setHeaderLabels({tr("stage"), tr("runs"), tr("because")});
+    fill();
+  });
 }
 
 void PlanList::showScene(const Scene& scene) {
+  scene_ = scene;
+  fill();
+}
+
+void PlanList::fill() {
   clear();
   try {
-    for (const PlanStage& stage : planOf(scene, Purpose::Window)) {
+    for (const PlanStage& stage : planOf(scene_, Purpose::Window)) {
       const QString reason = translatedText(stage.reason);
       auto* item = new QTreeWidgetItem(
           {translatedText(stage.name), stage.runs ? tr("yes") : tr("no"), reason});
@@ -47,7 +56,7 @@ void PlanList::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) fitColumns();
 }
 
-/// Names and answers are whole; reasons take the rest.
+/// Names and answers are shown whole; the reasons take the rest of the width.
 void PlanList::fitColumns() {
   resizeColumnToContents(0);
   resizeColumnToContents(1);

@@ -21,7 +21,10 @@ class PlanList : public QTreeWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  void fill();
   void fitColumns();
+
+  Scene scene_;
 };
 
 }  // namespace asperity

@@ -5,8 +5,10 @@
 #include <QHBoxLayout>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "core/scene/parameters.h"
+#include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 
 namespace asperity {
@@ -16,15 +18,17 @@ namespace {
 constexpr int kHeight = 24;  // pixels of its entries
 constexpr int kMostOversampling = 64, kMostLines = 10000;
 
-QSpinBox* spin(const char* name, int value, int most, const QString& label) {
+QSpinBox* spin(const char* name, int value, int most) {
   auto* box = new QSpinBox;
   box->setObjectName(name);
   box->setRange(1, most);
   box->setValue(value);
-  box->setAccessibleName(label);
-  box->setToolTip(label);
   box->setKeyboardTracking(false);  // one change for one number
   return box;
+}
+
+const auto& schemes() {
+  return std::get<ChoiceField>(findParameter("accuracy.scheme")->field).choices;
 }
 
 }  // namespace
@@ -33,27 +37,16 @@ ComparisonBox::ComparisonBox(QWidget* parent)
     : QWidget(parent), wanted_(new QCheckBox), scheme_(new QComboBox) {
   setObjectName("comparisonBox");
   wanted_->setObjectName("comparisonWanted");
-  wanted_->setText(tr("Compare the curve with"));
-  wanted_->setToolTip(
-      tr("Computes the curve in this way, too, on the same lines, and plots the "
-         "difference below it"));
-  wanted_->setAccessibleName(wanted_->text());
   scheme_->setObjectName("comparisonScheme");
-  scheme_->setAccessibleName(tr("scheme to compare with"));
-  for (const auto& word : std::get<ChoiceField>(findParameter("accuracy.scheme")->field).choices)
-    scheme_->addItem(wordText(word));
+  for (const auto& word : schemes()) scheme_->addItem(wordText(word));
   scheme_->setCurrentIndex(static_cast<int>(Scheme::Cubic));
   const CurveSetting usual;
-  oversampling_ = spin("comparisonOversampling", static_cast<int>(usual.oversampling),
-                       kMostOversampling, tr("points per element to compare with"));
+  oversampling_ =
+      spin("comparisonOversampling", static_cast<int>(usual.oversampling), kMostOversampling);
   oversampling_->setPrefix(QStringLiteral("×"));
   suggested_ = static_cast<int>(usual.realizations);
-  lines_ = spin("comparisonLines", suggested_, kMostLines, tr("lines to compare with"));
-  const auto count = [this](int lines) {
-    lines_->setSuffix(lines == 1 ? tr(" line") : tr(" lines"));
-  };
-  count(suggested_);
-  connect(lines_, &QSpinBox::valueChanged, this, count);
+  lines_ = spin("comparisonLines", suggested_, kMostLines);
+  connect(lines_, &QSpinBox::valueChanged, this, &ComparisonBox::showLines);
 
   for (QWidget* entry : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(oversampling_),
                          static_cast<QWidget*>(lines_)})
@@ -77,6 +70,30 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   connect(scheme_, &QComboBox::currentIndexChanged, this, changed);
   connect(oversampling_, &QSpinBox::valueChanged, this, changed);
   connect(lines_, &QSpinBox::valueChanged, this, changed);
+  keepTranslated(*this, [this] { showTexts(); });
+}
+
+void ComparisonBox::showTexts() {
+  wanted_->setText(isEnabled() ? tr("Compare the curve with")
+                               : tr("Compare the curve (needs no target)"));
+  wanted_->setToolTip(
+      tr("Computes the curve in this way, too, on the same lines, and plots the "
+         "difference below it"));
+  wanted_->setAccessibleName(tr("Compare the curve with"));
+  scheme_->setAccessibleName(tr("scheme to compare with"));
+  for (int i = 0; i < scheme_->count(); ++i)
+    scheme_->setItemText(i, wordText(schemes()[static_cast<std::size_t>(i)]));
+  for (const auto& [box, label] :
+       {std::pair{oversampling_, tr("points per element to compare with")},
+        {lines_, tr("lines to compare with")}}) {
+    box->setAccessibleName(label);
+    box->setToolTip(label);
+  }
+  showLines();
+}
+
+void ComparisonBox::showLines() {
+  lines_->setSuffix(lines_->value() == 1 ? tr(" line") : tr(" lines"));
 }
 
 std::optional<CurveSetting> ComparisonBox::setting() const {
@@ -88,15 +105,6 @@ std::optional<CurveSetting> ComparisonBox::setting() const {
   return setting;
 }
 
-void ComparisonBox::setSetting(const std::optional<CurveSetting>& setting) {
-  if (setting) {
-    scheme_->setCurrentIndex(static_cast<int>(setting->scheme));
-    oversampling_->setValue(static_cast<int>(setting->oversampling));
-    lines_->setValue(static_cast<int>(setting->realizations));
-  }
-  wanted_->setChecked(setting.has_value());
-}
-
 void ComparisonBox::suggestLines(std::int64_t lines) {
   if (lines_->value() != suggested_) return;
   suggested_ = static_cast<int>(std::min<std::int64_t>(lines, kMostLines));
@@ -106,8 +114,7 @@ void ComparisonBox::suggestLines(std::int64_t lines) {
 void ComparisonBox::allow(bool allowed) {
   if (allowed == isEnabled()) return;
   setEnabled(allowed);
-  wanted_->setText(allowed ? tr("Compare the curve with")
-                           : tr("Compare the curve (needs no target)"));
+  showTexts();
   emit settingChanged();
 }
 

@@ -21,7 +21,6 @@ class ComparisonBox : public QWidget {
 
   /// Nothing where the box is not ticked.
   std::optional<CurveSetting> setting() const;
-  void setSetting(const std::optional<CurveSetting>& setting);
   /// A target accuracy leaves nothing to compare at one resolution.
   void allow(bool allowed);
   /// As many lines as the scene has, unless somebody chose another number: fewer would add their
@@ -32,6 +31,9 @@ class ComparisonBox : public QWidget {
   void settingChanged();
 
  private:
+  void showTexts();
+  void showLines();
+
   QCheckBox* wanted_;
   QComboBox* scheme_;
   QSpinBox* oversampling_;

@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "ui/chart/chart_view.h"
-#include "ui/window/main/ask_file.h"
+#include "ui/language/language.h"
 #include "ui/window/curve/curve_files.h"
+#include "ui/window/main/picture_files.h"
 #include "ui/window/main/session.h"
 
 namespace asperity {
@@ -22,42 +23,51 @@ constexpr double kZoom = 1.5;
 
 CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObject* parent)
     : QObject(parent), session_(session), view_(view), run_(std::move(run)) {
-  pin_ = add("pinCurve", tr("Pin curve"),
-             [this] { session_.editCurve([](FrictionChart& plot) { plot.pin(); }); });
+  pin_ = add("pinCurve", [this] { session_.editCurve([](FrictionChart& plot) { plot.pin(); }); });
   pin_->setShortcut(Qt::Key_P);
-  pin_->setToolTip(tr("Keeps this curve to compare others with"));
-  unpinAll_ = add("unpinAll", tr("Unpin all"),
-                  [this] { session_.editCurve([](FrictionChart& plot) { plot.unpinAll(); }); });
+  unpinAll_ =
+      add("unpinAll", [this] { session_.editCurve([](FrictionChart& plot) { plot.unpinAll(); }); });
   unpinAll_->setShortcut(Qt::SHIFT | Qt::Key_P);
-  dimensionless_ = add("dimensionlessAxes", tr("Dimensionless axes"), [] {});
+  dimensionless_ = add("dimensionlessAxes", [] {});
   dimensionless_->setCheckable(true);
-  dimensionless_->setChecked(session_.friction().axes() == CurveAxes::Dimensionless);
   dimensionless_->setShortcut(Qt::Key_D);
-  dimensionless_->setToolTip(tr("v̄ of Eq. (13) and μ over the rms slope of the line"));
   connect(dimensionless_, &QAction::toggled, this, &CurveCommands::setAxes);
-  nearer_ = add("curveNearer", tr("Zoom in"), [this] { view_.zoom(1 / kZoom); });
-  farther_ = add("curveFarther", tr("Zoom out"), [this] { view_.zoom(kZoom); });
-  fit_ = add("curveFit", tr("Fit axes"), [this] { view_.fit(); });
-  save_ = add("saveCurve", tr("Save curve…"), [this] { askSave(); });
+  nearer_ = add("curveNearer", [this] { view_.zoom(1 / kZoom); });
+  farther_ = add("curveFarther", [this] { view_.zoom(kZoom); });
+  fit_ = add("curveFit", [this] { view_.fit(); });
+  save_ = add("saveCurve", [this] { askSave(); });
   save_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
-  save_->setToolTip(tr("Everything that is shown, as a picture or as a table"));
-  copy_ = add("copyCurvePicture", tr("Copy curve picture"), [this] { copyPicture(); });
+  copy_ = add("copyCurvePicture", [this] { copyPicture(); });
   connect(&session_, &Session::plotChanged, this, &CurveCommands::showState);
   connect(&view_, &ChartView::zoomChanged, this, &CurveCommands::showState);
-  showState();
 }
 
-QAction* CurveCommands::add(const char* name, const QString& text, std::function<void()> run) {
-  auto* action = new QAction(text, this);
+QAction* CurveCommands::add(const char* name, std::function<void()> run) {
+  auto* action = new QAction(this);
   action->setObjectName(name);
   connect(action, &QAction::triggered, this, std::move(run));
   return action;
 }
 
+void CurveCommands::showTexts() {
+  pin_->setText(tr("Pin curve"));
+  pin_->setToolTip(tr("Keeps this curve to compare others with"));
+  unpin_->setTitle(tr("Unpin"));
+  unpinAll_->setText(tr("Unpin all"));
+  dimensionless_->setText(tr("Dimensionless axes"));
+  dimensionless_->setToolTip(tr("v̄ of Eq. (13) and μ over the rms slope of the line"));
+  nearer_->setText(tr("Zoom in"));
+  farther_->setText(tr("Zoom out"));
+  fit_->setText(tr("Fit axes"));
+  save_->setText(tr("Save curve…"));
+  save_->setToolTip(tr("Everything that is shown, as a picture or as a table"));
+  copy_->setText(tr("Copy curve picture"));
+}
+
 void CurveCommands::fill(QMenu& menu) {
   menu.setToolTipsVisible(true);
   menu.addAction(pin_);
-  unpin_ = menu.addMenu(tr("Unpin"));
+  unpin_ = menu.addMenu(QString());
   unpin_->setObjectName("unpinMenu");
   connect(unpin_, &QMenu::aboutToShow, this, &CurveCommands::fillUnpin);
   menu.addAction(unpinAll_);
@@ -67,6 +77,7 @@ void CurveCommands::fill(QMenu& menu) {
   menu.addActions({save_, copy_});
   view_.setContextMenuPolicy(Qt::ActionsContextMenu);
   view_.addActions({pin_, unpinAll_, dimensionless_, fit_, save_, copy_});
+  keepTranslated(menu, [this] { showTexts(); });
   showState();
 }
 
@@ -86,7 +97,7 @@ void CurveCommands::showState() {
   const bool hasCurve = session_.friction().hasCurve();
   pin_->setEnabled(hasCurve);
   unpinAll_->setEnabled(hasPins);
-  if (unpin_) unpin_->setEnabled(hasPins);
+  unpin_->setEnabled(hasPins);
   fit_->setEnabled(view_.isZoomed());
   save_->setEnabled(hasCurve);
   copy_->setEnabled(hasCurve);

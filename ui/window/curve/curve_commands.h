@@ -25,6 +25,7 @@ class CurveCommands : public QObject {
 
   CurveCommands(Session& session, ChartView& view, Export run, QObject* parent);
 
+  /// Adds all commands to the menu, and most of them to the view's context menu; called once.
   void fill(QMenu& menu);
 
   /// The curves as they are shown; nothing before the first.
@@ -38,7 +39,8 @@ class CurveCommands : public QObject {
   void exported(const QString& file);
 
  private:
-  QAction* add(const char* name, const QString& text, std::function<void()> run);
+  QAction* add(const char* name, std::function<void()> run);
+  void showTexts();
   void fillUnpin();
   void showState();
   void askSave();

@@ -1,8 +1,7 @@
 #include "ui/window/curve/curve_comparison.h"
 
-#include <exception>
+#include <memory>
 
-#include "ui/language/translated.h"
 #include "ui/window/main/session.h"
 
 namespace asperity {
@@ -16,8 +15,7 @@ void CurveComparison::setSetting(const std::optional<CurveSetting>& setting) {
   if (setting == setting_) return;
   setting_ = setting;
   compared_.reset();
-  ++number_;  // what still runs is not wanted
-  if (work_) work_->cancel();
+  work_.cancel();
   if (setting_) return follow();
   session_.editCurve([](FrictionChart& plot) { plot.showDifference(std::nullopt); });
 }
@@ -34,31 +32,21 @@ void CurveComparison::follow() {
 }
 
 void CurveComparison::start() {
-  if (!work_) work_ = std::make_unique<LatestWork>();
-  const auto later = [this](auto&& what) { QMetaObject::invokeMethod(this, what); };
-  work_->request([this, later, scene = *compared_, setting = *setting_,
-                  number = ++number_](const std::stop_token& stop) {
-    DifferenceOptions options;
-    options.stop = stop;
-    options.progress = [&](const CurveDifference& part) {
-      if (!stop.stop_requested())
-        later([this, number, difference = std::make_shared<const CurveDifference>(part)] {
-          take(number, difference);
-        });
-    };
-    try {
-      curveDifference(scene, setting, options);
-    } catch (const std::exception& error) {
-      later([this, reason = translatedText(error.what())] { emit failed(reason); });
-    }
-  });
+  work_.request(
+      [this, scene = *compared_, setting = *setting_](const BackgroundWork::Run& run) {
+        DifferenceOptions options;
+        options.stop = run.stop();
+        options.progress = [&](const CurveDifference& part) {
+          run.tell([this, part = std::make_shared<const CurveDifference>(part)] { take(*part); });
+        };
+        curveDifference(scene, setting, options);
+      },
+      [] {}, [this](const QString& reason) { emit failed(reason); });
 }
 
-void CurveComparison::take(std::uint64_t number,
-                           std::shared_ptr<const CurveDifference> difference) {
-  if (number != number_ || !setting_) return;
+void CurveComparison::take(const CurveDifference& difference) {
   emit shown();
-  session_.editCurve([&](FrictionChart& plot) { plot.showDifference(*difference); });
+  session_.editCurve([&](FrictionChart& plot) { plot.showDifference(difference); });
 }
 
 }  // namespace asperity

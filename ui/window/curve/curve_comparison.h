@@ -4,12 +4,10 @@
 #pragma once
 
 #include <QObject>
-#include <cstdint>
-#include <memory>
 #include <optional>
 
 #include "core/friction/curve_difference.h"
-#include "ui/window/tasks/latest_work.h"
+#include "ui/window/tasks/background_work.h"
 
 namespace asperity {
 
@@ -32,13 +30,12 @@ class CurveComparison : public QObject {
  private:
   void follow();
   void start();
-  void take(std::uint64_t number, std::shared_ptr<const CurveDifference> difference);
+  void take(const CurveDifference& difference);
 
   Session& session_;
   std::optional<CurveSetting> setting_;
-  std::optional<Scene> compared_;     // the scene last begun with
-  std::uint64_t number_ = 0;          // of the newest request
-  std::unique_ptr<LatestWork> work_;  // last: its thread ends before anything else here goes
+  std::optional<Scene> compared_;  // the scene last begun with
+  BackgroundWork work_;            // last: its thread ends before anything else here goes
 };
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/scene/parameters.h"
+#include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/main/session.h"
 

@@ -1,15 +1,15 @@
 #include "ui/window/curve/curve_files.h"
 
-#include "core/chart/curve_diagram.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/chart/curve_diagram.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
-#include "ui/language/translated.h"
 #include "ui/chart/diagram_picture.h"
+#include "ui/draw/osmesa_context.h"
 #include "ui/draw/picture_origin.h"
 #include "ui/draw/text_painter.h"
-#include "ui/draw/osmesa_context.h"
+#include "ui/language/translated.h"
 #include "ui/window/main/picture_files.h"
 
 namespace asperity {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/window/figures/figure_picture.h"
 
@@ -62,6 +63,12 @@ RegionPictures::RegionPictures(QWidget* parent)
   column->addWidget(bar_);
   column->addWidget(picture_, 1);
   bar_->hide();
+  keepTranslated(*this, [this] {
+    if (!made_) return;
+    const int shown = chosen();
+    showFigure(made_);
+    choose(shown);
+  });
 }
 
 void RegionPictures::showText(const QString& text) {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "ui/contact/contact_picture.h"
-#include "ui/window/figures/figure_worker.h"
+#include "ui/window/figures/made_figure.h"
 
 class QButtonGroup;
 class QHBoxLayout;

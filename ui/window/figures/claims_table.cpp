@@ -87,9 +87,7 @@ class ClaimDelegate : public QStyledItemDelegate {
 
 ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   setObjectName("claims");
-  setAccessibleName(tr("what the paper says of this figure, and whether it holds"));
-  setHorizontalHeaderLabels(
-      {tr("Holds"), tr("The paper says"), tr("Measured"), tr("Expected"), tr("Where")});
+  showTexts();
   setItemDelegate(new ClaimDelegate(this));
   setEditTriggers(NoEditTriggers);
   setSelectionBehavior(SelectRows);
@@ -118,6 +116,12 @@ ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   connect(this, &QTableWidget::itemSelectionChanged, this, [this] { unfold(unfolded()); });
 }
 
+void ClaimsTable::showTexts() {
+  setAccessibleName(tr("what the paper says about this figure, and whether it holds"));
+  setHorizontalHeaderLabels(
+      {tr("Holds"), tr("The paper says"), tr("Measured"), tr("Expected"), tr("Where")});
+}
+
 /// As much as the texts need, within limits: what remains is the claim's.
 void ClaimsTable::setWidths() {
   ensurePolished();
@@ -132,7 +136,8 @@ void ClaimsTable::setWidths() {
 
 void ClaimsTable::changeEvent(QEvent* event) {
   QTableWidget::changeEvent(event);
-  if (event->type() != QEvent::FontChange) return;
+  if (event->type() != QEvent::FontChange && event->type() != QEvent::LanguageChange) return;
+  showTexts();
   const int row = unfolded();
   fill();
   if (row >= 0) selectRow(row);

@@ -25,6 +25,7 @@ class ClaimsTable : public QTableWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  void showTexts();
   void fill();
   void setWidths();
   void unfold(int row);

@@ -6,8 +6,9 @@
 #include <exception>
 #include <utility>
 
-#include "ui/chart/chart_panel.h"
 #include "ui/chart/diagram_picture.h"
+#include "ui/chart/chart_panel.h"
+#include "ui/draw/pixel_context.h"
 #include "ui/draw/text_painter.h"
 
 namespace asperity {
@@ -63,31 +64,19 @@ void DiagramView::request() {
   const DiagramOptions options{pixels.width(), pixels.height(),
                                static_cast<float>(scale * markScale(font())), theme_, kLeastText};
   ++asked_;
-  worker().request({[this, number = asked_, maker = maker_, options] {
-                      composed_ = number;
-                      return composeDiagrams(sheetOf(maker), options);
-                    },
-                    scale});
-}
-
-/// Made when it is first needed. Its events arrive on its thread and go on here; dropped once this
-/// widget is gone.
-PictureWorker& DiagramView::worker() {
-  if (worker_) return *worker_;
-  PictureWorkerEvents events;
-  events.finished = [this](QImage image) {
-    QMetaObject::invokeMethod(this, [this, number = composed_, image = std::move(image)] {
-      shown_ = number;
-      image_ = image;
-      update();
-      emit painted();
-    });
-  };
-  events.failed = [this](const QString& reason) {
-    QMetaObject::invokeMethod(this, [this, reason] { emit failed(reason); });
-  };
-  worker_ = std::make_unique<PictureWorker>(std::move(events));
-  return *worker_;
+  pictures_.request(
+      [maker = maker_, options, scale](const BackgroundWork::Run&) {
+        QImage image = renderImage(contextOfThread(), composeDiagrams(sheetOf(maker), options));
+        image.setDevicePixelRatio(scale);
+        return image;
+      },
+      [this, number = asked_](const QImage& image) {
+        shown_ = number;
+        image_ = image;
+        update();
+        emit painted();
+      },
+      [this](const QString& reason) { emit failed(reason); });
 }
 
 void DiagramView::showEvent(QShowEvent* event) {
@@ -106,10 +95,10 @@ void DiagramView::resizeEvent(QResizeEvent* event) {
   requestSoon();
 }
 
-/// Its texts follow those of the window.
+/// The texts of the picture follow font and language of the window.
 void DiagramView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) requestSoon();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange) requestSoon();
 }
 
 /// While a picture of the new size is being made the last one is stretched.

@@ -1,16 +1,15 @@
 // Shows diagrams that are made and drawn in the background, the newest wish only, and only while it
 // is visible. GUI thread; belongs to its parent. Failure: what cannot be made is said in the place
-// of the picture; where nothing draws, the signal, once.
+// of the picture; where nothing draws, the signal.
 #pragma once
 
 #include <QImage>
 #include <QWidget>
 #include <functional>
-#include <memory>
 
 #include "core/chart/diagram.h"
 #include "ui/contact/contact_picture.h"
-#include "ui/window/tasks/picture_worker.h"
+#include "ui/window/tasks/background_work.h"
 
 class QTimer;
 
@@ -51,16 +50,15 @@ class DiagramView : public QWidget {
  private:
   void requestSoon();
   void request();
-  PictureWorker& worker();
 
   Maker maker_;
   Theme theme_ = lightTheme();
   QImage image_;
   QTimer* pause_;
   bool isDue_ = false;
-  quint64 asked_ = 0, shown_ = 0;          // numbers of requests
-  quint64 composed_ = 0;                   // the worker's thread only
-  std::unique_ptr<PictureWorker> worker_;  // last: its thread ends before anything else here goes
+  quint64 asked_ = 0, shown_ = 0;  // numbers of requests
+  // Last: its thread ends before anything else here goes.
+  BackgroundWork pictures_{Overtaking::SkipsTheWaiting};
 };
 
 }  // namespace asperity

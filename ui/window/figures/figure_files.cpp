@@ -6,10 +6,10 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/scene/provenance.h"
-#include "ui/language/translated.h"
-#include "ui/panels/number_text.h"
 #include "ui/chart/figure_drawing.h"
 #include "ui/draw/picture_origin.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
 #include "ui/window/main/picture_files.h"
 
 namespace asperity {

@@ -5,7 +5,7 @@
 #include <QString>
 #include <filesystem>
 
-#include "ui/window/figures/figure_worker.h"
+#include "ui/window/figures/made_figure.h"
 
 namespace asperity {
 

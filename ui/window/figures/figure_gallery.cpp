@@ -13,9 +13,7 @@ QString figureLabel(FigureName name) {
 }
 
 FigureGallery::FigureGallery(FigureMaker maker, QObject* parent)
-    : QObject(parent),
-      statuses_(figureEntries().size()),
-      worker_(workerEvents(), std::move(maker)) {}
+    : QObject(parent), statuses_(figureEntries().size()), maker_(std::move(maker)) {}
 
 void FigureGallery::compute(FigureName name, std::int64_t realizations) {
   FigureStatus& status = of(name);
@@ -26,25 +24,42 @@ void FigureGallery::compute(FigureName name, std::int64_t realizations) {
   startNext();
 }
 
+/// What is computed has no result any more; its thread ends within a pass over a line.
 void FigureGallery::cancel() {
-  const std::deque<FigureJob> forgotten = std::exchange(waiting_, {});
-  for (const FigureJob& job : forgotten) {
+  work_.cancel();
+  const std::deque<Job> forgotten = std::exchange(waiting_, {});
+  for (const Job& job : forgotten) {
     of(job.name).work = FigureStage::None;
     emit changed(job.name);
   }
-  worker_.stop();
+  if (computing_) end(*computing_);
 }
 
 void FigureGallery::startNext() {
   if (computing_ || waiting_.empty()) return;
-  const FigureJob job = waiting_.front();
+  const Job job = waiting_.front();
   waiting_.pop_front();
   computing_ = job.name;
   FigureStatus& status = of(job.name);
   status.work = FigureStage::Computing;
   status.part = 0;
   status.error.clear();
-  worker_.start(job);
+  const auto progressed = [this, name = job.name](double part) {
+    of(name).part = part;
+    emit changed(name);
+  };
+  work_.request(
+      [maker = maker_, job, progressed](const BackgroundWork::Run& run) {
+        return makeFigureBeside(run, maker, job.name, job.realizations, progressed);
+      },
+      [this, name = job.name](std::shared_ptr<const MadeFigure> made) {
+        of(name).made = std::move(made);
+        end(name);
+      },
+      [this, name = job.name](const QString& reason) {
+        of(name).error = reason;
+        end(name);
+      });
   emit changed(job.name);
 }
 
@@ -53,34 +68,6 @@ void FigureGallery::end(FigureName name) {
   computing_.reset();
   emit changed(name);
   startNext();
-}
-
-/// All arrive on the worker's thread and go on here; dropped once this object is gone.
-FigureWorkerEvents FigureGallery::workerEvents() {
-  FigureWorkerEvents events;
-  events.progressed = [this](FigureName name, double part) {
-    QMetaObject::invokeMethod(this, [this, name, part] {
-      of(name).part = part;
-      emit changed(name);
-    });
-  };
-  events.finished = [this](std::shared_ptr<const MadeFigure> made) {
-    QMetaObject::invokeMethod(this, [this, made = std::move(made)] {
-      const FigureName name = made->figure.name;
-      of(name).made = made;
-      end(name);
-    });
-  };
-  events.failed = [this](FigureName name, const QString& reason) {
-    QMetaObject::invokeMethod(this, [this, name, reason] {
-      of(name).error = reason;
-      end(name);
-    });
-  };
-  events.stopped = [this](FigureName name) {
-    QMetaObject::invokeMethod(this, [this, name] { end(name); });
-  };
-  return events;
 }
 
 }  // namespace asperity

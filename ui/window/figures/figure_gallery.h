@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/window/figures/figure_worker.h"
+#include "ui/window/figures/made_figure.h"
 
 namespace asperity {
 
@@ -52,14 +52,18 @@ class FigureGallery : public QObject {
   const FigureStatus& of(FigureName name) const {
     return statuses_[static_cast<std::size_t>(name)];
   }
-  FigureWorkerEvents workerEvents();
   void startNext();
   void end(FigureName name);
 
   std::vector<FigureStatus> statuses_;
-  std::deque<FigureJob> waiting_;
+  struct Job {
+    FigureName name = FigureName::Contact;
+    std::int64_t realizations = 20;
+  };
+  std::deque<Job> waiting_;
   std::optional<FigureName> computing_;
-  FigureWorker worker_;  // last: its thread ends before anything else here goes
+  const FigureMaker maker_;
+  BackgroundWork work_;  // last: its thread ends before anything else here goes
 };
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <QStyledItemDelegate>
 #include <algorithm>
 
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 
@@ -104,18 +105,14 @@ QString stateText(FigureName name, const FigureStatus& status) {
 
 FigureList::FigureList(QWidget* parent) : QListWidget(parent) {
   setObjectName("figureList");
-  setAccessibleName(tr("figures of the paper"));
   setItemDelegate(new EntryDelegate(this));
   setFrameShape(NoFrame);
   setMouseTracking(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollMode(ScrollPerPixel);
-  for (const FigureEntry& entry : figureEntries()) {
-    auto* item = new QListWidgetItem(this);
-    item->setData(kLabel, figureLabel(entry.name));
-    item->setData(kHeadline, translatedText(entry.headline));
-    showStatus(entry.name, {});
-  }
+  statuses_.resize(figureEntries().size());
+  for (std::size_t i = 0; i < statuses_.size(); ++i) new QListWidgetItem(this);
+  keepTranslated(*this, [this] { showTexts(); });
   setCurrentRow(0);
   connect(this, &QListWidget::currentRowChanged, this,
           [this](int row) { emit chosenChanged(nameAt(row)); });
@@ -130,7 +127,18 @@ void FigureList::choose(FigureName name) {
   setCurrentRow(static_cast<int>(name));
 }
 
+void FigureList::showTexts() {
+  setAccessibleName(tr("figures of the paper"));
+  for (const FigureEntry& entry : figureEntries()) {
+    QListWidgetItem& item = *this->item(static_cast<int>(entry.name));
+    item.setData(kLabel, figureLabel(entry.name));
+    item.setData(kHeadline, translatedText(entry.headline));
+    showStatus(entry.name, statuses_[static_cast<std::size_t>(entry.name)]);
+  }
+}
+
 void FigureList::showStatus(FigureName name, const FigureStatus& status) {
+  statuses_[static_cast<std::size_t>(name)] = status;
   QListWidgetItem& item = *this->item(static_cast<int>(name));
   const QString state = stateText(name, status);
   item.setData(kState, state);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QListWidget>
+#include <vector>
 
 #include "ui/window/figures/figure_gallery.h"
 
@@ -28,6 +29,11 @@ class FigureList : public QListWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void showTexts();
+
+  std::vector<FigureStatus> statuses_;
 };
 
 /// "not computed", "waiting", "42 %", "ready, 20 lines", "failed".

@@ -3,9 +3,11 @@
 #include <QEvent>
 #include <QPainter>
 
-#include "ui/chart/chart_panel.h"
-#include "ui/language/translated.h"
 #include "ui/chart/figure_drawing.h"
+#include "ui/chart/chart_panel.h"
+#include "ui/draw/pixel_context.h"
+#include "ui/draw/text_painter.h"
+#include "ui/language/translated.h"
 #include "ui/window/main/appearance.h"
 
 namespace asperity {
@@ -19,10 +21,14 @@ FigurePicture::FigurePicture(QWidget* parent) : QWidget(parent) {
 void FigurePicture::showFigure(std::shared_ptr<const MadeFigure> made) {
   if (made == made_) return;
   made_ = std::move(made);
-  setAccessibleName(translatedText(made_->figure.sheet.title));
-  setAccessibleDescription(translatedText(made_->figure.sheet.note));
+  describe();
   first_ = asked_ + 1;
   requestPicture();
+}
+
+void FigurePicture::describe() {
+  setAccessibleName(translatedText(made_->figure.sheet.title));
+  setAccessibleDescription(translatedText(made_->figure.sheet.note));
 }
 
 void FigurePicture::showText(const QString& text) {
@@ -56,27 +62,15 @@ void FigurePicture::requestPicture() {
   DiagramOptions options{pixels.width(), pixels.height(),
                          static_cast<float>(scale * markScale(font())), theme_, leastText_};
   ++asked_;
-  worker().request({[this, number = asked_, made = made_, options] {
-                      composed_ = number;
-                      return composeFigure(made->figure, made->contact.get(), options);
-                    },
-                    scale});
-}
-
-/// Made when it is first needed: it has a thread and an OSMesa context. Its events arrive on that
-/// thread and go on here; dropped once this widget is gone.
-PictureWorker& FigurePicture::worker() {
-  if (worker_) return *worker_;
-  PictureWorkerEvents events;
-  events.finished = [this](QImage image) {
-    QMetaObject::invokeMethod(
-        this, [this, number = composed_, image = std::move(image)] { take(number, image); });
-  };
-  events.failed = [this](const QString& reason) {
-    QMetaObject::invokeMethod(this, [this, reason] { emit failed(reason); });
-  };
-  worker_ = std::make_unique<PictureWorker>(std::move(events));
-  return *worker_;
+  pictures_.request(
+      [made = made_, options, scale](const BackgroundWork::Run&) {
+        QImage image = renderImage(contextOfThread(),
+                                   composeFigure(made->figure, made->contact.get(), options));
+        image.setDevicePixelRatio(scale);
+        return image;
+      },
+      [this, number = asked_](const QImage& image) { take(number, image); },
+      [this](const QString& reason) { emit failed(reason); });
 }
 
 void FigurePicture::take(std::uint64_t number, const QImage& image) {
@@ -87,10 +81,12 @@ void FigurePicture::take(std::uint64_t number, const QImage& image) {
   emit painted();
 }
 
-/// Its texts follow those of the window.
+/// The texts of the picture follow font and language of the window.
 void FigurePicture::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) requestPicture();
+  if (event->type() == QEvent::LanguageChange && made_) describe();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange)
+    requestPicture();
 }
 
 void FigurePicture::resizeEvent(QResizeEvent* event) {

@@ -1,6 +1,6 @@
 // Shows one of the paper's figures, drawn anew for each size and theme, or a line of text where
-// there is none. Pictures are made by a PictureWorker. GUI thread; belongs to its parent.
-// Failure: the signal, once, where no picture can be made here.
+// there is none. Pictures are made in the background. GUI thread; belongs to its parent.
+// Failure: the signal, where no picture can be made here.
 #pragma once
 
 #include <QImage>
@@ -9,8 +9,8 @@
 #include <memory>
 
 #include "ui/contact/contact_picture.h"
-#include "ui/window/figures/figure_worker.h"
-#include "ui/window/tasks/picture_worker.h"
+#include "ui/window/figures/made_figure.h"
+#include "ui/window/tasks/background_work.h"
 
 namespace asperity {
 
@@ -44,18 +44,18 @@ class FigurePicture : public QWidget {
 
  private:
   void requestPicture();
+  void describe();
   void take(std::uint64_t number, const QImage& image);
-  PictureWorker& worker();
 
   std::shared_ptr<const MadeFigure> made_;
   QString text_;
   Theme theme_ = lightTheme();
   float leastText_ = 0;
   QImage image_;
-  std::uint64_t asked_ = 0, shown_ = 0;    // numbers of requests
-  std::uint64_t first_ = 0;                // request for the figure shown; older ones are dropped
-  std::uint64_t composed_ = 0;             // request; the worker's thread only
-  std::unique_ptr<PictureWorker> worker_;  // last: its thread ends before anything else here goes
+  std::uint64_t asked_ = 0, shown_ = 0;  // numbers of requests
+  std::uint64_t first_ = 0;              // request for the figure shown; older ones are dropped
+  // Last: its thread ends before anything else here goes.
+  BackgroundWork pictures_{Overtaking::SkipsTheWaiting};
 };
 
 }  // namespace asperity

@@ -1,7 +1,13 @@
 #include "ui/window/figures/gallery_page.h"
 
+#include <QClipboard>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPalette>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QShortcut>
@@ -9,13 +15,15 @@
 #include <QSplitter>
 #include <QToolButton>
 
+#include "ui/language/language.h"
 #include "ui/panels/number_text.h"
-#include "ui/window/main/appearance.h"
 #include "ui/window/figures/claims_table.h"
+#include "ui/window/figures/figure_files.h"
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_picture.h"
-#include "ui/window/figures/gallery_style.h"
+#include "ui/window/main/appearance.h"
 #include "ui/window/main/message_bar.h"
+#include "ui/window/main/picture_files.h"
 
 namespace asperity {
 
@@ -24,14 +32,42 @@ namespace {
 constexpr int kMostRealizations = 10000;
 constexpr int kSteps = 1000;  // of the progress bar
 
+/// The look of the page in the colours of a palette: flat and rounded, as the bars of the window.
+QString styleSheetOf(const QPalette& palette) {
+  const auto name = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
+  const auto tint = [&](int percent) {
+    const QColor accent = palette.color(QPalette::Highlight);
+    return QStringLiteral("rgba(%1, %2, %3, %4%)")
+        .arg(accent.red())
+        .arg(accent.green())
+        .arg(accent.blue())
+        .arg(percent);
+  };
+  return QStringLiteral(R"(
+    #galleryBar { background: %1; border-top: 1px solid %3; }
+    #galleryNote { color: %6; }
+    QPushButton { background: %5; color: %2; border: 1px solid %3; border-radius: 6px;
+                  padding: 5px 12px; }
+    QPushButton:hover, QPushButton:focus { border-color: %4; }
+    QPushButton:pressed { background: %3; }
+    QPushButton:disabled { background: transparent; color: %6; }
+    QProgressBar { background: %5; color: %2; border: 1px solid %3; border-radius: 6px;
+                   text-align: center; min-height: 26px; }
+    QProgressBar::chunk { background: %7; border-radius: 5px; }
+    QTableWidget { selection-background-color: %8; }
+    QHeaderView { background: %1; border: none; }
+    QHeaderView::section { background: %1; color: %6; border: none;
+                           border-bottom: 1px solid %3; padding: 5px 8px; }
+  )")
+      .arg(name(QPalette::Window), name(QPalette::WindowText), name(QPalette::Mid),
+           name(QPalette::Highlight), name(QPalette::Base), name(QPalette::PlaceholderText),
+           tint(35), tint(18));
+}
+
 }  // namespace
 
 GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
-    : GalleryPage(std::make_unique<FigureGallery>(std::move(maker)), parent) {}
-
-GalleryPage::GalleryPage(std::unique_ptr<FigureGallery> figures, QWidget* parent)
-    : QWidget(parent), gallery_(figures.release()) {
-  gallery_->setParent(this);
+    : QWidget(parent), gallery_(new FigureGallery(std::move(maker), this)) {
   setObjectName("galleryPage");
   messages_ = new MessageBar;
   auto* splitter = new QSplitter(Qt::Horizontal);
@@ -62,29 +98,17 @@ GalleryPage::GalleryPage(std::unique_ptr<FigureGallery> figures, QWidget* parent
   showChosen();
 }
 
+/// Sets the words that depend on what is computed and shown.
+void GalleryPage::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::LanguageChange) return;
+  note_->clear();
+  showPlaceholder();
+  // Later, because the buttons, which are told after this page, set their usual texts first.
+  QMetaObject::invokeMethod(this, &GalleryPage::showWork, Qt::QueuedConnection);
+}
+
 GalleryPage::~GalleryPage() = default;
-
-std::unique_ptr<FigureGallery> GalleryPage::takeFigures() {
-  gallery_->disconnect(this);
-  gallery_->setParent(nullptr);
-  return std::unique_ptr<FigureGallery>(gallery_);
-}
-
-GalleryState GalleryPage::state() const {
-  GalleryState state{chosen(), claims_->unfolded(), realizations_->value(), {}};
-  for (const QSplitter* splitter : findChildren<QSplitter*>())
-    state.splits += splitter->saveState();
-  return state;
-}
-
-void GalleryPage::setState(const GalleryState& state) {
-  choose(state.figure, false);
-  claims_->selectRow(state.claim);
-  realizations_->setValue(state.realizations);
-  const QList<QSplitter*> splitters = findChildren<QSplitter*>();
-  for (qsizetype i = 0; i < splitters.size(); ++i)
-    splitters[i]->restoreState(state.splits.value(i));
-}
 
 QWidget* GalleryPage::makeHeading() {
   auto* heading = new QWidget;
@@ -92,15 +116,19 @@ QWidget* GalleryPage::makeHeading() {
   heading->setAttribute(Qt::WA_StyledBackground);
   auto* row = new QHBoxLayout(heading);
   row->setContentsMargins(14, 5, 8, 5);
-  row->addWidget(new QLabel(tr("Figures of the paper, computed here and now")), 1);
+  auto* title = new QLabel;
+  row->addWidget(title, 1);
   auto* close = new QToolButton;
   close->setObjectName("closeGallery");
-  close->setText(tr("✕"));
-  close->setToolTip(tr("Back to the contact (Esc)"));
-  close->setAccessibleName(tr("back to the contact"));
+  close->setText(QStringLiteral("✕"));
   close->setFocusPolicy(Qt::NoFocus);
   connect(close, &QToolButton::clicked, this, &GalleryPage::closed);
   row->addWidget(close);
+  keepTranslated(*heading, [title, close] {
+    title->setText(tr("Figures of the paper, computed here and now"));
+    close->setToolTip(tr("Back to the contact (Esc)"));
+    close->setAccessibleName(tr("back to the contact"));
+  });
   return heading;
 }
 
@@ -123,25 +151,31 @@ QWidget* GalleryPage::makeChoices() {
   auto* column = new QVBoxLayout(choices);
   column->setContentsMargins(12, 10, 12, 10);
   auto* row = new QHBoxLayout;
-  auto* label = new QLabel(tr("&Realizations"));
+  auto* label = new QLabel;
   realizations_ = new QSpinBox;
   realizations_->setObjectName("realizations");
-  realizations_->setAccessibleName(tr("realizations to average over"));
   realizations_->setRange(1, kMostRealizations);
   realizations_->setValue(kQuick);
   label->setBuddy(realizations_);
+  keepTranslated(*choices, [this, label] {
+    label->setText(tr("&Realizations"));
+    realizations_->setAccessibleName(tr("realizations to average over"));
+  });
   row->addWidget(label);
   row->addWidget(realizations_, 1);
   column->addLayout(row);
   auto* presets = new QHBoxLayout;
   presets->setSpacing(6);
-  addButton(*presets, "quick", tr("&Quick"), tr("%1 realizations").arg(kQuick),
-            &GalleryPage::chooseQuick);
-  addButton(*presets, "paper", tr("Pap&er"), tr("%1 realizations, as in the paper").arg(kPaper),
-            &GalleryPage::choosePaper);
+  addButton(
+      *presets, "quick", [] { return tr("&Quick"); },
+      [] { return tr("%1 realizations").arg(kQuick); }, &GalleryPage::chooseQuick);
+  addButton(
+      *presets, "paper", [] { return tr("Pap&er"); },
+      [] { return tr("%1 realizations, as in the paper").arg(kPaper); }, &GalleryPage::choosePaper);
   presets->addStretch(1);
-  addButton(*presets, "computeAll", tr("Compute &all"), tr("All figures, one after another"),
-            &GalleryPage::computeAll);
+  addButton(
+      *presets, "computeAll", [] { return tr("Compute &all"); },
+      [] { return tr("All figures, one after another"); }, &GalleryPage::computeAll);
   column->addLayout(presets);
   return choices;
 }
@@ -173,35 +207,44 @@ QWidget* GalleryPage::makeCommands() {
   commands->setAttribute(Qt::WA_StyledBackground);
   auto* row = new QHBoxLayout(commands);
   row->setContentsMargins(12, 10, 12, 10);
-  compute_ =
-      addButton(*row, "compute", tr("&Compute"),
-                tr("This figure, from lines made anew (Enter in the list)"), &GalleryPage::compute);
-  cancel_ = addButton(*row, "cancel", tr("Ca&ncel"), tr("Ends what is computed and what waits"),
-                      &GalleryPage::cancel);
+  compute_ = addButton(
+      *row, "compute", [] { return tr("&Compute"); },
+      [] { return tr("Computes this figure from new lines (Enter in the list)"); },
+      &GalleryPage::compute);
+  cancel_ = addButton(
+      *row, "cancel", [] { return tr("Ca&ncel"); },
+      [] { return tr("Stops this computation and all that wait"); }, &GalleryPage::cancel);
   progress_ = new QProgressBar;
   progress_->setObjectName("figureProgress");
-  progress_->setAccessibleName(tr("progress of the computation"));
   progress_->setRange(0, kSteps);
   row->addWidget(progress_, 1);
   note_ = new QLabel;
   note_->setObjectName("galleryNote");
   note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(note_, 1);
-  openScene_ = addButton(*row, "openAsScene", tr("&Open as scene"),
-                         tr("This figure's parameters in the window, to play with"),
-                         &GalleryPage::openScene);
-  savePicture_ = addButton(*row, "savePicture", tr("Save &picture…"), tr("PNG, SVG or PDF"),
-                           &GalleryPage::askPicture);
-  saveData_ = addButton(*row, "saveData", tr("Save &data…"),
-                        tr("The table as CSV, or the claims as JSON"), &GalleryPage::askData);
+  openScene_ = addButton(
+      *row, "openAsScene", [] { return tr("&Open as scene"); },
+      [] { return tr("This figure's parameters in the window, to play with"); },
+      &GalleryPage::openScene);
+  savePicture_ = addButton(
+      *row, "savePicture", [] { return tr("Save &picture…"); },
+      [] { return tr("PNG, SVG or PDF"); }, &GalleryPage::askPicture);
+  saveData_ = addButton(
+      *row, "saveData", [] { return tr("Save &data…"); },
+      [] { return tr("The table as CSV, or the claims as JSON"); }, &GalleryPage::askData);
+  keepTranslated(*progress_,
+                 [this] { progress_->setAccessibleName(tr("progress of the computation")); });
   return commands;
 }
 
-QPushButton* GalleryPage::addButton(QLayout& row, const char* name, const QString& text,
-                                    const QString& tip, void (GalleryPage::*run)()) {
-  auto* button = new QPushButton(text);
+QPushButton* GalleryPage::addButton(QLayout& row, const char* name, QString (*text)(),
+                                    QString (*tip)(), void (GalleryPage::*run)()) {
+  auto* button = new QPushButton;
   button->setObjectName(name);
-  button->setToolTip(tip);
+  keepTranslated(*button, [button, text, tip] {
+    button->setText(text());
+    button->setToolTip(tip());
+  });
   connect(button, &QPushButton::clicked, this, run);
   row.addWidget(button);
   return button;
@@ -213,7 +256,7 @@ void GalleryPage::showEvent(QShowEvent* event) {
 }
 
 void GalleryPage::setTheme(const Theme& theme) {
-  setStyleSheet(galleryStyleSheet(paletteOf(theme)));
+  setStyleSheet(styleSheetOf(paletteOf(theme)));
   picture_->setTheme(theme);
   claims_->setDark(isDark(theme));
 }
@@ -228,14 +271,23 @@ void GalleryPage::take(FigureName name) {
   showWork();
 }
 
+/// A text in the place of a picture that is not there yet.
+void GalleryPage::showPlaceholder() {
+  const FigureStatus& status = gallery_->status(chosen());
+  if (status.made) return;
+  picture_->showText(status.work == FigureStage::None
+                         ? tr("%1 is not computed yet.").arg(figureLabel(chosen()))
+                         : tr("%1 appears here once it is computed.").arg(figureLabel(chosen())));
+}
+
 void GalleryPage::showChosen() {
   const FigureStatus& status = gallery_->status(chosen());
-  if (!status.made)
-    picture_->showText(status.work == FigureStage::None
-                           ? tr("%1 is not computed yet.").arg(figureLabel(chosen()))
-                           : tr("%1 appears here once it is computed.").arg(figureLabel(chosen())));
+  showPlaceholder();
   if (status.made != shown_) showMade(status.made);
-  status.error.isEmpty() ? messages_->hide() : messages_->showMessage(status.error);
+  if (status.error.isEmpty())
+    messages_->hide();
+  else
+    messages_->showMessage(status.error);
   showWork();
 }
 
@@ -260,6 +312,82 @@ void GalleryPage::showWork() {
   if (!computing) return;
   progress_->setValue(static_cast<int>(kSteps * gallery_->status(*computing).part));
   progress_->setFormat(figureLabel(*computing) + QStringLiteral(": %p %"));
+}
+
+void GalleryPage::choose(FigureName name, bool compute) {
+  list_->choose(name);
+  if (compute && !gallery_->status(name).made) this->compute();
+}
+
+void GalleryPage::chooseQuick() {
+  realizations_->setValue(kQuick);
+}
+
+void GalleryPage::choosePaper() {
+  realizations_->setValue(kPaper);
+}
+
+void GalleryPage::compute() {
+  note_->clear();
+  gallery_->compute(chosen(), realizations_->value());
+}
+
+/// Those that are not there with as many lines.
+void GalleryPage::computeAll() {
+  note_->clear();
+  for (const FigureEntry& entry : figureEntries()) {
+    const std::shared_ptr<const MadeFigure> made = gallery_->status(entry.name).made;
+    if (!made || made->realizations != realizations_->value())
+      gallery_->compute(entry.name, realizations_->value());
+  }
+}
+
+void GalleryPage::openScene() {
+  emit sceneWanted(gallery_->status(chosen()).made->figure.scene);
+}
+
+void GalleryPage::askPicture() {
+  const QString file = askSaveFile(this, tr("Save picture"), figureFile(chosen(), ".png"),
+                                   tr("Pictures (*.png *.svg *.pdf)"));
+  if (!file.isEmpty()) savePicture(file);
+}
+
+void GalleryPage::askData() {
+  const QString file = askSaveFile(this, tr("Save data"), figureFile(chosen(), ".csv"),
+                                   tr("Table (*.csv);;Claims (*.json)"));
+  if (!file.isEmpty()) saveData(file);
+}
+
+void GalleryPage::copyPicture() {
+  if (!picture_->isPainted()) return;
+  QGuiApplication::clipboard()->setImage(picture_->image());
+  note_->setText(tr("The picture is on the clipboard"));
+}
+
+void GalleryPage::savePicture(const QString& file) {
+  save(file, writeFigurePicture);
+}
+
+void GalleryPage::saveData(const QString& file) {
+  save(file, writeFigureData);
+}
+
+void GalleryPage::save(const QString& file,
+                       void (*write)(const std::filesystem::path&, const MadeFigure&)) {
+  const std::shared_ptr<const MadeFigure> made = gallery_->status(chosen()).made;
+  if (!made) return;
+  note_->setText(tr("Saving %1…").arg(QFileInfo(file).fileName()));
+  saving_.request(
+      [file, made, write](const BackgroundWork::Run&) { write(file.toStdString(), *made); },
+      [this, file] {
+        note_->setText(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+        if (messages_->end(MessageBar::Failure::Export)) showChosen();
+        emit saved(file);
+      },
+      [this](const QString& reason) {
+        note_->clear();
+        messages_->showFailure(MessageBar::Failure::Export, reason);
+      });
 }
 
 }  // namespace asperity

@@ -6,7 +6,6 @@
 
 #include <QWidget>
 #include <memory>
-#include <thread>
 
 #include "ui/contact/contact_picture.h"
 #include "ui/window/figures/figure_gallery.h"
@@ -23,14 +22,6 @@ class FigureList;
 class FigurePicture;
 class MessageBar;
 
-/// What of a page is in sight and set up.
-struct GalleryState {
-  FigureName figure = FigureName::Contact;
-  int claim = -1;  // the row that is unfolded
-  int realizations = 0;
-  QList<QByteArray> splits;
-};
-
 class GalleryPage : public QWidget {
   Q_OBJECT
 
@@ -39,15 +30,9 @@ class GalleryPage : public QWidget {
   static constexpr int kPaper = 200;  // as many as the paper averages over
 
   explicit GalleryPage(FigureMaker maker = makeFigure, QWidget* parent = nullptr);
-  /// With figures that were made, or are being made.
-  explicit GalleryPage(std::unique_ptr<FigureGallery> figures, QWidget* parent = nullptr);
   ~GalleryPage() override;
 
   FigureGallery& gallery() { return *gallery_; }
-  /// For another page; this one goes next.
-  std::unique_ptr<FigureGallery> takeFigures();
-  GalleryState state() const;
-  void setState(const GalleryState& state);
   FigurePicture& picture() { return *picture_; }
   MessageBar& messages() { return *messages_; }
 
@@ -74,6 +59,7 @@ class GalleryPage : public QWidget {
   void saved(const QString& file);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
  private:
@@ -82,7 +68,7 @@ class GalleryPage : public QWidget {
   QWidget* makeRight();
   QWidget* makeChoices();
   QWidget* makeCommands();
-  QPushButton* addButton(QLayout& row, const char* name, const QString& text, const QString& tip,
+  QPushButton* addButton(QLayout& row, const char* name, QString (*text)(), QString (*tip)(),
                          void (GalleryPage::*run)());
 
   void chooseQuick();
@@ -94,6 +80,7 @@ class GalleryPage : public QWidget {
   void askData();
   void save(const QString& file, void (*write)(const std::filesystem::path&, const MadeFigure&));
   void take(FigureName name);
+  void showPlaceholder();
   void showChosen();
   void showMade(std::shared_ptr<const MadeFigure> made);
   void showWork();
@@ -109,7 +96,7 @@ class GalleryPage : public QWidget {
   QLabel* note_ = nullptr;  // in the place of the progress while nothing is computed
   QPushButton *compute_ = nullptr, *cancel_ = nullptr, *openScene_ = nullptr;
   QPushButton *savePicture_ = nullptr, *saveData_ = nullptr;
-  std::jthread saving_;  // last: ends before anything else here goes
+  BackgroundWork saving_{Overtaking::WaitsForItsTurn};  // last: ends before all else here goes
 };
 
 }  // namespace asperity

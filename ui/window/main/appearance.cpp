@@ -1,9 +1,14 @@
 #include "ui/window/main/appearance.h"
 
-#include <QGuiApplication>
+#include <QActionGroup>
+#include <QApplication>
+#include <QMenu>
+#include <QWidget>
 #include <algorithm>
 
 #include "ui/draw/text_painter.h"
+#include "ui/language/language.h"
+#include "ui/window/main/commands.h"
 
 namespace asperity {
 
@@ -145,6 +150,57 @@ QString windowStyleSheet(const Theme& theme) {
            dark ? QStringLiteral("#5b2a2a") : QStringLiteral("#fde3e1"),
            dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"),
            mixed(panel, accent(theme), 0.12).name(), colourOf(theme.background).name());
+}
+
+Appearance::Appearance(QWidget& window) : QObject(&window), window_(window) {}
+
+void Appearance::addTo(Commands& commands) {
+  commands_ = &commands;
+  commands.add({"light",
+                [this] { return isDark_ ? tr("Light colours") : tr("Dark colours"); },
+                [this] { setColours(isDark_ ? Colours::Light : Colours::Dark); },
+                {},
+                Symbol::Light});
+}
+
+void Appearance::addMenu(QMenu& menu) {
+  QMenu* themes = menu.addMenu(QString());
+  auto* group = new QActionGroup(this);
+  for (const Colours colours : {Colours::System, Colours::Light, Colours::Dark}) {
+    QAction* action = themes->addAction(QString(), this, [this, colours] { setColours(colours); });
+    action->setObjectName(QStringLiteral("colours:%1").arg(static_cast<int>(colours)));
+    action->setCheckable(true);
+    action->setChecked(colours == colours_);
+    group->addAction(action);
+    choices_ += action;
+  }
+  keepTranslated(*themes, [this, themes] {
+    themes->setTitle(tr("Theme"));
+    choices_[0]->setText(tr("Same as system"));
+    choices_[1]->setText(tr("Light"));
+    choices_[2]->setText(tr("Dark"));
+  });
+}
+
+void Appearance::setColours(Colours colours) {
+  colours_ = colours;
+  if (!choices_.isEmpty()) choices_.at(static_cast<int>(colours))->setChecked(true);
+  const bool dark = colours == Colours::System ? systemIsDark() : colours == Colours::Dark;
+  // The style sheet takes a third of the start.
+  if (dark != isDark_ || window_.styleSheet().isEmpty()) setDark(dark);
+}
+
+void Appearance::setDark(bool dark) {
+  isDark_ = dark;
+  QApplication::setPalette(paletteOf(theme()));
+  window_.setStyleSheet(windowStyleSheet(theme()));
+  commands_->setColour(paletteOf(theme()).color(QPalette::WindowText));
+  commands_->refresh("light");
+  emit themeChanged(theme());
+}
+
+const Theme& Appearance::theme() const {
+  return isDark_ ? darkTheme() : lightTheme();
 }
 
 }  // namespace asperity

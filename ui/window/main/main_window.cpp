@@ -1,34 +1,44 @@
 #include "ui/window/main/main_window.h"
 
-#include <QApplication>
+#include <QAbstractButton>
+#include <QAction>
+#include <QCloseEvent>
+#include <QDialog>
 #include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMimeData>
 #include <QSplitter>
-#include <QStackedWidget>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolButton>
+#include <QUrl>
 
-#include "core/run/transient_diagram.h"
 #include "ui/chart/chart_view.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/accuracy/accuracy_panel.h"
-#include "ui/window/accuracy/plan_list.h"
+#include "ui/window/contact/contact_canvas.h"
+#include "ui/window/curve/curve_commands.h"
+#include "ui/window/curve/curve_comparison.h"
+#include "ui/window/curve/curve_display.h"
 #include "ui/window/curve/curve_reading.h"
-#include "ui/window/figures/diagram_view.h"
-#include "ui/window/figures/gallery_page.h"
+#include "ui/window/figures/figure_pages.h"
 #include "ui/window/main/appearance.h"
-#include "ui/window/main/contact_canvas.h"
-#include "ui/window/main/gesture_counter.h"
+#include "ui/window/main/commands.h"
+#include "ui/window/main/document_commands.h"
+#include "ui/window/main/exports.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
+#include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
 #include "ui/window/main/status_line.h"
-#include "ui/window/main/tour_bar.h"
+#include "ui/window/main/tour.h"
+#include "ui/window/main/window_layout.h"
 #include "ui/window/main/window_sight.h"
-#include "ui/window/tasks/latest_work.h"
 
 namespace asperity {
 
@@ -37,6 +47,23 @@ namespace {
 constexpr int kPollInterval = 16;  // ms, 60 times a second
 constexpr int kUnseenPoll = 250;   // ms, where nobody sees what comes
 
+/// Qt's own buttons of a dock, which its title covers, keep the words that they were made with.
+void sayAgain(const QDockWidget& dock) {
+  static constexpr struct {
+    const char *object, *name, *description;
+  } kButtons[] = {{"qt_dockwidget_floatbutton", "Float", "Undocks and re-attaches the dock widget"},
+                  {"qt_dockwidget_closebutton", "Close", "Closes the dock widget"}};
+  const auto text = [](const char* english) {
+    return QCoreApplication::translate("QDockWidget", english);
+  };
+  for (const auto& [object, name, description] : kButtons)
+    if (auto* button = dock.findChild<QAbstractButton*>(QLatin1String(object))) {
+      button->setAccessibleName(text(name));
+      button->setAccessibleDescription(text(description));
+      if (!button->toolTip().isEmpty()) button->setToolTip(text(name));
+    }
+}
+
 /// A dock's title in the window's own look.
 QWidget* dockTitle(QDockWidget& dock) {
   auto* title = new QWidget;
@@ -44,13 +71,19 @@ QWidget* dockTitle(QDockWidget& dock) {
   title->setAttribute(Qt::WA_StyledBackground);
   auto* layout = new QHBoxLayout(title);
   layout->setContentsMargins(14, 5, 8, 5);
-  layout->addWidget(new QLabel(dock.windowTitle()), 1);
+  auto* label = new QLabel;
+  layout->addWidget(label, 1);
   auto* close = new QToolButton;
   close->setText(QStringLiteral("✕"));
-  close->setAccessibleName(MainWindow::tr("close"));
   close->setFocusPolicy(Qt::NoFocus);
   QObject::connect(close, &QToolButton::clicked, &dock, &QDockWidget::close);
   layout->addWidget(close);
+  keepTranslated(dock, [&dock, label, close] {
+    dock.setWindowTitle(MainWindow::tr("Parameters"));
+    label->setText(dock.windowTitle());
+    close->setAccessibleName(MainWindow::tr("close"));
+    sayAgain(dock);
+  });
   return title;
 }
 
@@ -73,20 +106,23 @@ QWidget* inColumn(std::initializer_list<QWidget*> widgets) {
 }  // namespace
 
 MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* parent)
-    : QMainWindow(parent), session_(new Session(scene, options, this)) {
+    : QMainWindow(parent),
+      session_(new Session(scene, options, this)),
+      document_(new SceneDocument(scene, this)),
+      canvas_(new ContactCanvas) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
-  gestures_ = new GestureCounter(this);
-  document_ = new SceneDocument(scene, this);
-  canvas_ = new ContactCanvas;
-  putTogether();
-  setColours(Colours::System);
-  showAboutScene();
-  showDescription();
-  showHistory();
+  buildViews();
+  buildCommands();
+  buildMenus();
+  connectScene();
+  connectFrames();
+  connectCurve();
+  appearance_->setColours(Colours::System);
+  showScene(scene);
   setMinimumSize(kLeastWindow);
   resize(1280, 800);
-  defaultLayout_ = saveState();
+  windowLayout_->keepAsDefault();
 
   poll_ = new QTimer(this);
   poll_->setTimerType(Qt::PreciseTimer);
@@ -97,128 +133,271 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   poll_->start(kPollInterval);
 }
 
-/// Nothing is stepped and drawn for nobody; curves go on.
-void MainWindow::followSight() {
-  poll_->setInterval(sight_->isSeen() ? kPollInterval : kUnseenPoll);
-  session_->setSeen(sight_->isSeen() && !isShowingFigures());
-}
-
+/// The layout gives the font back to other windows, while all of this one is there.
 MainWindow::~MainWindow() {
-  if (presentation_) QApplication::setFont(presentation_->font);  // of other windows, too
+  delete windowLayout_;
 }
 
-/// Everything that has words.
-void MainWindow::putTogether() {
-  parts_ = new QObject(this);
-  connectDocument();
-  buildViews();
-  buildPanel();
-  buildActions();
-  connectSession();
+ChartView& MainWindow::plotView() {
+  return tabs_->plot();
 }
+
+// ---- The parts
 
 void MainWindow::buildViews() {
-  canvas_->setAccessibleName(ContactCanvas::tr("contact view"));
-  plot_ = new ChartView;
-  plot_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
-  plot_->setObjectName("frictionPlot");
-  plot_->setMinimumHeight(170);
-  plot_->setAccessibleName(tr("coefficient of friction against velocity"));
+  tabs_ = new SceneTabs(*session_);
   splitter_ = new QSplitter(Qt::Vertical);
   splitter_->setObjectName("viewSplitter");
   splitter_->setHandleWidth(1);
   splitter_->setChildrenCollapsible(false);
   splitter_->addWidget(canvas_);
-  canvas_->show();
-  splitter_->addWidget(buildTabs());
+  splitter_->addWidget(tabs_);
   splitter_->setStretchFactor(0, 58);
   splitter_->setStretchFactor(1, 42);
-  splitter_->setSizes({580, 420});
 
   description_ = new MessageBar;
   description_->setObjectName("descriptionBar");
-  pages_ = new QStackedWidget;
-  pages_->addWidget(inColumn({description_, splitter_}));
-
+  figures_ = new FigurePages(inColumn({description_, splitter_}));
   messages_ = new MessageBar;
   hint_ = new MessageBar;
   hint_->setObjectName("hintBar");
   tourBar_ = new TourBar;
-  setCentralWidget(inColumn({messages_, hint_, tourBar_, pages_}));
+  setCentralWidget(inColumn({messages_, hint_, tourBar_, figures_}));
 
-  buildStatus();
-}
+  status_ = new StatusLine;
+  status_->follow(*session_, *canvas_);
+  statusBar()->addWidget(status_, 1);
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->setContentsMargins(0, 0, 0, 0);
 
-void MainWindow::buildPanel() {
-  panel_ = new ParameterPanel(session_->scene());
-  dock_ = new QDockWidget(tr("Parameters"));
+  panel_ = new ParameterPanel(document_->scene());
+  dock_ = new QDockWidget;
   dock_->setObjectName("parameterDock");
   dock_->setWidget(panel_);
   dock_->setTitleBarWidget(dockTitle(*dock_));
   addDockWidget(Qt::RightDockWidgetArea, dock_);
   resizeDocks({dock_}, {panel_->sizeHint().width()}, Qt::Horizontal);
-  connect(panel_, &ParameterPanel::sceneEdited, this, &MainWindow::takeStep);
 }
 
-void MainWindow::connectSession() {
+void MainWindow::buildCommands() {
+  commands_ = new Commands(*this);
+  commands_->add({"play",
+                  [this] { return session_->isPlaying() ? tr("Pause") : tr("Play"); },
+                  [this] { session_->setPlaying(!session_->isPlaying()); },
+                  {Qt::Key_Space},
+                  Symbol::Pause});
+  commands_->add({"step",
+                  [] { return tr("Step"); },
+                  [this] { session_->singleStep(partPerStep()); },
+                  {Qt::Key_Period},
+                  Symbol::Step});
+  commands_->add({"reset",
+                  [] { return tr("Reset"); },
+                  [this] { session_->reset(); },
+                  {Qt::Key_R},
+                  Symbol::Reset});
+  documents_ = new DocumentCommands(*document_, *panel_, *messages_, *this);
+  documents_->addTo(*commands_);
+  figures_->addTo(*commands_);
+  appearance_ = new Appearance(*this);
+  exports_ = new Exports({*this, *document_, *session_, *canvas_, *tabs_, *figures_, *appearance_,
+                          *messages_, *status_});
+  exports_->addTo(*commands_);
+  appearance_->addTo(*commands_);
+  windowLayout_ =
+      new WindowLayout({*this, *dock_, *splitter_, *canvas_, *tabs_, *figures_, *appearance_});
+  windowLayout_->addTo(*commands_);
+  tabs_->addTo(*commands_);
+  tour_ = new Tour(*document_, *documents_, *tourBar_, *hint_, this);
+  tour_->addTo(*commands_);
+  commands_->add({"shortcuts",
+                  [] { return tr("Keyboard shortcuts"); },
+                  [this] { showShortcuts(); },
+                  {Qt::Key_F1, Qt::Key_Question}});
+  commands_->add({"about", [] { return tr("About Asperity"); }, [this] { showAbout(); }});
+  commands_->add({"quit", [] { return tr("Quit"); }, [this] { close(); }, {QKeySequence::Quit}});
+  const auto run = [this](std::function<void()> work, std::function<void()> done) {
+    exports_->run(std::move(work), std::move(done));
+  };
+  curveCommands_ = new CurveCommands(*session_, tabs_->plot(), run, this);
+  exports_->setCurves(*curveCommands_);
+}
+
+// ---- How a scene travels: from whatever changes it to the document, and from there to all
+
+void MainWindow::connectScene() {
+  connect(panel_, &ParameterPanel::sceneEdited, this,
+          [this](const Scene& scene) { document_->edit(scene); });
+  connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this,
+          [this](const Scene& scene) { document_->edit(scene); });
+  connect(figures_, &FigurePages::sceneWanted, this, [this](const Scene& scene) {
+    documents_->replace({{}, {}, scene});
+  });
+  connect(document_, &SceneDocument::opening, messages_, &MessageBar::forget);
+  connect(document_, &SceneDocument::sceneChanged, this,
+          [this](const Scene& scene, SceneChange change) {
+            const bool isOpened = change == SceneChange::Opened;
+            if (isOpened) described_.reset();
+            // A scene that comes from the panel must not replace what is being typed there.
+            if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
+            session_->setScene(scene, isOpened ? Session::Begin::Opened : Session::Begin::GoesOn);
+            showScene(scene);
+          });
+  connect(document_, &SceneDocument::historyChanged, this, &MainWindow::showTitle);
+  connect(tour_, &Tour::starting, figures_, &FigurePages::closeFigures);
+  connect(tour_, &Tour::stepShown, description_, &QWidget::hide);
+  keepTranslated(*this, [this] {
+    showTitle();
+    const bool isDescribed = !description_->isHidden();
+    description_->showMessage(sceneText(document_->scene().description));
+    description_->setVisible(isDescribed);
+    if (session_->frame()) showFrame();
+  });
+}
+
+void MainWindow::showScene(const Scene& scene) {
+  tabs_->showScene(scene);
+  showDescription();
+  showTitle();
+}
+
+/// Closed by hand it stays closed.
+void MainWindow::showDescription() {
+  const std::string& description = document_->scene().description;
+  if (description == described_) return;
+  described_ = description;
+  if (description.empty() || tour_->isRunning())
+    description_->hide();
+  else
+    description_->showMessage(sceneText(description));
+}
+
+void MainWindow::showTitle() {
+  const QString name = document_->name();
+  setWindowTitle(name.isEmpty() ? tr("Asperity[*]") : tr("%1[*] – Asperity").arg(name));
+  setWindowModified(document_->isChanged());
+}
+
+// ---- What the session makes of it
+
+void MainWindow::connectFrames() {
   connect(session_, &Session::frameArrived, this, &MainWindow::showFrame);
-  connect(accuracy_, &AccuracyPanel::sceneEdited, this,
-          [this](const Scene& scene) { editScene(scene); });
-  connect(session_, &Session::complained, this, [this](const QString& key, const QString& english) {
-    complaint_ = {key, english};
-    showComplaint();
-  });
-  connect(session_, &Session::sceneRuns, this, [this] {
-    complaint_.reset();
-    endFailure(MessageBar::Failure::Scene);
-  });
+  connect(session_, &Session::complained, messages_, &MessageBar::complain);
+  connect(messages_, &MessageBar::complained, panel_, &ParameterPanel::showError);
+  connect(session_, &Session::sceneRuns, messages_, &MessageBar::sceneRuns);
   connect(session_, &Session::sceneRuns, panel_, &ParameterPanel::clearErrors);
-  connect(session_, &Session::playingChanged, this, &MainWindow::showPlaying);
-  connectView();
-  connectChart();
+  connect(session_, &Session::playingChanged, this, [this](bool playing) {
+    commands_->setSymbol("play", playing ? Symbol::Pause : Symbol::Play);
+    commands_->refresh("play");
+  });
+  const auto showVeil = [this] {
+    canvas_->setVeil(session_->isWaiting()
+                         ? tr("This is the previous scene; the changed one is being computed")
+                         : QString());
+  };
+  keepTranslated(*canvas_, showVeil);
+  connect(session_, &Session::waitingChanged, this, showVeil);
+  connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
+  connect(canvas_, &ContactCanvas::fieldsWanted, this, &MainWindow::wantFields);
+  connect(tabs_, &SceneTabs::fieldsWanted, this, &MainWindow::wantFields);
+  connect(appearance_, &Appearance::themeChanged, this, [this](const Theme& theme) {
+    canvas_->setTheme(theme);
+    tabs_->setTheme(theme);
+    figures_->setTheme(theme);
+  });
+  connect(figures_, &FigurePages::switched, this, [this](bool areShown) {
+    // The run's keys are the page's: Space is for its buttons.
+    for (QAction* action : commands_->get({"play", "step", "reset"})) action->setEnabled(!areShown);
+    followSight();
+    if (areShown) return;
+    if (session_->frame()) canvas_->setFrame(session_->frame());
+    canvas_->setFocus();
+  });
+  connect(status_, &StatusLine::stopWanted, session_, &Session::stopCurve);
+  connect(status_, &StatusLine::againWanted, this, [this] {
+    tabs_->beginCurve();
+    session_->startCurve();
+  });
+  connect(status_, &StatusLine::backWanted, this, [this] { document_->history().undo(); });
 }
 
 void MainWindow::showFrame() {
   const std::shared_ptr<const Frame> frame = session_->frame();
-  if (!isShowingFigures()) canvas_->setFrame(frame);
+  if (!figures_->isShowingFigures()) canvas_->setFrame(frame);
   status_->showFrame(*frame, readCurve(*frame, session_->curve()));
-  if (frame->transient && frame->sceneNumber == session_->sceneNumber())
-    strips_->setSheet(
-        transientSheet(*frame->scene, *frame->transient, frame->spacing, frame->length));
+  tabs_->showFrame(*frame);
   if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
 }
 
-void MainWindow::showComplaint() {
-  const auto& [key, english] = *complaint_;
-  const QString text = translatedText(english.toStdString());
-  messages_->showFailure(MessageBar::Failure::Scene, key.isEmpty() ? text : key + ": " + text);
-  panel_->showError(key, text);
+/// Nothing is stepped and drawn for nobody; curves go on.
+void MainWindow::followSight() {
+  poll_->setInterval(sight_->isSeen() ? kPollInterval : kUnseenPoll);
+  session_->setSeen(sight_->isSeen() && !figures_->isShowingFigures());
 }
 
-/// What it may have covered comes to light again.
-void MainWindow::endFailure(MessageBar::Failure of) {
-  if (messages_->end(of) && complaint_) showComplaint();
+/// Asks for the fields that the contact shows and the statistics count, and no more.
+void MainWindow::wantFields() {
+  session_->wantFields(canvas_->fields() | tabs_->fields());
 }
 
-void MainWindow::showDescription() {
-  const QString text = sceneText(session_->scene().description);
-  if (text == described_) return;  // closed by hand it stays closed
-  described_ = text;
-  text.isEmpty() || isTouring_ ? description_->hide() : description_->showMessage(text);
+/// Returns the part of the period by which a step by hand moves the line: a small part of the view,
+/// so that the step can be seen.
+double MainWindow::partPerStep() const {
+  constexpr double kOfView = 1.0 / 200;
+  const Frame* frame = canvas_->frame();
+  if (!frame || !(frame->length > 0)) return kOfView;
+  return kOfView * canvas_->viewer().options().view.width / frame->length;
 }
 
-void MainWindow::setDark(bool dark) {
-  dark_ = dark;
-  const Theme& theme = dark ? darkTheme() : lightTheme();
-  QApplication::setPalette(paletteOf(theme));
-  setStyleSheet(windowStyleSheet(theme));
-  canvas_->setTheme(theme);
-  plot_->setTheme(theme);
-  for (DiagramView* view : {spectrum_, statistics_}) view->setTheme(theme);
-  strips_->setTheme(theme);
-  accuracy_->setTheme(theme);
-  if (gallery_) gallery_->setTheme(theme);
-  paintIcons();
+// ---- The friction curve
+
+void MainWindow::connectCurve() {
+  connect(curveCommands_, &CurveCommands::exported, this, [this](const QString& file) {
+    status_->say(file.isEmpty() ? tr("The curve's picture is on the clipboard")
+                                : tr("Saved %1").arg(QFileInfo(file).fileName()));
+    emit exports_->exported(file);
+  });
+  auto* display = new CurveDisplay(*session_, tabs_->plot(), this);
+  connect(display, &CurveDisplay::sceneEdited, this, [this](const Scene& scene) {
+    document_->edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Velocity"));
+  });
+  auto* comparison = new CurveComparison(*session_, this);
+  connect(&tabs_->accuracy(), &AccuracyPanel::comparisonChanged, this,
+          [this, comparison] { comparison->setSetting(tabs_->accuracy().comparison()); });
+  connect(comparison, &CurveComparison::failed, this, [this](const QString& reason) {
+    messages_->showFailure(MessageBar::Failure::Comparison, reason);
+  });
+  connect(comparison, &CurveComparison::shown, this,
+          [this] { messages_->end(MessageBar::Failure::Comparison); });
+}
+
+// ---- Language, files that are dropped, the end
+
+/// Qt posts the event to every window, which hands it to its parts; this sends it at once.
+void MainWindow::setLanguage(std::string_view code) {
+  const std::string_view known = languageFor(code);
+  if (known.empty() || known == presentLanguage()) return;
+  for (QDialog* dialog : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) delete dialog;
+  useLanguage(known);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LanguageChange);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() != 1 || !urls.front().isLocalFile()) return;
+  event->acceptProposedAction();
+  documents_->openDropped(urls.front().toLocalFile());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!documents_->mayLeave()) return event->ignore();
+  windowLayout_->save();
+  QMainWindow::closeEvent(event);
 }
 
 }  // namespace asperity

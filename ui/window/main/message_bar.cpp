@@ -4,28 +4,29 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
+#include <utility>
+
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), label_(new QLabel), accept_(new QPushButton) {
+    : QFrame(parent), label_(new QLabel), accept_(new QPushButton), close_(new QToolButton) {
   setObjectName("messageBar");
   label_->setObjectName("messageText");
   label_->setWordWrap(true);
   label_->setTextFormat(Qt::PlainText);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   accept_->setObjectName("acceptOffer");
-  accept_->setAccessibleName(tr("accept"));
   accept_->setAutoDefault(false);
   accept_->setFocusPolicy(Qt::TabFocus);
   accept_->hide();
   connect(accept_, &QPushButton::clicked, this, &MessageBar::accepted);
-  auto* close = new QToolButton;
-  close->setObjectName("closeMessage");
-  close->setText(QStringLiteral("✕"));
-  close->setAccessibleName(tr("close message"));
-  close->setFocusPolicy(Qt::TabFocus);
-  connect(close, &QToolButton::clicked, this, [this] {
+  close_->setObjectName("closeMessage");
+  close_->setText(QStringLiteral("✕"));
+  close_->setFocusPolicy(Qt::TabFocus);
+  connect(close_, &QToolButton::clicked, this, [this] {
     hide();
     emit closed();
   });
@@ -34,17 +35,50 @@ MessageBar::MessageBar(QWidget* parent)
   layout->setContentsMargins(16, 7, 10, 7);
   layout->addWidget(label_, 1);
   layout->addWidget(accept_, 0, Qt::AlignTop);
-  layout->addWidget(close, 0, Qt::AlignTop);
+  layout->addWidget(close_, 0, Qt::AlignTop);
   hide();
+  keepTranslated(*this, [this] { showTexts(); });
 }
 
-void MessageBar::showOffer(const QString& text, const QString& button) {
-  accept_->setText(button);
-  accept_->setAccessibleName(button);
-  accept_->show();
+void MessageBar::showTexts() {
+  close_->setAccessibleName(tr("close message"));
+  accept_->setAccessibleName(offerButton_ ? offerButton_() : tr("accept"));
+  if (offer_) {
+    label_->setText(offer_());
+    accept_->setText(offerButton_());
+  }
+  if (complaint_ && !isHidden() && failure_ == Failure::Scene) showComplaint();
+}
+
+void MessageBar::showOffer(Text text, Text button) {
   failure_ = Failure::None;
-  label_->setText(text);
+  offer_ = std::move(text);
+  offerButton_ = std::move(button);
+  showTexts();
+  accept_->show();
   show();
+}
+
+void MessageBar::complain(const QString& key, const QString& english) {
+  complaint_ = {key, english};
+  showComplaint();
+}
+
+void MessageBar::showComplaint() {
+  const auto& [key, english] = *complaint_;
+  const QString text = translatedText(english.toStdString());
+  showFailure(Failure::Scene, key.isEmpty() ? text : key + ": " + text);
+  emit complained(key, text);
+}
+
+void MessageBar::sceneRuns() {
+  complaint_.reset();
+  end(Failure::Scene);
+}
+
+void MessageBar::forget() {
+  complaint_.reset();
+  hide();
 }
 
 void MessageBar::showFailure(Failure of, const QString& text) {
@@ -55,10 +89,12 @@ void MessageBar::showFailure(Failure of, const QString& text) {
 bool MessageBar::end(Failure of) {
   if (isHidden() || failure_ != of) return false;
   hide();
+  if (complaint_) showComplaint();
   return true;
 }
 
 void MessageBar::showMessage(const QString& text) {
+  offer_ = offerButton_ = nullptr;
   accept_->hide();
   failure_ = Failure::None;
   label_->setText(text);

@@ -1,11 +1,16 @@
 // A line over the views for what went wrong: not modal, closed by its button or when all is well
-// again. GUI thread.
+// again. What is wrong with the scene comes back when another message that covered it leaves. GUI
+// thread; belongs to its parent.
 #pragma once
 
 #include <QFrame>
+#include <functional>
+#include <optional>
+#include <utility>
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace asperity {
 
@@ -23,19 +28,35 @@ class MessageBar : public QFrame {
   void showFailure(Failure of, const QString& text);
   bool end(Failure of);
 
-  /// With a button that takes up the offer.
-  void showOffer(const QString& text, const QString& button);
+  /// What is wrong with the scene, until sceneRuns(): a key, which may be empty, and core's
+  /// English.
+  void complain(const QString& key, const QString& english);
+  void sceneRuns();
+  /// Whatever was said is of a scene that is left.
+  void forget();
+
+  /// Shows an offer and a button that takes it up. Both texts are asked for again in another
+  /// language.
+  using Text = std::function<QString()>;
+  void showOffer(Text text, Text button);
   QString text() const;
-  Failure failure() const { return failure_; }
 
  signals:
   void accepted();
   void closed();  // by its button
+  /// The complaint about the scene was said, the first time or anew; translated.
+  void complained(const QString& key, const QString& text);
 
  private:
+  void showComplaint();
+  void showTexts();
+
   QLabel* label_;
   QPushButton* accept_;
+  QToolButton* close_;
+  Text offer_, offerButton_;
   Failure failure_ = Failure::None;
+  std::optional<std::pair<QString, QString>> complaint_;  // key and English text
 };
 
 }  // namespace asperity

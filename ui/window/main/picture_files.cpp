@@ -1,16 +1,40 @@
 #include "ui/window/main/picture_files.h"
 
+#include <QFileDialog>
+#include <QRegularExpression>
+
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "ui/language/translated.h"
+#include "ui/draw/osmesa_context.h"
 #include "ui/draw/pdf_file.h"
 #include "ui/draw/picture_origin.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/svg_file.h"
 #include "ui/draw/text_painter.h"
-#include "ui/draw/osmesa_context.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
+
+namespace {
+
+/// "png" of "Pictures (*.png *.svg)".
+QString firstEnding(const QString& filter) {
+  static const QRegularExpression ending(QStringLiteral(R"(\*\.(\w+))"));
+  return ending.match(filter).captured(1);
+}
+
+}  // namespace
+
+QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
+                    const QString& filters) {
+  QFileDialog dialog(parent, title, {}, filters);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(firstEnding(filters));
+  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                   [&](const QString& filter) { dialog.setDefaultSuffix(firstEnding(filter)); });
+  dialog.selectFile(name);
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
 
 std::shared_ptr<const Frame> stillOf(const Frame& frame) {
   const auto still = std::make_shared<Frame>(frame);

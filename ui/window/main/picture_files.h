@@ -1,8 +1,10 @@
-// Pictures of the window as images and files, drawn as the headless verbs draw them. Any thread on
-// which no OpenGL context of the window is current, one at a time.
+// Pictures of the window as images and files, drawn as the headless verbs draw them, and the
+// question where a file is to be written. Images and files: any thread on which no OpenGL context
+// of the window is current, one at a time. The question: GUI thread.
 #pragma once
 
 #include <QImage>
+#include <QString>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -10,7 +12,16 @@
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/draw_list.h"
 
+class QWidget;
+
 namespace asperity {
+
+/// Asks a person for a file to write; empty where none was chosen. A name without an ending gets
+/// the first one of the filter that is chosen in the dialog, before it is asked whether the file
+/// may be replaced. `name` is proposed, with or without a folder; `filters` as for QFileDialog,
+/// separated by ";;".
+QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
+                    const QString& filters);
 
 /// The contact as it is on the screen, under its title.
 struct ContactShot {
@@ -18,7 +29,7 @@ struct ContactShot {
   ContactPictureOptions options;
 };
 
-/// What a picture's file says of itself.
+/// The metadata of a picture's file.
 struct PictureLabel {
   std::string title;   // of the document; empty: none
   std::string origin;  // one line of provenance, so that the file opens as its scene
@@ -31,7 +42,7 @@ std::shared_ptr<const Frame> stillOf(const Frame& frame);
 
 QImage imageOf(const ContactShot& shot);
 
-/// As PNG, SVG or PDF, by the extension; InputError for any other. As writeFileAtomically.
+/// Write PNG, SVG or PDF, by the extension; InputError for any other, and as writeFileAtomically.
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
                   const PictureLabel& label);
 void writeContact(const std::filesystem::path& file, const ContactShot& shot);

@@ -1,26 +1,41 @@
 #include "ui/window/main/run_window.h"
 
+#include <time.h>
+#include <unistd.h>
+
 #include <QApplication>
+#include <QEvent>
+#include <QFile>
 #include <QFont>
+#include <QLocale>
+#include <QSettings>
 #include <QStyleFactory>
 #include <QTimer>
+#include <QWindow>
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 #include "core/scene/provenance.h"
-#include "ui/language/language.h"
 #include "ui/draw/text_painter.h"
+#include "ui/language/language.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/appearance.h"
+#include "ui/window/main/document_commands.h"
 #include "ui/window/main/main_window.h"
-#include "ui/window/main/quit_limit.h"
 #include "ui/window/main/scene_library.h"
-#include "ui/window/main/start_times.h"
-#include "ui/window/main/window_language.h"
+#include "ui/window/main/session.h"
+#include "ui/window/main/tour.h"
+#include "ui/window/main/window_layout.h"
 
 namespace asperity {
 
 namespace {
 
-/// With what comes before and after it less than half a second.
+const QString kLanguage = QStringLiteral("language");
+
+/// Together with what comes before and after it, this is less than half a second.
 constexpr std::chrono::milliseconds kQuitTime{400};
 
 Scene firstScene() {
@@ -28,7 +43,27 @@ Scene firstScene() {
   return scenes.empty() ? Scene{} : scenes.front().scene;
 }
 
+constexpr int kStartField = 19;  // of /proc/self/stat, behind the name
+
 }  // namespace
+
+std::string_view chosenLanguage() {
+  return languageFor(QSettings().value(kLanguage).toString().toStdString());
+}
+
+void chooseLanguage(const QString& code) {
+  if (code.isEmpty())
+    QSettings().remove(kLanguage);
+  else
+    QSettings().setValue(kLanguage, code);
+}
+
+std::string_view windowLanguage() {
+  if (const std::string_view code = chosenLanguage(); !code.empty()) return code;
+  for (const QString& locale : QLocale::system().uiLanguages())
+    if (const std::string_view code = languageFor(locale.toStdString()); !code.empty()) return code;
+  return "en";
+}
 
 void prepareApplication(QApplication& application) {
   QApplication::setOrganizationName(QStringLiteral("Asperity"));
@@ -49,13 +84,13 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   prepareApplication(application);
   useLanguage(start.language.empty() ? windowLanguage() : start.language);
   auto window = std::make_unique<MainWindow>(scene ? *scene : firstScene(), options);
-  window->rememberLayout();
-  window->offerTour();
+  window->windowLayout().remember();
+  window->tour().offer();
   if (start.timing) new StartTimes(*window);
   window->show();
   if (start.found)
     QTimer::singleShot(0, window.get(), [&start, shown = window.get()] {
-      shown->showFound(QString::fromStdString(start.file), *start.found);
+      shown->documents().showFound(QString::fromStdString(start.file), *start.found);
     });
   return runUntilClosed(application, std::move(window));
 }
@@ -65,6 +100,68 @@ int runUntilClosed(QApplication& application, std::unique_ptr<MainWindow> window
   const QuitLimit limit(kQuitTime, status);
   window.reset();
   return status;
+}
+
+// ---- The end
+
+QuitLimit::QuitLimit(std::chrono::milliseconds limit, int status)
+    : thread_([this, limit, status] {
+        std::unique_lock lock(mutex_);
+        if (!changed_.wait_for(lock, limit, [this] { return isOver_; })) std::_Exit(status);
+      }) {}
+
+QuitLimit::~QuitLimit() {
+  {
+    const std::lock_guard lock(mutex_);
+    isOver_ = true;
+  }
+  changed_.notify_one();
+  thread_.join();
+}
+
+// ---- The start
+
+double secondsSinceStart() {
+  QFile file(QStringLiteral("/proc/self/stat"));
+  timespec now{};
+  if (!file.open(QIODevice::ReadOnly) || clock_gettime(CLOCK_BOOTTIME, &now) != 0) return 0;
+  const QByteArray text = file.readAll();
+  const QList<QByteArray> fields = text.mid(text.lastIndexOf(')') + 2).split(' ');
+  if (fields.size() <= kStartField) return 0;
+  const double start = fields[kStartField].toDouble() / static_cast<double>(sysconf(_SC_CLK_TCK));
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) - start;
+}
+
+void sayTime(const char* name) {
+  timespec busy{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &busy);
+  std::fprintf(stderr, "%s after %.3f s, %.3f s of them computing\n", name, secondsSinceStart(),
+               static_cast<double>(busy.tv_sec) + 1e-9 * static_cast<double>(busy.tv_nsec));
+}
+
+StartTimes::StartTimes(MainWindow& window) : QObject(&window) {
+  sayTime("window made");
+  window.installEventFilter(this);
+  connect(&window.canvas(), &ContactCanvas::painted, this, [this, &window] {
+    sayTime("first picture of the contact");
+    disconnect(&window.canvas(), nullptr, this, nullptr);
+  });
+  connect(&window.session(), &Session::plotChanged, this, [this, &window] {
+    const CurveUpdate* curve = window.session().curve();
+    if (!curve) return;
+    sayTime("first curve");
+    disconnect(&window.session(), nullptr, this, nullptr);
+  });
+}
+
+/// The first picture is on the screen once the event that paints it has been handled.
+bool StartTimes::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Paint) {
+    watched->removeEventFilter(this);
+    QMetaObject::invokeMethod(
+        this, [] { sayTime("window on the screen"); }, Qt::QueuedConnection);
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 }  // namespace asperity

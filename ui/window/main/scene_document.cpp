@@ -1,6 +1,8 @@
 #include "ui/window/main/scene_document.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
+#include <QKeyEvent>
 #include <QRegularExpression>
 #include <QUndoCommand>
 #include <algorithm>
@@ -8,6 +10,8 @@
 
 #include "core/base/file_name.h"
 #include "core/scene/parameters.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/parameter_row.h"
 
 namespace asperity {
@@ -22,7 +26,49 @@ QString capitalized(const QString& text) {
 
 }  // namespace
 
-/// From one scene to the next; shown by the one who made the change, so its first redo is silent.
+/// Numbers the gestures of a person: a press of a button or of a key begins a new one; what moves,
+/// repeats and turns meanwhile belongs to it. Watches the whole application.
+class GestureCounter : public QObject {
+ public:
+  explicit GestureCounter(QObject* parent) : QObject(parent) { qApp->installEventFilter(this); }
+
+  std::uint64_t present() const { return present_; }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    switch (event->type()) {
+      case QEvent::MouseButtonPress:
+      case QEvent::MouseButtonDblClick:
+      case QEvent::TouchBegin:
+      case QEvent::Shortcut:
+        begin();
+        break;
+      case QEvent::KeyPress:
+        if (static_cast<QKeyEvent*>(event)->isAutoRepeat())
+          isTurning_ = false;
+        else
+          begin();
+        break;
+      case QEvent::Wheel:  // turned further is one gesture, turned after a drag another
+        if (!std::exchange(isTurning_, true)) ++present_;
+        break;
+      default:
+        break;
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  void begin() {
+    ++present_;
+    isTurning_ = false;
+  }
+
+  std::uint64_t present_ = 0;
+  bool isTurning_ = false;  // the wheel
+};
+
+/// A step of the history, from one scene to the next.
 class SceneStep : public QUndoCommand {
  public:
   SceneStep(SceneDocument& document, Scene after, std::uint64_t gesture, const char* what)
@@ -35,21 +81,13 @@ class SceneStep : public QUndoCommand {
     takeName();
   }
 
-  void takeName() {
-    setText(what_ ? QCoreApplication::translate("asperity::MainWindow", what_)
-                  : stepName(before_, after_));
-  }
+  void takeName() { setText(what_ ? SceneDocument::tr(what_) : stepName(before_, after_)); }
 
   int id() const override { return 1; }
 
   void undo() override { document_.goTo(before_); }
 
-  void redo() override {
-    if (std::exchange(isDone_, true))
-      document_.goTo(after_);
-    else
-      document_.scene_ = after_;
-  }
+  void redo() override { document_.goTo(after_); }
 
   bool mergeWith(const QUndoCommand* other) override {
     const auto& next = *static_cast<const SceneStep*>(other);
@@ -65,13 +103,14 @@ class SceneStep : public QUndoCommand {
   std::vector<std::string_view> keys_;
   std::uint64_t gesture_;
   const char* what_;
-  bool isDone_ = false;
 };
 
-SceneDocument::SceneDocument(const Scene& scene, QObject* parent) : QObject(parent), scene_(scene) {
+SceneDocument::SceneDocument(const Scene& scene, QObject* parent)
+    : QObject(parent), scene_(scene), gestures_(new GestureCounter(this)) {
   origin_.scene = scene;
   history_.setUndoLimit(kMostSteps);
-  connect(&history_, &QUndoStack::indexChanged, this, &SceneDocument::changed);
+  connect(&history_, &QUndoStack::indexChanged, this, &SceneDocument::historyChanged);
+  keepTranslated(*this, [this] { nameSteps(); });
 }
 
 /// A history that goes clears itself and says so, when the parent it would tell is half gone.
@@ -80,10 +119,17 @@ SceneDocument::~SceneDocument() {
 }
 
 void SceneDocument::open(const SceneOrigin& origin) {
+  emit opening();
   origin_ = origin;
+  isTrial_ = false;
   scene_ = origin.scene;
   history_.clear();
-  emit changed();
+  emit historyChanged();
+  emit sceneChanged(scene_, SceneChange::Opened);
+}
+
+void SceneDocument::edit(const Scene& scene, const char* what) {
+  change(scene, gestures_->present(), what);
 }
 
 void SceneDocument::change(const Scene& scene, std::uint64_t gesture, const char* what) {
@@ -91,14 +137,31 @@ void SceneDocument::change(const Scene& scene, std::uint64_t gesture, const char
   history_.push(new SceneStep(*this, scene, gesture, what));
 }
 
+void SceneDocument::resetAll() {
+  Scene scene;
+  scene.folder = scene_.folder;
+  edit(scene, QT_TR_NOOP("All parameters"));
+}
+
+void SceneDocument::revert() {
+  edit(origin_.scene, QT_TR_NOOP("Back to the scene as opened"));
+}
+
+/// Names all steps anew in the language in use.
 void SceneDocument::nameSteps() {
   for (int i = 0; i < history_.count(); ++i)
     static_cast<SceneStep*>(const_cast<QUndoCommand*>(history_.command(i)))->takeName();
+  emit historyChanged();
 }
 
 void SceneDocument::saved(const QString& file) {
   origin_ = {{}, file, scene_};
-  emit changed();
+  emit historyChanged();
+}
+
+QString SceneDocument::name() const {
+  const QString title = sceneText(scene_.title);
+  return title.isEmpty() ? QFileInfo(file()).fileName() : title;
 }
 
 QString SceneDocument::proposedFile() const {
@@ -118,7 +181,7 @@ QString SceneDocument::proposedFile() const {
 
 void SceneDocument::goTo(const Scene& scene) {
   scene_ = scene;
-  emit sceneWanted(scene_);
+  emit sceneChanged(scene_, SceneChange::Edited);
 }
 
 std::vector<std::string_view> differingKeys(const Scene& a, const Scene& b) {

@@ -15,8 +15,8 @@ struct LibraryScene {
   Scene scene;
 };
 
-/// By chapter, from the paper to what goes beyond it, then in alphabetical order of their files. A
-/// scene that does not read is left out. Read at the first call.
+/// The scenes by chapter, from the paper to what goes beyond it, then in the order of their files.
+/// A scene that does not read is left out. Read at the first call.
 const std::vector<LibraryScene>& libraryScenes();
 
 /// The scene file of this name in the folder (empty: the present one) or, where there is none, the

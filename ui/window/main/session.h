@@ -40,7 +40,7 @@ class Session : public QObject {
   /// Whether anybody sees the frames: otherwise time stands still.
   void setSeen(bool seen);
   bool isSeen() const { return isSeen_; }
-  /// What frames hold besides, from now on.
+  /// Frames hold these fields from now on.
   void wantFields(const FrameFields& fields) { runner_.want(fields); }
   void reset();
 
@@ -75,9 +75,9 @@ class Session : public QObject {
   void plotChanged();
   /// Only the marker has: where the line is, and its ranges hold it.
   void markChanged();
-  /// As isWaiting() says: what is on the screen is of the scene before, for longer than a moment.
+  /// isWaiting() has changed: the screen shows the scene before for longer than a moment.
   void waitingChanged(bool isWaiting);
-  /// What is wrong with the present scene, by the runner's word or by its frame; key may be empty.
+  /// The runner, or its frame, says what is wrong with the present scene; the key may be empty.
   void complained(const QString& key, const QString& text);
   /// A sound frame of the present scene is here and nothing was said against it: whatever was wrong
   /// before is over.

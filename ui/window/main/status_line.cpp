@@ -1,11 +1,14 @@
 #include "ui/window/main/status_line.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
+#include <QHelpEvent>
 #include <QLocale>
+#include <QPainter>
 #include <QProgressBar>
+#include <QStyle>
 #include <QTimer>
 #include <QToolButton>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
@@ -13,15 +16,18 @@
 #include "ui/chart/friction_chart.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
+#include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
-#include "ui/window/main/command_words.h"
-#include "ui/window/main/elided_label.h"
+#include "ui/window/main/commands.h"
+#include "ui/window/main/session.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr int kSaidFor = 5000;  // ms
+constexpr int kSaidFor = 5000;         // ms
+constexpr int kDrawingInterval = 500;  // ms
+constexpr int kWorkInterval = 100;     // ms
 
 const QString kStopSign = QStringLiteral("✕"), kAgainSign = QStringLiteral("↻");
 
@@ -29,7 +35,7 @@ double orMissing(double value) {
   return std::isfinite(value) ? value : kNotApplicable;
 }
 
-/// Of a motion: of the moment.
+/// Returns the friction of the steady state, or of a motion at this moment.
 double presentFriction(const Frame& frame) {
   return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
 }
@@ -71,6 +77,25 @@ Reason whyNoVelocity(const Frame& frame) {
   return {};
 }
 
+QString velocityTip() {
+  return StatusLine::tr(
+      "Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of "
+      "a motion at this moment");
+}
+
+Work workOf(const Session& session) {
+  Work work;
+  work.simulationsPerSecond = session.simulationsPerSecond();
+  work.progress = session.friction().progress();
+  if (session.isWaiting())
+    work.state = Work::State::Waiting;
+  else if (session.averaging() == Session::Averaging::Running)
+    work.state = Work::State::Running;
+  else if (session.averaging() == Session::Averaging::Stopped)
+    work.state = Work::State::Stopped;
+  return work;
+}
+
 }  // namespace
 
 double dimensionlessForce(const Frame& frame) {
@@ -86,24 +111,38 @@ double dimensionlessVelocity(const Frame& frame) {
                    (std::sqrt(2.0) * frame.rmsHeight));
 }
 
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+}
+
+QString ElidedLabel::shownText() const {
+  return fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width());
+}
+
+bool ElidedLabel::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QLabel::event(event);
+  const bool isCut = shownText() != text();
+  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                     isCut ? wrappedTip(text()) : QString(), this);
+  return true;
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  style()->drawItemText(&painter, contentsRect(), static_cast<int>(alignment()), palette(),
+                        isEnabled(), shownText(), foregroundRole());
+}
+
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(12, 3, 12, 3);
   line->setSpacing(20);
-  regime_ = addFact(*line, "factRegime",
-                    tr("Where the velocity lies on the friction curve: regions I to IV of the "
-                       "paper, found on the complete curve"));
-  mu_ = addFact(
-      *line, "factMu",
-      tr("Coefficient of friction of this line, of a motion at this moment; in brackets the mean "
-         "of all lines at this velocity with its standard error"));
-  force_ =
-      addFact(*line, "factForce",
-              tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
-  velocity_ = addFact(*line, "factVelocity", velocityTip());
-  settling_ = addFact(*line, "factSettling",
-                      tr("The picture is on its way from the scene before to the steady state, "
-                         "which these numbers and the chart are of. R shows that at once."));
+  regime_ = addFact(*line, "factRegime");
+  mu_ = addFact(*line, "factMu");
+  force_ = addFact(*line, "factForce");
+  velocity_ = addFact(*line, "factVelocity");
+  settling_ = addFact(*line, "factSettling");
   said_ = new ElidedLabel;
   said_->setObjectName("said");
   line->addWidget(said_, 1);
@@ -111,11 +150,55 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   silence_->setSingleShot(true);
   connect(silence_, &QTimer::timeout, this, &StatusLine::fallSilent);
   addWork(*line);
-  simulations_ = addFact(*line, "factSimulations",
-                         tr("Lines at one velocity each, computed in a second for the curve"));
-  rate_ = addFact(*line, "factRate", tr("Pictures of the contact shown in the last second"));
-  backend_ = addFact(*line, "factBackend", tr("What draws the contact"));
+  simulations_ = addFact(*line, "factSimulations");
+  rate_ = addFact(*line, "factRate");
+  backend_ = addFact(*line, "factBackend");
+  showTips();
   showWork({});
+}
+
+QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  line.addWidget(label);
+  return label;
+}
+
+void StatusLine::showTips() {
+  regime_->setToolTip(
+      tr("Where the velocity lies on the friction curve: regions I to IV of the "
+         "paper, found on the complete curve"));
+  mu_->setToolTip(
+      tr("Coefficient of friction of this line, of a motion at this moment; in brackets the mean "
+         "of all lines at this velocity with its standard error"));
+  force_->setToolTip(
+      tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
+  velocity_->setToolTip(velocityTip());
+  settling_->setToolTip(
+      tr("The picture is moving from the previous scene to the steady state that these numbers and "
+         "the chart describe. R shows that state at once."));
+  simulations_->setToolTip(tr("Lines computed per second for the curve, each at one velocity"));
+  rate_->setToolTip(tr("Pictures of the contact shown in the last second"));
+  backend_->setToolTip(tr("What draws the contact"));
+}
+
+/// The facts of the frame come with the next frame, which the main window shows again.
+void StatusLine::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::LanguageChange) return;
+  showTips();
+  showWork(work_);
+  if (!rate_->text().isEmpty()) showDrawing(framesPerSecond_, backend_->text());
+}
+
+void StatusLine::follow(const Session& session, const ContactCanvas& canvas) {
+  auto* drawing = new QTimer(this);
+  connect(drawing, &QTimer::timeout, this,
+          [this, &canvas] { showDrawing(canvas.framesPerSecond(), canvas.backendName()); });
+  drawing->start(kDrawingInterval);
+  auto* work = new QTimer(this);
+  connect(work, &QTimer::timeout, this, [this, &session] { showWork(workOf(session)); });
+  work->start(kWorkInterval);
 }
 
 /// Slim, and there only while something is under way; but its height is kept: the views above must
@@ -145,44 +228,30 @@ void StatusLine::addWork(QHBoxLayout& line) {
 }
 
 void StatusLine::pressed() {
-  if (state_ == Work::State::Running) emit stopWanted();
-  if (state_ == Work::State::Stopped) emit againWanted();
-  if (state_ == Work::State::Waiting) emit backWanted();
+  if (work_.state == Work::State::Running) emit stopWanted();
+  if (work_.state == Work::State::Stopped) emit againWanted();
+  if (work_.state == Work::State::Waiting) emit backWanted();
 }
 
 void StatusLine::showWork(const Work& work) {
-  state_ = work.state;
-  const bool waits = state_ == Work::State::Waiting;
-  const bool stands = state_ == Work::State::Stopped;
+  work_ = work;
+  const bool waits = work.state == Work::State::Waiting;
+  const bool stands = work.state == Work::State::Stopped;
   progress_->setRange(0, waits ? 0 : 1000);
   progress_->setValue(static_cast<int>(1000 * work.progress));
   progress_->setAccessibleName(waits ? tr("making the line") : tr("progress of the curve"));
   stop_->setText(stands ? kAgainSign : kStopSign);
-  const QString text = waits    ? tr("Making the line… Back to the scene before")
+  const QString text = waits    ? tr("Making the line… Back to the previous scene")
                        : stands ? tr("The curve is not complete: average it again")
                                 : tr("Stop averaging the curve");
   stop_->setToolTip(text);
   stop_->setAccessibleName(text);
-  progress_->setVisible(state_ != Work::State::Idle);
-  stop_->setVisible(state_ != Work::State::Idle);
+  progress_->setVisible(work.state != Work::State::Idle);
+  stop_->setVisible(work.state != Work::State::Idle);
   simulations_->setText(work.simulationsPerSecond > 0
                             ? tr("%1 simulations/s").arg(rateText(work.simulationsPerSecond))
                             : QString());
   fitFacts();
-}
-
-QString StatusLine::velocityTip() {
-  return tr(
-      "Eq. (13) of the paper: relaxation time × velocity × rms slope / (√2 × rms height); of "
-      "a motion at this moment");
-}
-
-QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name, const QString& tip) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
-  label->setToolTip(tip);
-  line.addWidget(label);
-  return label;
 }
 
 void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
@@ -196,8 +265,9 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   fitFacts();
 }
 
-/// Whole or not at all: where the window is narrow, what matters least is left out. What is hidden
-/// comes back only with some air, so that it does not come and go with the digits of the rest.
+/// Shows each fact whole or not at all: where the window is narrow, the least important ones are
+/// left out. A hidden fact comes back only with some air, so that it does not come and go with the
+/// digits of the others.
 void StatusLine::fitFacts() {
   constexpr int kAir = 40;  // pixels
   const QMargins around = layout()->contentsMargins();
@@ -224,7 +294,8 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
   fitFacts();
 }
 
-/// With the reason beside it where none can be said and nothing else needs the room.
+/// Shows the dimensionless velocity, with the reason beside it where there is none and nothing else
+/// needs the room.
 void StatusLine::showVelocity(const Frame& frame) {
   constexpr int kLeastLeft = 4, kAir = 16;  // pixels; apart, so that it does not come and go
   const QString plain = tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame)));
@@ -252,6 +323,7 @@ void StatusLine::fallSilent() {
 }
 
 void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {
+  framesPerSecond_ = framesPerSecond;
   rate_->setText(tr("%1 frames/s").arg(framesPerSecond));
   backend_->setText(backend);
   fitFacts();

@@ -3,23 +3,38 @@
 // the button that stops it. They come from the frame shown. GUI thread.
 #pragma once
 
+#include <QLabel>
 #include <QWidget>
 
 #include "core/run/frame.h"
 
 class QHBoxLayout;
-class QLabel;
 class QProgressBar;
 class QTimer;
 class QToolButton;
 
 namespace asperity {
 
-class ElidedLabel;
-
+class ContactCanvas;
+class Session;
 struct CurveReading;
 
-/// What is under way.
+/// A line of text that is shortened where it has no room, and then whole in its tooltip.
+class ElidedLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  explicit ElidedLabel(QWidget* parent = nullptr);
+
+  /// The text as it is shown, perhaps shortened.
+  QString shownText() const;
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+};
+
+/// The work on the curve or on the line that is under way.
 struct Work {
   enum class State { Idle, Running, Stopped, Waiting };  // Waiting: for the scene's first frame
   State state = State::Idle;
@@ -33,10 +48,13 @@ class StatusLine : public QWidget {
  public:
   explicit StatusLine(QWidget* parent = nullptr);
 
+  /// Asks session and canvas several times a second what is computed and drawn.
+  void follow(const Session& session, const ContactCanvas& canvas);
+
   void showFrame(const Frame& frame, const CurveReading& reading);
   void showWork(const Work& work);
 
-  /// For a few seconds, in the room between the facts and in that of those at the right.
+  /// Shows a text for a few seconds, between the facts and in the place of those at the right.
   void say(const QString& text);
 
   void showDrawing(int framesPerSecond, const QString& backend);
@@ -48,18 +66,20 @@ class StatusLine : public QWidget {
   void backWanted();  // from waiting
 
  protected:
+  void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QLabel* addFact(QHBoxLayout& line, const char* name, const QString& tip);
-  static QString velocityTip();
+  static QLabel* addFact(QHBoxLayout& line, const char* name);
+  void showTips();
   void showVelocity(const Frame& frame);
   void addWork(QHBoxLayout& line);
   void pressed();
   void fallSilent();
   void fitFacts();
 
-  Work::State state_ = Work::State::Idle;
+  Work work_;
+  int framesPerSecond_ = 0;
   ElidedLabel* said_;
   QTimer* silence_;
   QLabel* regime_;

@@ -1,13 +1,24 @@
 #include "ui/window/main/tour.h"
 
 #include <QCoreApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <algorithm>
 #include <array>
+
+#include "ui/window/main/commands.h"
+#include "ui/window/main/document_commands.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr const char* kContext = "asperity::Tour";
+const QString kOffered = QStringLiteral("tour/offered");
 
 constexpr std::array kSteps{
     TourStep{"pressed", QT_TRANSLATE_NOOP("asperity::Tour", "Press"),
@@ -57,7 +68,160 @@ std::span<const TourStep> tourSteps() {
 }
 
 QString tourText(const char* text) {
-  return QCoreApplication::translate(kContext, text);
+  return Tour::tr(text);
+}
+
+// ---- The bar
+
+namespace {
+
+int stepCount() {
+  return static_cast<int>(tourSteps().size());
+}
+
+QString textOf(int index) {
+  const TourStep& step = tourSteps()[static_cast<std::size_t>(index)];
+  return TourBar::tr("%1 of %2&ensp;<b>%3.</b> %4 <i>Try: %5</i>")
+      .arg(index + 1)
+      .arg(stepCount())
+      .arg(tourText(step.title).toHtmlEscaped(), tourText(step.sentence).toHtmlEscaped(),
+           tourText(step.attempt).toHtmlEscaped());
+}
+
+}  // namespace
+
+TourBar::TourBar(QWidget* parent) : QFrame(parent), text_(new QLabel) {
+  setObjectName("tourBar");
+  text_->setObjectName("tourText");
+  text_->setWordWrap(true);
+  text_->setTextFormat(Qt::RichText);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(16, 6, 10, 6);
+  layout->setSpacing(8);
+  layout->addWidget(text_, 1);
+  back_ = addButton("tourBack");
+  next_ = addButton("tourNext");
+  end_ = addButton("tourEnd");
+  showTexts();
+  connect(back_, &QPushButton::clicked, this, [this] { emit stepWanted(step_ - 1); });
+  connect(next_, &QPushButton::clicked, this, [this] { emit stepWanted(step_ + 1); });
+  connect(end_, &QPushButton::clicked, this, &TourBar::ended);
+  hide();
+}
+
+void TourBar::showTexts() {
+  back_->setText(tr("Back"));
+  next_->setText(tr("Next"));
+  end_->setText(tr("End"));
+  text_->setText(textOf(step_));
+}
+
+QPushButton* TourBar::addButton(const char* name) {
+  auto* button = new QPushButton;
+  button->setObjectName(name);
+  button->setAutoDefault(false);
+  button->setFocusPolicy(Qt::TabFocus);
+  layout()->addWidget(button);
+  return button;
+}
+
+void TourBar::showStep(int step) {
+  step_ = step;
+  text_->setText(textOf(step));
+  back_->setEnabled(step > 0);
+  next_->setEnabled(step + 1 < stepCount());
+  show();
+}
+
+void TourBar::keepHeight() {
+  QLabel measured(this);
+  measured.setFont(text_->font());
+  measured.setWordWrap(true);
+  measured.setTextFormat(Qt::RichText);
+  int height = 0;
+  for (int step = 0; step < stepCount(); ++step) {
+    measured.setText(textOf(step));
+    height = std::max(height, measured.heightForWidth(text_->width()));
+  }
+  text_->setMinimumHeight(height);
+}
+
+void TourBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  keepHeight();
+}
+
+void TourBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange) showTexts();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange) keepHeight();
+}
+
+// ---- The way through it
+
+Tour::Tour(SceneDocument& document, DocumentCommands& documents, TourBar& bar, MessageBar& hint,
+           QObject* parent)
+    : QObject(parent), document_(document), documents_(documents), bar_(bar), hint_(hint) {
+  connect(&document_, &SceneDocument::opening, this, &Tour::end);
+  connect(&bar_, &TourBar::stepWanted, this, &Tour::show);
+  connect(&bar_, &TourBar::ended, this, &Tour::end);
+  connect(&hint_, &MessageBar::accepted, this, &Tour::start);
+  connect(&hint_, &MessageBar::closed, this, [] { QSettings().setValue(kOffered, true); });
+}
+
+void Tour::addTo(Commands& commands) {
+  commands_ = &commands;
+  commands.add({"tour", [] { return tr("Guided tour"); }, [this] { start(); }});
+  // A presenter's remote control sends the second keys.
+  commands.add({"tourStepBack",
+                [] { return tr("Tour: back"); },
+                [this] { show(bar_.step() - 1); },
+                {Qt::ALT | Qt::Key_Left, Qt::Key_PageUp}});
+  commands.add({"tourStepNext",
+                [] { return tr("Tour: next"); },
+                [this] { show(bar_.step() + 1); },
+                {Qt::ALT | Qt::Key_Right, Qt::Key_PageDown}});
+  end();
+}
+
+void Tour::offer() {
+  if (QSettings().value(kOffered).toBool()) return;
+  hint_.showOffer([] { return tr("New here? A tour of six steps shows what there is to see."); },
+                  [] { return tr("Take the tour"); });
+}
+
+void Tour::start() {
+  QSettings().setValue(kOffered, true);
+  hint_.hide();
+  if (!documents_.mayLeave()) return;
+  emit starting();
+  isRunning_ = true;
+  show(0);
+}
+
+/// Changes that were tried in a step are play: the next step comes without a question.
+void Tour::show(int step) {
+  if (!isRunning_ || step < 0 || step >= stepCount()) return;
+  const QString name = QString::fromLatin1(tourSteps()[static_cast<std::size_t>(step)].scene);
+  const std::vector<LibraryScene>& library = libraryScenes();
+  const auto found = std::ranges::find(library, name, &LibraryScene::name);
+  if (found == library.end()) return end();
+  document_.open({name, {}, found->scene});
+  document_.setTrial(true);
+  isRunning_ = true;
+  bar_.showStep(step);
+  commands_->get("tourStepBack")->setEnabled(step > 0);
+  commands_->get("tourStepNext")->setEnabled(step + 1 < stepCount());
+  emit stepShown();
+}
+
+/// The scene stays, with what was tried.
+void Tour::end() {
+  isRunning_ = false;
+  document_.setTrial(false);
+  bar_.hide();
+  for (QAction* action : commands_->get({"tourStepBack", "tourStepNext"}))
+    action->setEnabled(false);
 }
 
 }  // namespace asperity

@@ -94,7 +94,7 @@ bool WindowSight::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Hide:
     case QEvent::Expose:
     case QEvent::WindowStateChange:
-      // Later: the event has not had its effect yet.
+      // Judge later, because the event has not had its effect yet.
       QMetaObject::invokeMethod(
           this, [this] { judge(); }, Qt::QueuedConnection);
       break;

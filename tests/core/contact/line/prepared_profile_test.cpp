@@ -14,14 +14,15 @@ TEST(PreparedProfile, StartsAndEndsAtTheLowestPoint) {
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
     for (const Direction direction : {Direction::Forward, Direction::Backward}) {
       const PreparedProfile line = prepareProfile(roughLine(300), scheme, direction);
-      EXPECT_EQ(line.rise.front(), 0);
-      EXPECT_EQ(line.rise.back(), 0);
-      EXPECT_GE(*std::min_element(line.rise.begin(), line.rise.end()), 0);
+      EXPECT_EQ(line.heightAboveMinimum.front(), 0);
+      EXPECT_EQ(line.heightAboveMinimum.back(), 0);
+      EXPECT_GE(*std::min_element(line.heightAboveMinimum.begin(), line.heightAboveMinimum.end()),
+                0);
       EXPECT_EQ(line.position(0), 0);
       EXPECT_EQ(line.position(line.segments()), line.length);
       for (std::size_t i = 0; i < line.segments(); ++i)
         EXPECT_GT(line.position(i + 1), line.position(i));
-      EXPECT_EQ(line.rise.size(), line.segments() + 1);
+      EXPECT_EQ(line.heightAboveMinimum.size(), line.segments() + 1);
     }
 }
 
@@ -67,13 +68,13 @@ TEST(PreparedProfile, BlocksAreTheirSegmentsTogether) {
             all.lowest = std::min(all.lowest, one.lowest);
             all.highest = std::max(all.highest, one.highest);
             all.steepest = std::max(all.steepest, one.steepest);
-            all.riseIntegral += one.riseIntegral;
+            all.heightIntegral += one.heightIntegral;
             all.slopeSquared += one.slopeSquared;
           }
           EXPECT_EQ(block.lowest, all.lowest);
           EXPECT_EQ(block.highest, all.highest);
           EXPECT_EQ(block.steepest, all.steepest);
-          EXPECT_NEAR(block.riseIntegral, all.riseIntegral, 1e-14 * all.riseIntegral);
+          EXPECT_NEAR(block.heightIntegral, all.heightIntegral, 1e-14 * all.heightIntegral);
           EXPECT_NEAR(block.slopeSquared, all.slopeSquared, 1e-14 * all.slopeSquared);
         }
       EXPECT_EQ(line.blockCount(0), line.segments() - 2);
@@ -84,13 +85,14 @@ TEST(PreparedProfile, ValuesReturnToTheNodesTheyCameFrom) {
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic})
     for (const Direction direction : {Direction::Forward, Direction::Backward}) {
       const Line line = roughLine(101);
-      const PreparedProfile travel = prepareProfile(line, scheme, direction);
-      const std::vector<double> rises(travel.rise.begin(), travel.rise.end() - 1);
-      const std::vector<double> ordered = inLineOrder(travel, rises, direction);
+      const PreparedProfile profile = prepareProfile(line, scheme, direction);
+      const std::vector<double> rises(profile.heightAboveMinimum.begin(),
+                                      profile.heightAboveMinimum.end() - 1);
+      const std::vector<double> ordered = inLineOrder(profile, rises, direction);
       ASSERT_EQ(ordered.size(), line.nodes());
       for (std::size_t i = 0; i < line.nodes(); ++i)
         // Beside the lowest point rises are told apart better than heights are.
-        EXPECT_NEAR(ordered[i], line.height[i] - travel.lowestHeight, 1e-15 * line.rmsHeight);
+        EXPECT_NEAR(ordered[i], line.height[i] - profile.lowestHeight, 1e-15 * line.rmsHeight);
     }
 }
 
@@ -99,12 +101,12 @@ TEST(PreparedProfile, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
   for (const Scheme scheme : {Scheme::Nodal, Scheme::Linear, Scheme::Cubic}) {
-    PreparedProfile travel;
+    PreparedProfile profile;
     EXPECT_FALSE(
-        prepareProfileInto(travel, roughLine(100), scheme, Direction::Forward, stop.get_token()));
-    EXPECT_TRUE(travel.rise.empty());
-    EXPECT_TRUE(prepareProfileInto(travel, roughLine(100), scheme));
-    EXPECT_FALSE(travel.rise.empty());
+        prepareProfileInto(profile, roughLine(100), scheme, Direction::Forward, stop.get_token()));
+    EXPECT_TRUE(profile.heightAboveMinimum.empty());
+    EXPECT_TRUE(prepareProfileInto(profile, roughLine(100), scheme));
+    EXPECT_FALSE(profile.heightAboveMinimum.empty());
   }
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/surface/shapes.h"
+#include "core/surface/line.h"
 #include "tests/core/contact/lines.h"
 #include "tests/core/elastomers.h"
 
@@ -75,7 +75,8 @@ TEST(TimeMarch, EveryStepKeepsForcePressureAndShape) {
     for (std::size_t k = 0; k < line.nodes(); ++k) {
       EXPECT_GE(march.pressure()[k], 0);
       // u <= z - d
-      EXPECT_GE(march.depth()[k] - (march.indentation() - march.rise()[k]), -4e-16 * highest);
+      EXPECT_GE(march.depth()[k] - (march.indentation() - march.heightAboveMinimum()[k]),
+                -4e-16 * highest);
     }
   }
 }
@@ -132,9 +133,9 @@ TEST(TimeMarch, BothReadingsOfFrictionConverge) {
     Errors errors;
     for (const std::size_t nodes : allNodes) {
       const Line line = lines(nodes)[shape].second;
-      const PreparedProfile travel = prepareProfile(line, Scheme::Cubic);
-      const double exact = slideAtForce(travel, withMemory(velocity * kTau), force).mu;
-      TimeMarch march(std::make_shared<Line>(line), travel.lowestHeight, kelvin());
+      const PreparedProfile profile = prepareProfile(line, Scheme::Cubic);
+      const double exact = slideAtForce(profile, withRelaxationLength(velocity * kTau), force).mu;
+      TimeMarch march(std::make_shared<Line>(line), profile.lowestHeight, kelvin());
       double ways = 0, places = 0;
       for (std::size_t i = 0; i < 2 * nodes; ++i) {
         const MarchStep step = march.step(underForce(force), line.spacing / velocity, line.spacing);
@@ -292,7 +293,7 @@ TEST(TimeMarch, ElasticElementsHaveNoMemory) {
   for (int i = 0; i < 50; ++i) {
     march.step(underForce(0.01), 1, line.spacing);
     for (std::size_t k = 0; k < line.nodes(); ++k) {
-      const double pressed = std::max(march.indentation() - march.rise()[k], 0.0);
+      const double pressed = std::max(march.indentation() - march.heightAboveMinimum()[k], 0.0);
       EXPECT_DOUBLE_EQ(march.depth()[k], pressed);
       EXPECT_DOUBLE_EQ(march.pressure()[k], 4 * kModulus * pressed);
     }
@@ -316,14 +317,15 @@ TEST(TimeMarch, ABalanceOnAThresholdEnds) {
 TEST(TimeMarch, ALineMovedByAPeriodIsTheSameLine) {
   const Line line = roughLine(64, 2);
   TimeMarch march(std::make_shared<Line>(line), 0, kelvin());
-  for (std::size_t i = 0; i < line.nodes(); ++i) EXPECT_EQ(march.rise()[i], line.height[i]);
+  for (std::size_t i = 0; i < line.nodes(); ++i)
+    EXPECT_EQ(march.heightAboveMinimum()[i], line.height[i]);
   march.setDistance(line.spacing * 5);
   for (std::size_t i = 0; i < line.nodes(); ++i)
-    EXPECT_NEAR(march.rise()[(i + 5) % line.nodes()], line.height[i], 1e-18);
+    EXPECT_NEAR(march.heightAboveMinimum()[(i + 5) % line.nodes()], line.height[i], 1e-18);
   march.setDistance(-line.spacing * 2.5);  // backwards, between nodes
   const Line fine = roughLine(64, 4);
   for (std::size_t i = 0; i < line.nodes(); ++i)
-    EXPECT_NEAR(march.rise()[i], fine.height[(2 * i + 5) % fine.nodes()], 2e-9);
+    EXPECT_NEAR(march.heightAboveMinimum()[i], fine.height[(2 * i + 5) % fine.nodes()], 2e-9);
 }
 
 /// The stretches in contact, counted anew once around the period.

@@ -1,0 +1,105 @@
+#include "core/contact/kernels/kernels.h"
+
+// One lane runs everywhere; AVX2 and AVX-512 are the steps worth a kernel of their own.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/contact/kernels/kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// After it, as Highway wants.
+#include "core/base/flush_denormals.h"
+#include "core/contact/kernels/cubic_kernel-inl.h"
+#include "core/contact/kernels/linear_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace asperity {
+namespace HWY_NAMESPACE {
+
+void cubicPasses(const PreparedProfile& line, PassQueue& queue) {
+  static_assert(Wide::kLanes <= kMostStreams);
+  CubicKernel(line, queue).run();
+}
+
+bool linearPass(const PreparedProfile& line, const PassRequest& request, const PassQueue& queue,
+                PassSums& sums) {
+  return LinearKernel(line, request).run(queue, sums);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace asperity
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace asperity {
+
+HWY_EXPORT(cubicPasses);
+HWY_EXPORT(linearPass);
+
+void runCubicPasses(const PreparedProfile& line, PassQueue& queue) {
+  const FlushDenormals flush(Traps::None);
+  HWY_DYNAMIC_DISPATCH(cubicPasses)(line, queue);
+}
+
+void runLinearPasses(const PreparedProfile& line, PassQueue& queue) {
+  const FlushDenormals flush(Traps::None);
+  PassRequest request;
+  PassSums sums;
+  for (bool goOn = queue.begin(0, request); goOn; goOn = queue.next(0, sums, request))
+    if (!HWY_DYNAMIC_DISPATCH(linearPass)(line, request, queue, sums)) return;
+}
+
+namespace {
+
+/// The tables of functions are indexed by the chosen target, which is found at the first call.
+void useTargets(std::int64_t mask) {
+  hwy::SetSupportedTargetsForTest(mask);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+std::int64_t targetOf(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::Scalar:
+      return HWY_SCALAR;
+    case InstructionSet::Avx2:
+      return HWY_AVX2;
+    case InstructionSet::Avx512:
+      return HWY_AVX3;
+    case InstructionSet::Best:
+      break;
+  }
+  return 0;  // no restriction
+}
+
+}  // namespace
+
+bool chooseInstructionSet(InstructionSet wanted) {
+  useTargets(0);
+  const std::int64_t target = targetOf(wanted);
+  if (target != 0 && (hwy::SupportedTargets() & target) == 0) return false;
+  useTargets(target);
+  return true;
+}
+
+InstructionSet instructionSet() {
+  const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
+  if (usable & HWY_AVX3) return InstructionSet::Avx512;
+  if (usable & HWY_AVX2) return InstructionSet::Avx2;
+  return InstructionSet::Scalar;
+}
+
+const char* nameOf(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::Scalar:
+      return "scalar";
+    case InstructionSet::Avx2:
+      return "AVX2";
+    case InstructionSet::Avx512:
+      return "AVX-512";
+    case InstructionSet::Best:
+      break;
+  }
+  return "best";
+}
+
+}  // namespace asperity
+#endif  // HWY_ONCE

@@ -1,0 +1,58 @@
+// One steady pass over a prepared profile at one indentation: how it is asked for and what it
+// finds. All sums are divided by 4G, so that they are lengths and areas only: multiply them by 4G
+// (Pa) to get forces (N). Plain values and an interface; a queue belongs to one run of passes and
+// to its thread.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace asperity {
+
+/// What a pass gathers. Force: only what a force balance needs.
+enum class Output { Force, Everything };
+
+/// Integrals over one period. The two ways to either force are summed independently, so that they
+/// can be compared. With Output::Force only `depth` and `stiffness` are gathered (nodal: only
+/// `pressure` and `stiffness`).
+struct PassSums {
+  double depth = 0;          // m^2, integral of y = -u over all elements: F_N / 4G
+  double stiffness = 0;      // m, derivative of `depth` with respect to the indentation
+  double pressure = 0;       // m^2, integral of p over the contact: F_N / 4G again
+  double work = 0;           // m^2, integral of p w' over the contact: F_x / 4G, Eq. (4)
+  double dissipation = 0;    // m^2, c integral of y'^2 over all elements: F_x / 4G again
+  double contactLength = 0;  // m
+  double slopeSquared = 0;   // m, integral of z'^2 over the contact
+  double segmentsInspected =
+      0;  // segments in which edges were looked for: the cost of cubic passes
+};
+
+/// Stands for a sum that a pass does not gather.
+inline constexpr double kNotGathered = std::numeric_limits<double>::quiet_NaN();
+
+/// Shape of the elastomer at the nodes of a PreparedProfile, in travel order.
+struct NodeShape {
+  std::vector<double> depth;     // m, y = -u
+  std::vector<double> pressure;  // m, p / 4G, 0 where there is no contact
+};
+
+struct PassRequest {
+  double depth = 0;             // m, indentation, > 0
+  double relaxationLength = 0;  // m, c = v tau, >= 0
+  int parts = 1;                // into which the pass may be cut, to run in several lanes
+};
+
+/// Where passes come from and where their sums go.
+class PassQueue {
+ public:
+  virtual ~PassQueue() = default;
+  /// Gives the first pass of a stream, counted from 0; false: nothing is left to do.
+  virtual bool begin(std::size_t stream, PassRequest& request) = 0;
+  /// Takes what the stream's pass found and gives its next one; false as above.
+  virtual bool next(std::size_t stream, const PassSums& sums, PassRequest& request) = 0;
+  /// Is asked often, inside passes too; true ends them all at once.
+  virtual bool isStopped() const = 0;
+};
+
+}  // namespace asperity

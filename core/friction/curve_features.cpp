@@ -1,0 +1,93 @@
+#include "core/friction/curve_features.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+/// A line that rises by less of the largest value, from its first x to its last, is flat.
+constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+
+/// Where values pass `level` between two velocities, straight in logarithms; NaN: never.
+template <class Value>
+double crossing(std::span<const double> velocities, std::size_t from, double level,
+                const Value& value) {
+  for (std::size_t i = from; i + 1 < velocities.size(); ++i) {
+    const double a = std::log(value(i) / level), b = std::log(value(i + 1) / level);
+    if (a == 0) return velocities[i];
+    if ((a < 0) != (b < 0))
+      return velocities[i] * std::pow(velocities[i + 1] / velocities[i], a / (a - b));
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::size_t highest(std::span<const double> values) {
+  return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+}
+
+}  // namespace
+
+LineFit fitLine(std::span<const double> x, std::span<const double> y) {
+  const auto count = static_cast<Eigen::Index>(x.size());
+  const Eigen::Map<const Eigen::VectorXd> abscissa(x.data(), count), ordinate(y.data(), count);
+  Eigen::MatrixXd design(count, 2);
+  design.col(0).setOnes();
+  design.col(1) = abscissa;
+  Eigen::Vector2d coefficients = design.colPivHouseholderQr().solve(ordinate);
+  const double rise = coefficients[1] * (abscissa.maxCoeff() - abscissa.minCoeff());
+  if (std::abs(rise) <= kRounding * ordinate.cwiseAbs().maxCoeff())
+    coefficients = {ordinate.mean(), 0};
+  const double squares = (ordinate - design * coefficients).squaredNorm();
+  const double variance = count > 2 ? squares / static_cast<double>(count - 2)
+                                    : std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Matrix2d covariance = variance * (design.transpose() * design).inverse();
+  return {coefficients[0], coefficients[1], std::sqrt(covariance(0, 0)),
+          std::sqrt(covariance(1, 1)), std::sqrt(squares / static_cast<double>(count))};
+}
+
+LineFit fitPower(std::span<const double> x, std::span<const double> y) {
+  std::vector<double> logX, logY;
+  for (const double value : x) logX.push_back(std::log(value));
+  for (const double value : y) logY.push_back(std::log(value));
+  return fitLine(logX, logY);
+}
+
+CurveMaximum curveMaximum(std::span<const double> velocities, std::span<const double> values) {
+  const std::size_t top = highest(values);
+  if (top == 0 || top + 1 == values.size()) return {velocities[top], values[top]};
+  const double bend = values[top - 1] - 2 * values[top] + values[top + 1];
+  const double lean = values[top - 1] - values[top + 1];
+  const double shift = bend < 0 ? 0.5 * lean / bend : 0;
+  return {velocities[top] * std::pow(velocities[top + 1] / velocities[top], shift),
+          values[top] - 0.25 * lean * shift};
+}
+
+RegionBorders regionBorders(std::span<const double> velocities, std::span<const double> values,
+                            const BorderRule& rule) {
+  const double perVelocity = values[0] / velocities[0];
+  const double reached = rule.ofMaximum * curveMaximum(velocities, values).value;
+  const auto overLine = [&](std::size_t i) { return values[i] / (perVelocity * velocities[i]); };
+  const auto value = [&](std::size_t i) { return values[i]; };
+  return {crossing(velocities, 0, rule.ofLine, overLine), crossing(velocities, 0, reached, value),
+          crossing(velocities, highest(values), reached, value)};
+}
+
+std::vector<CurveRegion> regionsWithin(const RegionBorders& borders, double from, double to) {
+  constexpr const char* kNames[] = {"I", "II", "III", "IV"};
+  std::vector<CurveRegion> regions;
+  std::size_t name = 0;
+  for (const double border : {borders.endOfLinear, borders.toPlateau, borders.offPlateau, to}) {
+    if (std::isfinite(border) && border > from) {
+      regions.push_back({kNames[name], from, border});
+      from = border;
+    }
+    ++name;
+  }
+  return regions;
+}
+
+}  // namespace asperity

@@ -1,0 +1,83 @@
+#include "core/friction/curve_point.h"
+
+#include <cmath>
+
+#include "core/contact/steady_sliding.h"
+#include "core/friction/law.h"
+#include "core/scene/plan.h"
+#include "core/surface/line_source.h"
+
+namespace asperity {
+
+void CurveAverages::add(const SteadyResult& result) {
+  if (std::isfinite(result.mu)) mu.add(result.mu);
+  if (std::isfinite(result.mu) && result.rmsSlopeLine > 0)
+    normalizedMu.add(result.mu / result.rmsSlopeLine);
+  rmsSlope.add(result.rmsSlopeLine);
+  if (std::isfinite(result.muInterface)) muInterface.add(result.muInterface);
+  contactFraction.add(result.contactFraction);
+  indentation.add(result.indentation);
+  normalForce.add(result.normalForce);
+  tangentialForce.add(result.tangentialForce);
+  marginalShare.add(result.marginalShare);
+  if (std::isfinite(result.rmsSlopeContact)) rmsSlopeContact.add(result.rmsSlopeContact);
+}
+
+CurvePoint CurveAverages::point(double velocity) const {
+  CurvePoint point;
+  point.velocity = velocity;
+  point.mu = mu.mean();
+  point.muStandardError = mu.standardError();
+  point.muInterface = muInterface.mean();
+  if (normalForce.mean() != 0) point.muRatioOfMeans = tangentialForce.mean() / normalForce.mean();
+  point.contactFraction = contactFraction.mean();
+  point.rmsSlopeContact = rmsSlopeContact.mean();
+  point.indentation = indentation.mean();
+  point.marginalShare = marginalShare.mean();
+  point.realizations = mu.count();
+  return point;
+}
+
+LawColumns::LawColumns(const Scene& scene, const LineSource& source)
+    : scene_(scene),
+      line_(source.statistics()),
+      length_(source.length()),
+      isRandom_(source.isRandom()),
+      hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
+      hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
+      slopesDiffer_(callsFor(scene, Purpose::Curve, Stage::SummitCorrelation)) {}
+
+/// The mean of the lines' own ratios, for a mean `mu` that may come from other lines as well.
+double LawColumns::normalized(double mu, const CurveAverages& averages) const {
+  const double sampled = averages.mu.mean();
+  if (!slopesDiffer_ || !(sampled > 0)) return mu / line_.rmsSlope;
+  return mu * (averages.normalizedMu.mean() / sampled);
+}
+
+void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
+  if (!hasInterface_) point.muInterface = kNotApplicable;
+  if (scene_.load.kind == LoadKind::Force) point.muRatioOfMeans = kNotApplicable;
+  const Accuracy& accuracy = scene_.accuracy;
+  if (accuracy.scheme != Scheme::Nodal || accuracy.targetRelativeError > 0)
+    point.marginalShare = kNotApplicable;
+  if (!(line_.rmsHeight > 0)) return;
+  const SlidingConditions conditions = slidingConditions(scene_, point.velocity);
+  const double force =
+      scene_.load.kind == LoadKind::Force ? scene_.load.normalForce : averages.normalForce.mean();
+  const double slope = slopesDiffer_ ? averages.rmsSlope.mean() : line_.rmsSlope;
+  const LawInput in{conditions.shearModulus,
+                    conditions.relaxationTime,
+                    length_,
+                    line_.rmsHeight,
+                    slope,
+                    scene_.surface.hurst,
+                    force,
+                    point.velocity};
+  point.normalizedMu = normalized(point.mu, averages);
+  point.dimensionlessForce = dimensionlessForce(in);
+  if (hasArms_) return;  // Eqs. (5) to (14) know one relaxation time
+  point.dimensionlessVelocity = dimensionlessVelocity(in);
+  if (isRandom_) point.muLaw = frictionLaw(in);
+}
+
+}  // namespace asperity

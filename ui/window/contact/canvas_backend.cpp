@@ -1,0 +1,200 @@
+#include "ui/window/contact/canvas_backend.h"
+
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QOpenGLWidget>
+#include <QPainter>
+#include <QResizeEvent>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <exception>
+#include <utility>
+
+#include "ui/draw/pixel_context.h"
+#include "ui/draw/renderer.h"
+#include "ui/draw/text_painter.h"
+#include "ui/window/contact/contact_canvas.h"
+#include "ui/window/tasks/background_work.h"
+
+namespace asperity {
+
+namespace {
+
+QSurfaceFormat coreFormat() {
+  QSurfaceFormat format;
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  return format;
+}
+
+DrawList composePicture(const PictureRequest& request) {
+  return composeContact(*request.frame, sizedOptions(request));
+}
+
+/// Draws with the shared Renderer.
+class GlCanvas : public QOpenGLWidget, public CanvasBackend {
+ public:
+  GlCanvas(CanvasEvents events, QWidget* parent)
+      : QOpenGLWidget(parent), events_(std::move(events)) {
+    setFormat(coreFormat());
+    setObjectName("openGlCanvas");
+  }
+
+  ~GlCanvas() override {
+    makeCurrent();
+    renderer_.reset();
+    doneCurrent();
+  }
+
+  QWidget* widget() override { return this; }
+  QString name() const override { return QStringLiteral("OpenGL"); }
+
+  void show(const PictureRequest& request) override {
+    request_ = request;
+    update();
+  }
+
+ protected:
+  void initializeGL() override {
+    try {
+      renderer_ = std::make_unique<Renderer>([](const char* name) {
+        return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
+      });
+    } catch (const std::exception& error) {
+      fail(QString::fromUtf8(error.what()));
+    }
+  }
+
+  void paintGL() override {
+    QPainter painter(this);
+    if (!renderer_ || !request_.frame) return painter.fillRect(rect(), palette().window());
+    request_.scale = devicePixelRatioF();
+    request_.size = size() * request_.scale;
+    const DrawList list = composePicture(request_);
+    painter.beginNativePainting();
+    renderer_->draw(list, defaultFramebufferObject());
+    painter.endNativePainting();
+    painter.scale(1 / request_.scale, 1 / request_.scale);
+    paintTexts(painter, list);
+    if (events_.painted) events_.painted();
+  }
+
+ private:
+  void fail(const QString& reason) {
+    // Not from inside initializeGL: the owner will replace this widget.
+    QTimer::singleShot(0, this, [this, reason] {
+      if (events_.failed) events_.failed(reason);
+    });
+  }
+
+  CanvasEvents events_;
+  std::unique_ptr<Renderer> renderer_;
+  PictureRequest request_;
+};
+
+/// Shows the images that are made in the background.
+class SoftwareCanvas : public QWidget, public CanvasBackend {
+ public:
+  SoftwareCanvas(CanvasEvents events, QWidget* parent)
+      : QWidget(parent), events_(std::move(events)) {
+    setObjectName("softwareCanvas");
+    setAttribute(Qt::WA_OpaquePaintEvent);
+  }
+
+  QWidget* widget() override { return this; }
+  QString name() const override { return ContactCanvas::tr("software (OSMesa)"); }
+
+  void show(const PictureRequest& request) override {
+    request_ = request;
+    requestPicture();
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    requestPicture();
+  }
+
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    if (image_.isNull() || !isFitting()) painter.fillRect(rect(), colour());
+    if (!image_.isNull()) painter.drawImage(0, 0, image_);
+    if (std::exchange(isNew_, false) && events_.painted) events_.painted();
+  }
+
+ private:
+  bool isFitting() const { return image_.size() == size() * devicePixelRatioF(); }
+
+  QColor colour() const {
+    const Rgba& c = request_.options.theme.background;
+    return request_.frame ? QColor::fromRgbF(c.r, c.g, c.b) : palette().color(QPalette::Window);
+  }
+
+  void requestPicture() {
+    request_.scale = devicePixelRatioF();
+    request_.size = size() * request_.scale;
+    if (hasFailed_ || !request_.frame || request_.size.isEmpty()) return;
+    pictures_.request(
+        [request = request_](const BackgroundWork::Run&) {
+          QImage image = renderImage(contextOfThread(), composePicture(request));
+          image.setDevicePixelRatio(request.scale);
+          return image;
+        },
+        [this](const QImage& image) {
+          image_ = image;
+          isNew_ = true;
+          update();
+        },
+        [this](const QString& reason) { fail(reason); });
+  }
+
+  void fail(const QString& reason) {
+    if (std::exchange(hasFailed_, true)) return;
+    if (events_.failed) events_.failed(reason);
+  }
+
+  CanvasEvents events_;
+  PictureRequest request_;
+  QImage image_;
+  bool isNew_ = false;  // not painted yet
+  bool hasFailed_ = false;
+  // Last: its thread ends before anything else here goes.
+  BackgroundWork pictures_{Overtaking::SkipsTheWaiting};
+};
+
+}  // namespace
+
+ContactPictureOptions sizedOptions(const PictureRequest& request) {
+  ContactPictureOptions options = request.options;
+  options.width = request.size.width();
+  options.height = request.size.height();
+  options.scale = static_cast<float>(request.scale * request.textScale);
+  return options;
+}
+
+OpenGlSupport openGlSupport() {
+  QOpenGLContext context;
+  context.setFormat(coreFormat());
+  if (!context.create() || context.format().version() < qMakePair(3, 3)) return OpenGlSupport::None;
+  QOffscreenSurface surface;
+  surface.setFormat(context.format());
+  surface.create();
+  if (!surface.isValid() || !context.makeCurrent(&surface)) return OpenGlSupport::None;
+  const auto* text = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
+  const QByteArray renderer = text ? QByteArray(text).toLower() : QByteArray();
+  context.doneCurrent();
+  for (const char* name : {"llvmpipe", "softpipe", "swrast", "software"})
+    if (renderer.contains(name)) return OpenGlSupport::Software;
+  return OpenGlSupport::Hardware;
+}
+
+CanvasBackend* makeOpenGlCanvas(CanvasEvents events, QWidget* parent) {
+  return new GlCanvas(std::move(events), parent);
+}
+
+CanvasBackend* makeSoftwareCanvas(CanvasEvents events, QWidget* parent) {
+  return new SoftwareCanvas(std::move(events), parent);
+}
+
+}  // namespace asperity

@@ -1,0 +1,368 @@
+#include "ui/window/contact/contact_canvas.h"
+
+#include <QGestureEvent>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QNativeGestureEvent>
+#include <QPinchGesture>
+#include <QToolTip>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/draw/text_painter.h"
+#include "ui/language/language.h"
+#include "ui/window/main/commands.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kWheelStep = 120;     // of angleDelta
+constexpr double kKeyPan = 0.1;        // of the plot
+constexpr double kZoomPerStep = 1.25;  // as the viewer's
+constexpr int kManyElements = 10;
+
+double stepsOf(double factor) {
+  return factor > 0 ? std::log(factor) / std::log(kZoomPerStep) : 0;
+}
+
+bool prefersOpenGl() {
+  const QString wish = qEnvironmentVariable("ASPERITY_CANVAS");
+  if (wish == QStringLiteral("software")) return false;
+  const OpenGlSupport support = openGlSupport();
+  if (wish == QStringLiteral("opengl")) return support != OpenGlSupport::None;
+  return support == OpenGlSupport::Hardware;
+}
+
+}  // namespace
+
+ContactCanvas::ContactCanvas(QWidget* parent)
+    : QWidget(parent), layout_(new QVBoxLayout(this)), veil_(new QLabel(this)) {
+  layout_->setContentsMargins(0, 0, 0, 0);
+  setMinimumSize(320, 160);
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setContextMenuPolicy(Qt::ActionsContextMenu);
+  grabGesture(Qt::PinchGesture);
+  veil_->setObjectName("contactVeil");
+  veil_->setAlignment(Qt::AlignCenter);
+  veil_->setWordWrap(true);
+  veil_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  veil_->hide();
+  clock_.start();
+  if (prefersOpenGl())
+    useOpenGl();
+  else
+    useSoftware();
+  keepTranslated(*this, [this] {
+    setAccessibleName(tr("contact view"));
+    refresh();  // the picture has words in it
+  });
+}
+
+void ContactCanvas::setFrame(std::shared_ptr<const Frame> frame) {
+  viewer_.setFrame(std::move(frame));
+  refresh();
+}
+
+void ContactCanvas::setTheme(const Theme& theme) {
+  theme_ = theme;
+  paintVeil();
+  refresh();
+}
+
+void ContactCanvas::setVeil(const QString& reason) {
+  veil_->setText(reason);
+  veil_->setVisible(!reason.isEmpty());
+}
+
+/// Gives the veil the colour of the background, so that half of the picture shines through.
+void ContactCanvas::paintVeil() {
+  QColor background = colourOf(theme_.background);
+  background.setAlphaF(0.7F);
+  veil_->setStyleSheet(QStringLiteral("QLabel { background: %1; color: %2; }")
+                           .arg(background.name(QColor::HexArgb), colourOf(theme_.text).name()));
+}
+
+void ContactCanvas::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  veil_->setGeometry(rect());
+}
+
+void ContactCanvas::setTextScale(double scale) {
+  textScale_ = scale;
+  refresh();
+}
+
+QString ContactCanvas::backendName() const {
+  return backend_ ? backend_->name() : QString();
+}
+
+int ContactCanvas::framesPerSecond() const {
+  while (!pictures_.empty() && pictures_.front() < clock_.elapsed() - 1000) pictures_.pop_front();
+  return static_cast<int>(pictures_.size());
+}
+
+void ContactCanvas::useOpenGl() {
+  CanvasEvents events;
+  events.painted = [this] { countPicture(); };
+  events.failed = [this](const QString&) { useSoftware(); };
+  place(makeOpenGlCanvas(std::move(events), this));
+}
+
+void ContactCanvas::useSoftware() {
+  CanvasEvents events;
+  events.painted = [this] { countPicture(); };
+  events.failed = [this](const QString& reason) { giveUp(reason); };
+  place(makeSoftwareCanvas(std::move(events), this));
+}
+
+void ContactCanvas::place(CanvasBackend* backend) {
+  if (backend_) {
+    backend_->widget()->hide();
+    backend_->widget()->deleteLater();
+  }
+  backend_ = backend;
+  backend_->widget()->setAttribute(Qt::WA_TransparentForMouseEvents);  // they are this widget's
+  layout_->addWidget(backend_->widget());
+  veil_->raise();
+  refresh();
+}
+
+void ContactCanvas::giveUp(const QString& reason) {
+  backend_->widget()->hide();
+  backend_->widget()->deleteLater();
+  backend_ = nullptr;
+  auto* label = new QLabel(tr("The contact cannot be drawn here: %1").arg(reason));
+  label->setAlignment(Qt::AlignCenter);
+  label->setWordWrap(true);
+  layout_->addWidget(label);
+  emit failed(reason);
+}
+
+void ContactCanvas::countPicture() {
+  pictures_.push_back(clock_.elapsed());
+  emit painted();
+}
+
+void ContactCanvas::refresh() {
+  if (backend_ && viewer_.frame()) backend_->show(request());
+}
+
+/// Returns a request for the picture on the screen; the backend fills this widget.
+PictureRequest ContactCanvas::request() const {
+  PictureRequest request;
+  request.frame = viewer_.frame();
+  request.options = viewer_.options();
+  request.options.theme = theme_;
+  request.textScale = textScale_;
+  request.scale = devicePixelRatioF();
+  request.size = size() * request.scale;
+  return request;
+}
+
+// ---- Wheel, buttons, gestures and keys
+
+QRectF ContactCanvas::plotArea() const {
+  if (!viewer_.frame()) return {};
+  const PictureRequest shown = request();
+  const Clip plot = contactPlotArea(*shown.frame, sizedOptions(shown));
+  return QRectF(plot.x / shown.scale, plot.y / shown.scale, plot.width / shown.scale,
+                plot.height / shown.scale);
+}
+
+std::optional<ViewPlace> ContactCanvas::placeAt(const QPointF& position) const {
+  const QRectF plot = plotArea();
+  if (plot.isEmpty() || !plot.contains(position)) return std::nullopt;
+  return ViewPlace{(position.x() - plot.left()) / plot.width(),
+                   (plot.bottom() - position.y()) / plot.height()};
+}
+
+/// Returns where keys zoom: at the crosshair's element and the surface there, else in the middle.
+ViewPlace ContactCanvas::focusPlace() const {
+  const auto reading = viewer_.reading();
+  if (!reading) return {};
+  const ContactView view = viewer_.options().view;
+  const double along = (*viewer_.pointer() - view.left) / view.width;
+  const double up = (reading->surface - view.bottom) / (view.top - view.bottom);
+  return {std::clamp(along, 0.0, 1.0), std::clamp(up, 0.0, 1.0)};
+}
+
+/// Has to be called after every change of the view.
+void ContactCanvas::changed() {
+  if (const FrameFields fields = viewer_.fields(); fields != wanted_) {
+    wanted_ = fields;
+    emit fieldsWanted(fields);
+  }
+  refresh();
+  emit viewChanged();
+}
+
+void ContactCanvas::zoom(double steps) {
+  viewer_.zoom(focusPlace(), steps);
+  changed();
+}
+
+void ContactCanvas::exaggerate(double steps) {
+  viewer_.exaggerate(focusPlace(), steps);
+  changed();
+}
+
+void ContactCanvas::fit() {
+  viewer_.fit();
+  changed();
+}
+
+void ContactCanvas::fitHeights() {
+  viewer_.fitHeights();
+  changed();
+}
+
+void ContactCanvas::follow(bool follows) {
+  viewer_.follow(follows);
+  changed();
+}
+
+void ContactCanvas::magnify(bool magnifies) {
+  viewer_.magnify(magnifies);
+  changed();
+}
+
+void ContactCanvas::setOverlay(ContactOverlay overlay) {
+  viewer_.setOverlay(overlay);
+  changed();
+}
+
+void ContactCanvas::showCrosshair(const QPointF& position) {
+  viewer_.pointAt(placeAt(position));
+  changed();
+}
+
+/// The reading is spoken, too, because the picture itself is no text.
+void ContactCanvas::movePointer(int elements) {
+  viewer_.movePointer(elements);
+  QStringList words;
+  if (const auto reading = viewer_.reading())
+    for (const ProbeLine& line : probeLines(*reading))
+      words += QString::fromStdString(line.label + " " + line.value);
+  setAccessibleDescription(words.join(QStringLiteral(", ")));
+  changed();
+}
+
+void ContactCanvas::wheelEvent(QWheelEvent* event) {
+  const auto place = placeAt(event->position());
+  if (!place) return event->ignore();
+  event->accept();
+  const QPointF turned = QPointF(event->angleDelta()) / kWheelStep;
+  // Some systems turn the wheel sideways themselves while a modifier is held.
+  const double steps = turned.y() != 0 ? turned.y() : turned.x();
+  if (event->modifiers() & Qt::ControlModifier)
+    viewer_.exaggerate(*place, steps);
+  else if ((event->modifiers() & Qt::ShiftModifier) || turned.y() == 0)
+    viewer_.pan(kKeyPan * steps, 0);
+  else
+    viewer_.zoom(*place, steps);
+  changed();
+}
+
+void ContactCanvas::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !placeAt(event->position())) return event->ignore();
+  dragged_ = event->position();
+  setCursor(Qt::ClosedHandCursor);
+}
+
+void ContactCanvas::mouseMoveEvent(QMouseEvent* event) {
+  if (isPinching_) return;  // the first finger, as a cursor
+  if (dragged_) {
+    const QRectF plot = plotArea();
+    const QPointF moved = event->position() - *dragged_;
+    dragged_ = event->position();
+    viewer_.pan(moved.x() / plot.width(), -moved.y() / plot.height());
+  }
+  showCrosshair(event->position());
+}
+
+void ContactCanvas::mouseReleaseEvent(QMouseEvent*) {
+  dragged_.reset();
+  unsetCursor();
+}
+
+void ContactCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) fit();
+}
+
+void ContactCanvas::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  if (!dragged_) showCrosshair({-1, -1});
+}
+
+void ContactCanvas::keyPressEvent(QKeyEvent* event) {
+  const bool along = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
+  const bool up = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
+  const int sign = event->key() == Qt::Key_Right || event->key() == Qt::Key_Up ? 1 : -1;
+  const bool control = event->modifiers() & Qt::ControlModifier;
+  const bool shift = event->modifiers() & Qt::ShiftModifier;
+  if (event->key() == Qt::Key_Escape && viewer_.pointer()) {
+    showCrosshair({-1, -1});
+  } else if (along && control) {
+    movePointer(sign * (shift ? kManyElements : 1));
+  } else if (up && shift) {
+    exaggerate(sign);
+  } else if (along || up) {
+    viewer_.pan(along ? -kKeyPan * sign : 0, up ? -kKeyPan * sign : 0);
+    changed();
+  } else {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+/// Returns the sentence on the reading at this place; empty where there is none.
+QString ContactCanvas::tipAt(const QPointF& position) const {
+  if (!viewer_.frame()) return {};
+  const PictureRequest shown = request();
+  const QPointF pixel = position * shown.scale;
+  for (const ContactReading& reading : contactReadings(*shown.frame, sizedOptions(shown))) {
+    const Clip& place = reading.place;
+    if (QRectF(place.x, place.y, place.width, place.height).contains(pixel))
+      return QString::fromStdString(reading.tip);
+  }
+  return {};
+}
+
+void ContactCanvas::pinch(const QPointF& position, double factor) {
+  viewer_.zoom(placeAt(position).value_or(ViewPlace{}), stepsOf(factor));
+  changed();
+}
+
+bool ContactCanvas::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QToolTip::showText(help->globalPos(), wrappedTip(tipAt(help->pos())), this);  // none: hides
+    return true;
+  }
+  if (event->type() == QEvent::NativeGesture) {
+    auto* native = static_cast<QNativeGestureEvent*>(event);
+    if (native->gestureType() == Qt::ZoomNativeGesture) {
+      pinch(native->position(), 1 + native->value());
+      return true;
+    }
+  } else if (event->type() == QEvent::Gesture) {
+    auto* gestures = static_cast<QGestureEvent*>(event);
+    if (auto* gesture = static_cast<QPinchGesture*>(gestures->gesture(Qt::PinchGesture))) {
+      isPinching_ =
+          gesture->state() == Qt::GestureStarted || gesture->state() == Qt::GestureUpdated;
+      dragged_.reset();
+      if (gesture->changeFlags() & QPinchGesture::ScaleFactorChanged)
+        pinch(mapFromGlobal(gesture->centerPoint()), gesture->scaleFactor());
+      gestures->accept(gesture);
+      return true;
+    }
+  }
+  return QWidget::event(event);
+}
+
+}  // namespace asperity

@@ -1,0 +1,104 @@
+#include "ui/window/figures/figure_pages.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/figures/gallery_page.h"
+#include "ui/window/main/commands.h"
+
+namespace asperity {
+
+namespace {
+
+/// Of a page behind the other one, which otherwise takes the width that it would need in front.
+constexpr QSizePolicy::Policy kNoRoom = QSizePolicy::Ignored;
+
+}  // namespace
+
+FigurePages::FigurePages(QWidget* views, QWidget* parent) : QStackedWidget(parent) {
+  addWidget(views);
+}
+
+void FigurePages::addTo(Commands& commands) {
+  commands_ = &commands;
+  const auto run = [this] {
+    if (isShowingFigures()) return closeFigures();
+    openFigures();
+    gallery().choose(gallery().chosen(), true);
+  };
+  commands
+      .add({"figures",
+            [] { return tr("All figures"); },
+            run,
+            {Qt::CTRL | Qt::Key_G},
+            Symbol::Figures,
+            [] { return tr("Figures"); }})
+      ->setCheckable(true);
+}
+
+void FigurePages::fillMenu(QMenu& menu) {
+  int key = Qt::Key_1;
+  for (const FigureEntry& entry : figureEntries()) {
+    QAction* action = menu.addAction(QString(), this, [this, name = entry.name] {
+      openFigures();
+      gallery().choose(name, true);
+    });
+    action->setObjectName("figure:" + fromUtf8(entry.word));
+    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(key++)));
+    // "Figure 2: Typical dependence …"; those that are no figures of the paper by their headlines.
+    keepTranslated(menu, [action, &entry] {
+      const QString headline = translatedText(entry.headline);
+      const QString label = figureLabel(entry.name);
+      const bool isNumbered = entry.name < FigureName::Master;
+      action->setText(isNumbered ? tr("%1: %2").arg(label, headline) : headline);
+      if (isNumbered) action->setProperty("shortText", label);
+    });
+  }
+  menu.addSeparator();
+  menu.addAction(commands_->get("figures"));
+}
+
+GalleryPage& FigurePages::gallery() {
+  if (gallery_) return *gallery_;
+  gallery_ = new GalleryPage;
+  gallery_->setTheme(theme_);
+  gallery_->setSizePolicy(kNoRoom, kNoRoom);
+  addWidget(gallery_);
+  connect(gallery_, &GalleryPage::closed, this, &FigurePages::closeFigures);
+  connect(gallery_, &GalleryPage::figureShown, this, &FigurePages::figureShown);
+  connect(gallery_, &GalleryPage::sceneWanted, this, [this](const Scene& scene) {
+    closeFigures();
+    emit sceneWanted(scene);
+  });
+  return *gallery_;
+}
+
+bool FigurePages::isShowingFigures() const {
+  return gallery_ && currentWidget() == gallery_;
+}
+
+void FigurePages::openFigures() {
+  commands_->get("figures")->setChecked(true);
+  if (isShowingFigures()) return;
+  gallery().setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  setCurrentWidget(gallery_);
+  emit switched(true);
+}
+
+void FigurePages::closeFigures() {
+  commands_->get("figures")->setChecked(false);
+  if (!isShowingFigures()) return;
+  gallery_->setSizePolicy(kNoRoom, kNoRoom);
+  setCurrentIndex(0);
+  emit switched(false);
+}
+
+void FigurePages::setTheme(const Theme& theme) {
+  theme_ = theme;
+  if (gallery_) gallery_->setTheme(theme);
+}
+
+}  // namespace asperity

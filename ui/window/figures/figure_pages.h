@@ -1,0 +1,48 @@
+// Two pages that change places in the window: the views of the scene, and the page of the paper's
+// figures, which is made when it is first asked for. What the figures compute goes on while the
+// views are shown. GUI thread; belongs to its parent.
+#pragma once
+
+#include <QStackedWidget>
+
+#include "core/scene/scene.h"
+#include "ui/contact/contact_picture.h"
+
+class QMenu;
+
+namespace asperity {
+
+class Commands;
+class GalleryPage;
+
+class FigurePages : public QStackedWidget {
+  Q_OBJECT
+
+ public:
+  explicit FigurePages(QWidget* views, QWidget* parent = nullptr);
+
+  void addTo(Commands& commands);
+  /// An entry for each figure, with its key.
+  void fillMenu(QMenu& menu);
+
+  void openFigures();
+  void closeFigures();
+  bool isShowingFigures() const;
+  GalleryPage& gallery();
+  void setTheme(const Theme& theme);
+
+ signals:
+  /// The other page came to the front.
+  void switched(bool isShowingFigures);
+  /// Another figure is shown on its page, or none.
+  void figureShown();
+  /// The scene of a figure, to play with.
+  void sceneWanted(const asperity::Scene& scene);
+
+ private:
+  Commands* commands_ = nullptr;
+  GalleryPage* gallery_ = nullptr;
+  Theme theme_ = lightTheme();
+};
+
+}  // namespace asperity

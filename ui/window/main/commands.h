@@ -1,0 +1,87 @@
+// The commands of the window: each is an action with a name, a text in the language of the window,
+// keys, and perhaps a drawn icon. The parts of the window add theirs; menus and tool bar
+// (main_window_menus.cpp) put them in order by their names. GUI thread. Cannot fail.
+#pragma once
+
+#include <QAction>
+#include <QColor>
+#include <QIcon>
+#include <QKeySequence>
+#include <QList>
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <initializer_list>
+#include <map>
+#include <string>
+
+class QMainWindow;
+
+namespace asperity {
+
+/// The icons of commands. None: a command without an icon.
+enum class Symbol {
+  Play,
+  Pause,
+  Step,
+  Reset,
+  Scenes,
+  Figures,
+  Open,
+  Save,
+  Undo,
+  Redo,
+  Light,
+  None
+};
+
+/// Draws the icon in a colour, for screens of any density.
+QIcon symbolIcon(Symbol symbol, const QColor& colour);
+
+struct Command {
+  std::string name;               // of the action as an object
+  std::function<QString()> text;  // asked again for another language, and by refresh()
+  std::function<void()> run;
+  QList<QKeySequence> keys{};
+  Symbol symbol = Symbol::None;
+  std::function<QString()> button{};  // on the tool bar; none: as in the menu
+};
+
+class Commands : public QObject {
+ public:
+  explicit Commands(QMainWindow& window);
+
+  /// The keys of the command work in the whole window.
+  QAction* add(Command command);
+
+  /// One that was added; its name has to be right.
+  QAction* get(const std::string& name) const;
+  QList<QAction*> get(std::initializer_list<const char*> names) const;
+
+  /// Asks for the text again, which depends on more than the language.
+  void refresh(const std::string& name);
+  void setSymbol(const std::string& name, Symbol symbol);
+
+  /// Paints all icons.
+  void setColour(const QColor& colour);
+
+ private:
+  struct Entry {
+    QAction* action;
+    Command command;
+  };
+  void showText(const Entry& entry) const;
+  void paint(const Entry& entry) const;
+
+  QMainWindow& window_;
+  std::map<std::string, Entry> entries_;
+  QColor colour_;
+};
+
+/// Returns a text for a button: without dots, and with air between icon and text.
+QString buttonText(QString text);
+
+/// Returns a tooltip as rich text, which Qt breaks into lines as it does not break plain text.
+QString wrappedTip(const QString& text);
+
+}  // namespace asperity

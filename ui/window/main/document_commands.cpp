@@ -1,0 +1,288 @@
+#include "ui/window/main/document_commands.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QTimer>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/scene/foreign_scene.h"
+#include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/window/main/commands.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/picture_files.h"
+
+namespace asperity {
+
+namespace {
+
+const QString kRecentFiles = QStringLiteral("recentFiles");
+
+/// Returns the scene as it has to be written into `folder`: with its profile named relative to it.
+Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
+  const std::filesystem::path profile = scene.surface.file;
+  if (profile.empty() || profile.is_absolute()) return scene;
+  scene.surface.file =
+      std::filesystem::absolute(scene.folder / profile)
+          .lexically_normal()
+          .lexically_proximate(std::filesystem::absolute(folder).lexically_normal())
+          .string();
+  return scene;
+}
+
+}  // namespace
+
+DocumentCommands::DocumentCommands(SceneDocument& document, const ParameterPanel& panel,
+                                   MessageBar& messages, QWidget& window)
+    : QObject(&window), document_(document), panel_(panel), messages_(messages), window_(window) {
+  // A file that is still being read was asked for before this document.
+  connect(&document_, &SceneDocument::opening, this, [this] { reading_.cancel(); });
+}
+
+void DocumentCommands::addTo(Commands& commands) {
+  commands_ = &commands;
+  commands.add({"open",
+                [] { return tr("Open scene…"); },
+                [this] { askOpen(); },
+                {QKeySequence::Open},
+                Symbol::Open});
+  commands.add({"save",
+                [] { return tr("Save scene"); },
+                [this] { save(); },
+                {QKeySequence::Save},
+                Symbol::Save,
+                [] { return tr("Save"); }});
+  commands.add({"saveAs",
+                [] { return tr("Save scene as…"); },
+                [this] { askSave(); },
+                {Qt::CTRL | Qt::SHIFT | Qt::Key_S}});
+  QUndoStack& history = document_.history();
+  commands.add({"undo",
+                [&history] {
+                  return history.canUndo() ? tr("Undo %1").arg(history.undoText()) : tr("Undo");
+                },
+                [&history] { history.undo(); },
+                {QKeySequence::Undo},
+                Symbol::Undo,
+                [] { return tr("Undo"); }});
+  QList<QKeySequence> again = QKeySequence::keyBindings(QKeySequence::Redo);
+  if (const QKeySequence y(Qt::CTRL | Qt::Key_Y); !again.contains(y)) again += y;
+  commands.add({"redo",
+                [&history] {
+                  return history.canRedo() ? tr("Redo %1").arg(history.redoText()) : tr("Redo");
+                },
+                [&history] { history.redo(); }, again, Symbol::Redo, [] { return tr("Redo"); }});
+  commands.add(
+      {"revert", [] { return tr("Back to the scene as opened"); }, [this] { document_.revert(); }});
+  commands.add({"resetAll", [] { return tr("All parameters to their defaults"); },
+                [this] { document_.resetAll(); }});
+  // The sheet of shortcuts says what a key means at any time, without the name of the next step.
+  keepTranslated(*this, [&commands] {
+    commands.get("undo")->setProperty("shortText", tr("Undo"));
+    commands.get("redo")->setProperty("shortText", tr("Redo"));
+  });
+  connect(&document_, &SceneDocument::historyChanged, this, &DocumentCommands::showHistory);
+  showHistory();
+}
+
+void DocumentCommands::showHistory() {
+  commands_->refresh("undo");
+  commands_->refresh("redo");
+  commands_->get("undo")->setEnabled(document_.history().canUndo());
+  commands_->get("redo")->setEnabled(document_.history().canRedo());
+  commands_->get("revert")->setEnabled(document_.isChanged());
+}
+
+// ---- Opening
+
+void DocumentCommands::askOpen() {
+  if (!mayLeave()) return;
+  const QString file = QFileDialog::getOpenFileName(
+      &window_, tr("Open scene"), document_.file(),
+      tr("Scenes, and what was made from one (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif "
+         "*.webp);;Scenes (*.json);;All files (*)"));
+  if (!file.isEmpty()) openFile(file);
+}
+
+void DocumentCommands::openFile(const QString& file) {
+  reading_.request([file](const BackgroundWork::Run&) { return findScene(file.toStdString()); },
+                   [this, file](const FoundScene& found) { showFound(file, found); },
+                   [this, file](const QString& reason) {
+                     messages_.showFailure(MessageBar::Failure::Files, reason);
+                     emit sceneRead(file, false);
+                   });
+}
+
+void DocumentCommands::openDropped(const QString& file) {
+  if (!document_.needsSaving()) return openFile(file);
+  QTimer::singleShot(0, this, [this, file] {  // who dropped it does not wait for an answer
+    if (mayLeave()) openFile(file);
+  });
+}
+
+void DocumentCommands::showFound(const QString& file, const FoundScene& found) {
+  const bool isShown = mayShow(file, found);
+  if (isShown) {
+    // A scene that was opened from a picture must not be saved over the picture.
+    document_.open({{}, found.isCarried ? QString() : file, found.scene});
+    addRecentFile(file);
+    fillRecent();
+  }
+  emit sceneRead(file, isShown);
+}
+
+/// Asks a question where a scene that another person may have put into a file wants more than to be
+/// shown.
+bool DocumentCommands::mayShow(const QString& file, const FoundScene& found) {
+  const SceneDemands demands = found.isCarried ? demandsOf(found.scene) : SceneDemands{};
+  if (!demands.any()) return true;
+  QStringList wants;
+  if (!demands.file.empty())
+    wants += tr("It reads a file that does not lie beside it: %1")
+                 .arg(QDir::toNativeSeparators(QString::fromStdString(demands.file.string())));
+  if (demands.memory > 0)
+    wants +=
+        tr("It takes about %1 GB of memory.").arg(QLocale().toString(demands.memory / 1e9, 'f', 1));
+  if (demands.seconds > 0)
+    wants += tr("Its curve takes about %1 minutes of processor time.")
+                 .arg(QLocale().toString(demands.seconds / 60, 'g', 2));
+  QMessageBox box(QMessageBox::Warning, tr("Asperity"), {}, QMessageBox::Open | QMessageBox::Cancel,
+                  &window_);
+  box.setObjectName("demandQuestion");
+  box.setTextFormat(Qt::PlainText);  // names of files are no markup
+  box.setText(tr("Open the scene in “%1”?").arg(QFileInfo(file).fileName()) + "\n\n" +
+              wants.join('\n'));
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.button(QMessageBox::Open)->setText(tr("&Open"));
+  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
+  return box.exec() == QMessageBox::Open;
+}
+
+void DocumentCommands::replace(const SceneOrigin& origin) {
+  if (mayLeave()) document_.open(origin);
+}
+
+// ---- Saving
+
+bool DocumentCommands::saveTo(const QString& file) {
+  try {
+    if (const Missing missing = missingOf(panel_.scene()); !missing.text.isEmpty())
+      throw InputError("", std::string(missing.key), missing.text.toStdString());
+    const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
+    checkWritable(path);
+    writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), document_.scene())));
+  } catch (const std::exception& error) {
+    messages_.showFailure(MessageBar::Failure::Files, translatedText(error.what()));
+    return false;
+  }
+  messages_.end(MessageBar::Failure::Files);
+  document_.saved(file);
+  addRecentFile(file);
+  fillRecent();
+  return true;
+}
+
+bool DocumentCommands::save() {
+  return document_.file().isEmpty() ? askSave() : saveTo(document_.file());
+}
+
+bool DocumentCommands::askSave() {
+  const QString name = document_.file().isEmpty() ? document_.proposedFile() : document_.file();
+  const QString file = askSaveFile(&window_, tr("Save scene"), name, tr("Scenes (*.json)"));
+  return !file.isEmpty() && saveTo(file);
+}
+
+bool DocumentCommands::mayLeave() {
+  if (!document_.needsSaving()) return true;
+  const QString name = document_.name();
+  QMessageBox box(QMessageBox::Question, tr("Asperity"),
+                  name.isEmpty() ? tr("The scene was changed. Save the changes?")
+                                 : tr("“%1” was changed. Save the changes?").arg(name),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
+  box.setObjectName("saveQuestion");
+  const QString file = document_.file();
+  box.setInformativeText(
+      (file.isEmpty() ? tr("They go into a new file.")
+                      : tr("They go into %1.")
+                            .arg(QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath()))) +
+      ' ' + tr("Otherwise they are lost."));
+  box.setDefaultButton(QMessageBox::Save);
+  // Not every desktop gives its standard buttons a letter.
+  box.button(QMessageBox::Save)->setText(tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
+  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      return save();
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// ---- Files opened or saved last
+
+void DocumentCommands::addRecentMenu(QMenu& menu) {
+  recent_ = menu.addMenu(QString());
+  recent_->setObjectName("recentMenu");
+  recent_->setToolTipsVisible(true);
+  connect(&menu, &QMenu::aboutToShow, this, &DocumentCommands::fillRecent);
+  keepTranslated(*recent_, [this] {
+    recent_->setTitle(tr("Open recent"));
+    fillRecent();
+  });
+}
+
+/// Files of the same name differ in their tooltips.
+void DocumentCommands::fillRecent() {
+  recent_->clear();
+  const QStringList files = recentFiles();
+  for (const QString& file : files) {
+    QAction* action =
+        recent_->addAction(QFileInfo(file).fileName().replace('&', "&&"), this, [this, file] {
+          if (mayLeave()) openFile(file);
+        });
+    action->setToolTip(file);
+  }
+  recent_->setEnabled(!files.isEmpty());
+  if (files.isEmpty()) return;
+  recent_->addSeparator();
+  recent_->addAction(tr("Clear this list"), this, [this] {
+    clearRecentFiles();
+    fillRecent();
+  });
+}
+
+QStringList recentFiles() {
+  QStringList files = QSettings().value(kRecentFiles).toStringList();
+  files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
+  return files;
+}
+
+void addRecentFile(const QString& file) {
+  const QString path = QFileInfo(file).absoluteFilePath();
+  QStringList files = recentFiles();
+  files.removeAll(path);
+  files.prepend(path);
+  QSettings().setValue(kRecentFiles, files.mid(0, kMostRecentFiles));
+}
+
+void clearRecentFiles() {
+  QSettings().remove(kRecentFiles);
+}
+
+}  // namespace asperity

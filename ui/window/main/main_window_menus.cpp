@@ -1,0 +1,211 @@
+// The main window's menus and tool bar, in the order in which a person sees them, and the dialogs
+// of its help menu.
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QToolBar>
+#include <QToolButton>
+#include <string>
+
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/contact/contact_view_actions.h"
+#include "ui/window/curve/curve_commands.h"
+#include "ui/window/figures/figure_pages.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/commands.h"
+#include "ui/window/main/document_commands.h"
+#include "ui/window/main/main_window.h"
+#include "ui/window/main/menu_keys.h"
+#include "ui/window/main/run_window.h"
+#include "ui/window/main/scene_library.h"
+#include "ui/window/main/window_layout.h"
+
+namespace asperity {
+
+namespace {
+
+/// Adds the actions to the window, so that their keys work where the menu bar is hidden.
+void adoptActions(QWidget& window, const QMenu& menu) {
+  for (QAction* action : menu.actions()) {
+    if (action->menu())
+      adoptActions(window, *action->menu());
+    else if (!action->shortcut().isEmpty())
+      window.addAction(action);
+  }
+}
+
+}  // namespace
+
+void MainWindow::buildMenus() {
+  const auto add = [this](QMenu& menu, std::initializer_list<const char*> names) {
+    menu.addActions(commands_->get(names));
+  };
+  QMenu& file = *addMenu([] { return tr("&File"); });
+  add(file, {"open"});
+  documents_->addRecentMenu(file);
+  file.addSeparator();
+  add(file, {"save", "saveAs", "savePicture"});
+  file.addSeparator();
+  add(file, {"quit"});
+
+  QMenu& edit = *addMenu([] { return tr("&Edit"); });
+  add(edit, {"undo", "redo"});
+  edit.addSeparator();
+  add(edit, {"copyPicture", "copyCommand", "copyCurveCommand"});
+  edit.addSeparator();
+  add(edit, {"revert", "resetAll"});
+
+  QMenu& scenes = *addMenu([] { return tr("&Scenes"); });
+  fillScenes(scenes);
+
+  figures_->fillMenu(*addMenu([] { return tr("Fi&gures"); }));
+
+  add(*addMenu([] { return tr("&Run"); }), {"play", "step", "reset"});
+
+  QMenu& view = *addMenu([] { return tr("&View"); });
+  view.setToolTipsVisible(true);
+  addContactViewActions(*canvas_, view);
+  view.addSeparator();
+  windowLayout_->fillMenu(view);
+  view.addSeparator();
+  fillLanguages(view);
+
+  curveCommands_->fill(*addMenu([] { return tr("&Curve"); }));
+
+  QMenu& help = *addMenu([] { return tr("&Help"); });
+  add(help, {"tour", "tourStepBack", "tourStepNext"});
+  help.addSeparator();
+  add(help, {"shortcuts"});
+  help.addSeparator();
+  add(help, {"about"});
+
+  for (const QAction* action : menuBar()->actions()) adoptActions(*this, *action->menu());
+  for (QMenu* menu : menuBar()->findChildren<QMenu*>()) keepMnemonics(*menu);
+  buildToolBar(scenes);
+}
+
+QMenu* MainWindow::addMenu(QString (*title)()) {
+  QMenu* menu = menuBar()->addMenu(QString());
+  keepTranslated(*menu, [menu, title] { menu->setTitle(title()); });
+  return menu;
+}
+
+/// Adds a submenu for each chapter; scenes without a chapter stand in the menu itself.
+void MainWindow::fillScenes(QMenu& menu) {
+  std::string chapter;
+  QMenu* part = &menu;
+  for (const LibraryScene& entry : libraryScenes()) {
+    if (entry.scene.chapter != chapter) {
+      chapter = entry.scene.chapter;
+      part = chapter.empty() ? &menu : menu.addMenu(QString());
+      part->setToolTipsVisible(true);
+      if (part != &menu)
+        keepTranslated(*part, [part, chapter] { part->setTitle(sceneText(chapter)); });
+    }
+    QAction* action = part->addAction(QString(), this, [this, &entry] {
+      documents_->replace({entry.name, {}, entry.scene});
+    });
+    action->setObjectName("scene:" + entry.name);
+    keepTranslated(*part, [action, &entry] {
+      const QString title = sceneText(entry.scene.title);
+      action->setText(title.isEmpty() ? entry.name : title);
+      action->setToolTip(wrappedTip(sceneText(entry.scene.description)));
+    });
+  }
+}
+
+/// Adds a submenu of all languages and the desktop's; the choice is remembered.
+void MainWindow::fillLanguages(QMenu& menu) {
+  QMenu* names = menu.addMenu(QString());
+  auto* group = new QActionGroup(names);
+  const auto add = [&](const QString& name, const QString& code) {
+    QAction* action = names->addAction(name);
+    action->setObjectName("language:" + code);
+    action->setCheckable(true);
+    action->setChecked(code == fromUtf8(chosenLanguage()));
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, code] {
+      chooseLanguage(code);
+      setLanguage(windowLanguage());
+    });
+    return action;
+  };
+  QAction* system = add({}, {});
+  for (const Language& language : languages())
+    add(fromUtf8(language.name), fromUtf8(language.code));
+  keepTranslated(*names, [names, system] {
+    names->setTitle(tr("&Language"));
+    system->setText(tr("Same as system"));
+  });
+}
+
+void MainWindow::buildToolBar(QMenu& scenesMenu) {
+  QToolBar* bar = addToolBar(QString());
+  bar->setObjectName("commands");
+  bar->setMovable(false);
+  bar->setIconSize({20, 20});
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  bar->addActions(commands_->get({"play", "step", "reset"}));
+  bar->addSeparator();
+
+  auto* scenes = new QToolButton;
+  scenes->setObjectName("scenesButton");
+  scenes->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  scenes->setPopupMode(QToolButton::InstantPopup);
+  scenes->setMenu(&scenesMenu);
+  connect(appearance_, &Appearance::themeChanged, scenes, [scenes](const Theme& theme) {
+    scenes->setIcon(symbolIcon(Symbol::Scenes, paletteOf(theme).color(QPalette::WindowText)));
+  });
+  bar->addWidget(scenes);
+  bar->addActions(commands_->get({"figures", "open", "save"}));
+  bar->addSeparator();
+  bar->addActions(commands_->get({"undo", "redo"}));
+
+  auto* space = new QWidget;
+  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(space);
+  bar->addAction(commands_->get("light"));
+  for (QAction* action : commands_->get({"undo", "redo", "light"}))
+    if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action)))
+      button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+
+  // This button opens the commands that have no room. Its own arrow is black, also on a dark bar.
+  auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+  if (more) {
+    more->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    more->setText(QStringLiteral("»"));
+  }
+  keepTranslated(*bar, [bar, scenes, more] {
+    bar->setWindowTitle(tr("Commands"));
+    scenes->setText(buttonText(tr("Scenes")));
+    if (!more) return;
+    more->setToolTip(tr("More commands"));
+    more->setAccessibleName(tr("More commands"));
+  });
+}
+
+void MainWindow::showShortcuts() {
+  auto* sheet = new ShortcutSheet(*this, this);
+  sheet->setAttribute(Qt::WA_DeleteOnClose);
+  sheet->open();
+}
+
+void MainWindow::showAbout() {
+  auto* box = new QMessageBox(this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setWindowTitle(tr("About Asperity"));
+  box->setText(tr("<h3>Asperity %1</h3>").arg(ASPERITY_VERSION));
+  box->setInformativeText(
+      tr("Shows how a viscoelastic elastomer slides over a randomly rough rigid line, after Li et "
+         "al., <i>Friction between a viscoelastic body and a rigid surface with random self-affine "
+         "roughness</i>, Physical Review Letters 111, 034301 (2013).<br><br>The elements of the "
+         "elastomer are independent of each other: long-range elastic coupling is not in the "
+         "model.<br><br>Free software, GPL-3.0-or-later."));
+  box->open();
+}
+
+}  // namespace asperity

@@ -1,0 +1,282 @@
+#include "ui/window/main/menu_keys.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMainWindow>
+#include <QMap>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <QSet>
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace asperity {
+
+// ---- Letters of menu entries
+
+namespace {
+
+const QChar kAnd = u'\x1';  // in the place of "&&"
+
+QString withoutMarks(QString text) {
+  return text.replace(QStringLiteral("&&"), kAnd).remove(u'&');
+}
+
+/// Places of letters and digits, those at the beginning of a word first.
+std::vector<qsizetype> placesIn(const QString& text) {
+  std::vector<qsizetype> first, others;
+  for (qsizetype i = 0; i < text.size(); ++i)
+    if (text[i].isLetterOrNumber()) (i == 0 || text[i - 1].isSpace() ? first : others).push_back(i);
+  first.insert(first.end(), others.begin(), others.end());
+  return first;
+}
+
+/// Which entry has which letter, found by letting those before give way to another letter of theirs
+/// (augmenting paths).
+class Letters {
+ public:
+  explicit Letters(const QStringList& texts) : texts_(texts) {}
+
+  void give(int entry) {
+    QSet<QChar> asked;
+    take(entry, asked);
+  }
+
+  qsizetype placeOf(int entry) const {
+    for (const qsizetype place : placesIn(texts_[entry]))
+      if (owners_.value(letter(entry, place), -1) == entry) return place;
+    return -1;
+  }
+
+ private:
+  QChar letter(int entry, qsizetype place) const { return texts_[entry][place].toLower(); }
+
+  bool take(int entry, QSet<QChar>& asked) {
+    const std::vector<qsizetype> places = placesIn(texts_[entry]);
+    for (const qsizetype place : places) {
+      if (owners_.contains(letter(entry, place))) continue;
+      owners_[letter(entry, place)] = entry;
+      return true;
+    }
+    for (const qsizetype place : places) {
+      const QChar wanted = letter(entry, place);
+      if (asked.contains(wanted)) continue;
+      asked += wanted;
+      if (!take(owners_[wanted], asked)) continue;
+      owners_[wanted] = entry;
+      return true;
+    }
+    return false;
+  }
+
+  const QStringList& texts_;
+  QMap<QChar, int> owners_;
+};
+
+}  // namespace
+
+QStringList withMnemonics(const QStringList& texts) {
+  QStringList marked;
+  for (const QString& text : texts) marked += withoutMarks(text);
+  Letters letters(marked);
+  for (int i = 0; i < marked.size(); ++i) letters.give(i);
+  QList<qsizetype> places;
+  for (int i = 0; i < marked.size(); ++i) places += letters.placeOf(i);
+  for (int i = 0; i < marked.size(); ++i) {
+    if (places[i] >= 0) marked[i].insert(places[i], u'&');
+    marked[i].replace(kAnd, QStringLiteral("&&"));
+  }
+  return marked;
+}
+
+void keepMnemonics(QMenu& menu) {
+  QObject::connect(&menu, &QMenu::aboutToShow, &menu, [&menu] {
+    QList<QAction*> entries;
+    QStringList texts;
+    for (QAction* action : menu.actions()) {
+      if (action->isSeparator() || !action->isVisible()) continue;
+      entries += action;
+      texts += action->text();
+    }
+    const QStringList marked = withMnemonics(texts);
+    for (qsizetype i = 0; i < entries.size(); ++i) entries[i]->setText(marked[i]);
+  });
+}
+
+// ---- The sheet of shortcuts
+
+namespace {
+
+constexpr int kAround = 40;             // pixels around the groups, a scroll bar's included
+constexpr double kLeastLetters = 0.75;  // of the usual size
+constexpr double kSmaller = 0.97;       // in one step
+
+QString plain(QString text) {
+  return text.remove('&').remove(u'…');
+}
+
+/// Several keys of one command are alternatives; a command that has none has no entry.
+void addEntry(ShortcutGroup& group, const QAction& action) {
+  QStringList keys;
+  for (const QKeySequence& key : action.shortcuts()) keys += key.toString(QKeySequence::NativeText);
+  const QString text = action.property("shortText").toString();
+  if (!keys.isEmpty())
+    group.entries +=
+        {text.isEmpty() ? plain(action.text()) : text, keys.join(ShortcutSheet::tr(" or "))};
+}
+
+void addMenu(ShortcutGroup& group, const QMenu& menu, QSet<const QAction*>& seen) {
+  for (const QAction* action : menu.actions()) {
+    if (action->menu()) {
+      addMenu(group, *action->menu(), seen);
+    } else if (!seen.contains(action)) {
+      seen += action;
+      addEntry(group, *action);
+    }
+  }
+}
+
+ShortcutGroup& groupOf(QList<ShortcutGroup>& groups, const QString& title) {
+  const auto found = std::ranges::find(groups, title, &ShortcutGroup::title);
+  if (found != groups.end()) return *found;
+  groups.append({title, {}});
+  return groups.last();
+}
+
+QWidget* groupWidget(const ShortcutGroup& group) {
+  auto* box = new QWidget;
+  box->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 2);
+  grid->setHorizontalSpacing(18);
+  grid->setVerticalSpacing(2);
+  auto* title = new QLabel(group.title);
+  QFont bold = title->font();
+  bold.setBold(true);
+  title->setFont(bold);
+  grid->addWidget(title, 0, 0, 1, 2);
+  int row = 1;
+  for (const ShortcutGroup::Entry& entry : group.entries) {
+    auto* keys = new QLabel(entry.keys);
+    keys->setObjectName("shortcutKeys");
+    grid->addWidget(keys, row, 0, Qt::AlignLeft);
+    grid->addWidget(new QLabel(entry.text), row++, 1);
+  }
+  grid->setColumnMinimumWidth(0, 9 * box->fontMetrics().averageCharWidth());
+  grid->setColumnStretch(1, 1);
+  return box;
+}
+
+}  // namespace
+
+QList<ShortcutGroup> shortcutGroups(const QMainWindow& window) {
+  QList<ShortcutGroup> groups;
+  QSet<const QAction*> seen;
+  if (const auto* bar = qobject_cast<const QMenuBar*>(window.menuWidget()))
+    for (const QAction* action : bar->actions())
+      if (action->menu()) addMenu(groupOf(groups, plain(action->text())), *action->menu(), seen);
+  for (const QAction* action : window.actions()) {
+    if (seen.contains(action)) continue;
+    const QString title = action->property("group").toString();
+    addEntry(groupOf(groups, title.isEmpty() ? ShortcutSheet::tr("More") : title), *action);
+  }
+  groups.removeIf([](const ShortcutGroup& group) { return group.entries.isEmpty(); });
+  return groups;
+}
+
+QList<ShortcutGroup> gestureGroups() {
+  return {{ShortcutSheet::tr("Contact: mouse and touch"),
+           {{ShortcutSheet::tr("Zoom at the pointer"), ShortcutSheet::tr("Wheel or pinch")},
+            {ShortcutSheet::tr("Vertical exaggeration"), ShortcutSheet::tr("Ctrl+Wheel")},
+            {ShortcutSheet::tr("Move along the line"), ShortcutSheet::tr("Shift+Wheel")},
+            {ShortcutSheet::tr("Move the view"), ShortcutSheet::tr("Drag or arrow keys")},
+            {ShortcutSheet::tr("Move the crosshair"), ShortcutSheet::tr("Ctrl+Left or Right")},
+            {ShortcutSheet::tr("Show all"), ShortcutSheet::tr("Double click")}}},
+          {ShortcutSheet::tr("Curve: mouse and touch"),
+           {{ShortcutSheet::tr("Zoom, over an axis along it"), ShortcutSheet::tr("Wheel")},
+            {ShortcutSheet::tr("Move curve or marker"), ShortcutSheet::tr("Drag")},
+            {ShortcutSheet::tr("Slower or faster"), ShortcutSheet::tr("Left or Right")},
+            {ShortcutSheet::tr("Velocity of a point"), ShortcutSheet::tr("Click")},
+            {ShortcutSheet::tr("Fit axes"), ShortcutSheet::tr("Double click")}}}};
+}
+
+namespace {
+
+/// Lines that a group takes, with its title and the gap below it.
+qsizetype linesOf(const ShortcutGroup& group) {
+  return group.entries.size() + 2;
+}
+
+/// The groups one below the other in columns of at most so many lines; how many columns those are.
+qsizetype columnsWithin(qsizetype most, const QList<ShortcutGroup>& groups,
+                        QList<qsizetype>& columnOf) {
+  columnOf.clear();
+  qsizetype column = 0, lines = 0;
+  for (const ShortcutGroup& group : groups) {
+    if (lines > 0 && lines + linesOf(group) > most) {
+      ++column;
+      lines = 0;
+    }
+    lines += linesOf(group);
+    columnOf += column;
+  }
+  return column + 1;
+}
+
+}  // namespace
+
+/// Distributes the groups over columns so that the longest column is as short as possible.
+ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDialog(parent) {
+  setObjectName("shortcutSheet");
+  setWindowTitle(tr("Keyboard shortcuts"));
+  const QList<ShortcutGroup> groups = shortcutGroups(window) + gestureGroups();
+  content_ = new QWidget;
+  auto* row = new QHBoxLayout(content_);
+  row->setSpacing(28);
+  QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout, new QVBoxLayout};
+  constexpr qsizetype kColumns = std::size(columns);
+  QList<qsizetype> columnOf;
+  qsizetype most = 1;
+  while (columnsWithin(most, groups, columnOf) > kColumns) ++most;
+  for (qsizetype i = 0; i < groups.size(); ++i)
+    columns[columnOf[i]]->addWidget(groupWidget(groups[i]));
+  for (QVBoxLayout* column : columns) {
+    column->addStretch(1);
+    row->addLayout(column);
+  }
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(content_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setAccessibleName(windowTitle());
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(scroll);
+}
+
+QSize ShortcutSheet::neededSize() const {
+  // All widgets get their requests, because a group lays itself out before the sheet knows of it.
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  return content_->minimumSizeHint().expandedTo(content_->sizeHint()) + QSize(kAround, kAround);
+}
+
+/// Makes the sheet as large as needed, once fonts and style are those of the screen, and its
+/// letters smaller where the window has no room for it.
+void ShortcutSheet::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  const QSize most = parentWidget() ? parentWidget()->size() : neededSize();
+  const auto isTooLarge = [&](const QSize& size) {
+    return size.width() > most.width() || size.height() > most.height();
+  };
+  for (double part = 1; isTooLarge(neededSize()) && part > kLeastLetters; part *= kSmaller)
+    for (QLabel* label : content_->findChildren<QLabel*>()) {
+      QFont font = label->font();  // under a style sheet it is not that of the sheet
+      font.setPointSizeF(kSmaller * font.pointSizeF());
+      label->setFont(font);
+    }
+  resize(neededSize().boundedTo(most));
+}
+
+}  // namespace asperity

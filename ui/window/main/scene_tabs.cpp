@@ -1,0 +1,212 @@
+#include "ui/window/main/scene_tabs.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QCoreApplication>
+#include <QMenu>
+#include <QTabBar>
+#include <algorithm>
+#include <cmath>
+
+#include "core/run/line_diagrams.h"
+#include "core/run/transient_diagram.h"
+#include "ui/chart/chart_view.h"
+#include "ui/language/language.h"
+#include "ui/window/accuracy/accuracy_panel.h"
+#include "ui/window/accuracy/plan_list.h"
+#include "ui/window/figures/diagram_view.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/commands.h"
+#include "ui/window/main/session.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kMotionTab = 1;
+constexpr int kOnePlot = 170, kTwoPlots = 300;  // least heights, pixels
+
+/// Returns the root mean square over the points that have such a value; NaN where none has.
+double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(const CurvePoint&)) {
+  double squares = 0;
+  int count = 0;
+  for (const CurvePoint& point : points)
+    if (const double one = value(point); std::isfinite(one)) {
+      squares += one * one;
+      ++count;
+    }
+  return count > 0 ? std::sqrt(squares / count) : kNotApplicable;
+}
+
+}  // namespace
+
+SceneTabs::SceneTabs(Session& session, QWidget* parent)
+    : QTabWidget(parent),
+      session_(session),
+      plot_(new ChartView),
+      strips_(new ChartView),
+      spectrum_(new DiagramView),
+      statistics_(new DiagramView),
+      accuracy_(new AccuracyPanel),
+      plan_(new PlanList) {
+  setObjectName("tabs");
+  setDocumentMode(true);
+  tabBar()->setFocusPolicy(Qt::NoFocus);  // Space is the run's
+  tabBar()->setDrawBase(false);
+  plot_->setFocusPolicy(Qt::StrongFocus);
+  plot_->setObjectName("frictionPlot");
+  plot_->setMinimumHeight(kOnePlot);
+  strips_->setFocusPolicy(Qt::NoFocus);
+  strips_->setObjectName("transientStrips");
+  spectrum_->setObjectName("spectrumView");
+  statistics_->setObjectName("statisticsView");
+  for (QWidget* page :
+       std::initializer_list<QWidget*>{plot_, strips_, spectrum_, statistics_, accuracy_, plan_})
+    addTab(page, QString());
+  setTabVisible(kMotionTab, false);
+  for (int i = 0; i < count(); ++i) {
+    auto* action = new QAction(this);
+    action->setObjectName("tab:" + widget(i)->objectName());
+    action->setCheckable(true);
+    action->setChecked(true);
+    action->setVisible(i != kMotionTab);
+    connect(action, &QAction::toggled, this, [this, i](bool on) { setWanted(i, on); });
+    wanted_ += action;
+  }
+  keepTranslated(*this, [this] { showTexts(); });
+  connect(accuracy_, &AccuracyPanel::comparisonChanged, this, [this] {
+    // Two plots need more room than one.
+    plot_->setMinimumHeight(accuracy_->comparison() ? kTwoPlots : kOnePlot);
+  });
+  connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsWanted);
+  connect(&session_, &Session::plotChanged, this, &SceneTabs::showMeasuredCurve);
+}
+
+void SceneTabs::showTexts() {
+  setAccessibleName(tr("about the scene"));
+  // Qt's own buttons keep the words that they were made with.
+  for (const char* side : {"Left", "Right"})
+    if (auto* button =
+            tabBar()->findChild<QAbstractButton*>(QStringLiteral("Scroll%1Button").arg(side)))
+      button->setAccessibleName(
+          QCoreApplication::translate("QTabBar", QByteArray("Scroll ") + side));
+  plot_->setAccessibleName(tr("coefficient of friction against velocity"));
+  strips_->setAccessibleName(tr("velocity, friction, indentation and contact length in time"));
+  spectrum_->setAccessibleName(tr("spectrum of the rigid line"));
+  statistics_->setAccessibleName(tr("pressures and slopes in contact"));
+  const QString titles[] = {tr("Friction curve"), tr("Motion in time"), tr("Spectrum"),
+                            tr("Statistics"),     tr("Accuracy"),       tr("Plan")};
+  for (int i = 0; i < count(); ++i) {
+    setTabText(i, titles[i]);
+    wanted_[i]->setText(titles[i]);
+    if (commands_) commands_->refresh(("go:" + widget(i)->objectName()).toStdString());
+  }
+}
+
+void SceneTabs::addTo(Commands& commands) {
+  commands_ = &commands;
+  for (int i = 0; i < count(); ++i) {
+    const std::string name = "go:" + widget(i)->objectName().toStdString();
+    QAction* action = commands.add({name,
+                                    [this, i] { return tr("Show %1").arg(tabText(i)); },
+                                    [this, i] { bringToFront(i); },
+                                    {Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + i)}});
+    keepTranslated(*this, [action] { action->setProperty("group", tr("Tabs")); });
+  }
+}
+
+void SceneTabs::addMenu(QMenu& menu) {
+  QMenu* tabs = menu.addMenu(QString());
+  keepTranslated(*tabs, [tabs] { tabs->setTitle(tr("Tabs")); });
+  tabs->addActions(wanted_);
+}
+
+void SceneTabs::setWanted(int index, bool isWanted) {
+  setTabVisible(index, isWanted && wanted_.at(index)->isVisible());
+  const auto isOn = [](const QAction* each) { return each->isVisible() && each->isChecked(); };
+  setVisible(std::ranges::any_of(wanted_, isOn));
+}
+
+void SceneTabs::bringToFront(int index) {
+  QAction* action = wanted_.at(index);
+  if (action->isVisible()) action->setChecked(true);
+  if (isTabVisible(index)) setCurrentIndex(index);
+}
+
+QStringList SceneTabs::hiddenTabs() const {
+  QStringList names;
+  for (int i = 0; i < wanted_.size(); ++i)
+    if (!wanted_[i]->isChecked()) names += widget(i)->objectName();
+  return names;
+}
+
+void SceneTabs::hideTabs(const QStringList& names) {
+  for (int i = 0; i < wanted_.size(); ++i)
+    wanted_[i]->setChecked(!names.contains(widget(i)->objectName()));
+}
+
+void SceneTabs::showScene(const Scene& scene) {
+  const bool moves = scene.sliding.kind != SlidingKind::Steady;
+  const bool moved = isTabVisible(kMotionTab);
+  // Left before it goes: the next tab would come to the front, which is not the curve's.
+  if (!moves && currentWidget() == strips_) setCurrentWidget(plot_);
+  QAction& action = *wanted_.at(kMotionTab);
+  action.setVisible(moves);
+  setTabVisible(kMotionTab, moves && action.isChecked());
+  if (moves && !moved) setCurrentIndex(kMotionTab);
+  if (moves) strips_->setSheet(transientSheet(scene, {}));
+  plan_->showScene(scene);
+  spectrum_->show([scene] { return spectrumSheet(scene); });
+  accuracy_->showScene(scene);
+  if (!timed_ || !haveSameCurve(*timed_, scene)) {
+    timed_ = scene;
+    measured_.reset();
+    beginCurve();
+  } else if (measured_) {
+    accuracy_->showMeasured(measured_->seconds, measured_->standardError, measured_->interval);
+  }
+}
+
+void SceneTabs::showFrame(const Frame& frame) {
+  if (frame.transient && frame.sceneNumber == session_.sceneNumber())
+    strips_->setSheet(transientSheet(*frame.scene, *frame.transient, frame.spacing, frame.length));
+  if (statistics_->isVisible())
+    statistics_->show([shown = session_.frame()] { return statisticsSheet(*shown); });
+}
+
+void SceneTabs::setTheme(const Theme& theme) {
+  plot_->setTheme(theme);
+  strips_->setTheme(theme);
+  for (DiagramView* view : {spectrum_, statistics_}) view->setTheme(theme);
+  accuracy_->setTheme(theme);
+}
+
+void SceneTabs::beginCurve() {
+  curveTime_.start();
+}
+
+/// Shows time and error once, when the present scene's curve is complete.
+void SceneTabs::showMeasuredCurve() {
+  const CurveUpdate* curve = session_.curve();
+  if (!curveTime_.isValid() || !curve || !curve->isComplete) return;
+  const auto& points = curve->points;
+  measured_ = {
+      1e-3 * static_cast<double>(curveTime_.elapsed()),
+      rootMeanSquare(points, [](const CurvePoint& at) { return at.muStandardError / at.mu; }),
+      rootMeanSquare(points,
+                     [](const CurvePoint& at) { return (at.muHigh - at.muLow) / 2 / at.mu; })};
+  accuracy_->showMeasured(measured_->seconds, measured_->standardError, measured_->interval);
+  curveTime_.invalidate();
+}
+
+FrameFields SceneTabs::fields() const {
+  FrameFields fields;
+  fields.lineSlope = statistics_->isVisible();
+  return fields;
+}
+
+bool SceneTabs::isShowingMotion() const {
+  return currentWidget() == strips_;
+}
+
+}  // namespace asperity

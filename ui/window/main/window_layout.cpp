@@ -1,0 +1,237 @@
+#include "ui/window/main/window_layout.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScreen>
+#include <QSettings>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QTimer>
+#include <QToolBar>
+#include <algorithm>
+
+#include "ui/window/contact/contact_canvas.h"
+#include "ui/window/figures/figure_pages.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/commands.h"
+#include "ui/window/main/scene_tabs.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kLayoutVersion = 1;  // of docks and tool bars
+
+/// The frame that a window manager usually draws around a window at most; it tells the true one
+/// only when the window is shown.
+constexpr QMargins kFrame{8, 40, 8, 8};
+
+const QList<int>& defaultSplit() {
+  static const QList<int> sizes{580, 420};
+  return sizes;
+}
+
+}  // namespace
+
+WindowLayout::WindowLayout(const LayoutParts& parts) : QObject(&parts.window), parts_(parts) {
+  parts_.splitter.setSizes(defaultSplit());
+  connect(&parts_.figures, &FigurePages::switched, this, &WindowLayout::makeRoomForFigures);
+}
+
+WindowLayout::~WindowLayout() {
+  if (presentation_) QApplication::setFont(presentation_->font);  // of other windows, too
+}
+
+void WindowLayout::addTo(Commands& commands) {
+  commands_ = &commands;
+  commands.add({"fullScreen",
+                [] { return tr("Full screen"); },
+                [this] { setFullScreen(!parts_.window.isFullScreen()); },
+                {Qt::Key_F11}});
+  commands.add({"present",
+                [] { return tr("Presentation"); },
+                [this] { setPresenting(!isPresenting()); },
+                {Qt::Key_F5}});
+  for (QAction* action : commands.get({"fullScreen", "present"})) action->setCheckable(true);
+  const auto leave = [this] {
+    if (isPresenting())
+      setPresenting(false);
+    else
+      setFullScreen(false);
+  };
+  commands.add({"leave", [] { return tr("Leave full screen"); }, leave, {Qt::Key_Escape}})
+      ->setEnabled(false);
+  commands.add(
+      {"restoreLayout", [] { return tr("Restore layout"); }, [this] { restoreDefault(); }});
+  QAction* parameters = parts_.dock.toggleViewAction();
+  parameters->setObjectName("parameters");
+  parameters->setShortcut(Qt::Key_F9);
+  parts_.window.addAction(parameters);
+}
+
+void WindowLayout::fillMenu(QMenu& menu) {
+  menu.addAction(parts_.dock.toggleViewAction());
+  parts_.tabs.addMenu(menu);
+  menu.addSeparator();
+  menu.addActions(commands_->get({"fullScreen", "present", "leave"}));
+  menu.addSeparator();
+  parts_.appearance.addMenu(menu);
+  menu.addAction(commands_->get("restoreLayout"));
+}
+
+void WindowLayout::setFullScreen(bool full) {
+  if (full)
+    parts_.window.showFullScreen();
+  else
+    parts_.window.showNormal();
+  showScreenMode();
+}
+
+/// Escape is the page's where the figures are shown.
+void WindowLayout::showScreenMode() {
+  const bool isFull = parts_.window.isFullScreen();
+  commands_->get("fullScreen")->setChecked(isFull);
+  commands_->get("present")->setChecked(isPresenting());
+  commands_->get("leave")->setEnabled((isFull || isPresenting()) &&
+                                      !parts_.figures.isShowingFigures());
+}
+
+/// Parameters and facts, which are of the contact, make room for the figures.
+void WindowLayout::makeRoomForFigures(bool areShown) {
+  QStatusBar& status = *parts_.window.statusBar();
+  if (areShown) {
+    hadDock_ = !parts_.dock.isHidden();
+    hadStatus_ = !status.isHidden();
+  }
+  parts_.dock.setVisible(!areShown && hadDock_);
+  status.setVisible(!areShown && hadStatus_);
+  showScreenMode();
+}
+
+// ---- Presentation
+
+/// The page of figures stays: what stands around it is of the views, and changes behind it.
+void WindowLayout::setPresenting(bool presenting) {
+  if (presenting == isPresenting()) return showScreenMode();
+  const bool hadFigures = parts_.figures.isShowingFigures();
+  parts_.figures.closeFigures();
+  if (presenting)
+    beginPresentation();
+  else
+    endPresentation();
+  if (hadFigures) parts_.figures.openFigures();
+  showScreenMode();
+}
+
+void WindowLayout::beginPresentation() {
+  QMainWindow& window = parts_.window;
+  presentation_ = {QApplication::font(),
+                   window.saveGeometry(),
+                   window.saveState(kLayoutVersion),
+                   parts_.dock.size(),
+                   {},
+                   !window.statusBar()->isHidden()};
+  for (QSplitter* splitter : window.findChildren<QSplitter*>())
+    presentation_->splits.emplaceBack(splitter, splitter->saveState());
+  const double scale = presentedScale(window.screen()->size());
+  QFont large = presentation_->font;
+  large.setPointSizeF(large.pointSizeF() * scale);
+  QApplication::setFont(large);
+  parts_.canvas.setTextScale(scale);
+  for (QToolBar* bar : window.findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) bar->hide();
+  for (QWidget* around :
+       std::initializer_list<QWidget*>{window.menuBar(), window.statusBar(), &parts_.dock})
+    around->hide();
+  parts_.appearance.setDark(parts_.appearance.isDark());  // what was painted with the other font
+  setFullScreen(true);
+}
+
+void WindowLayout::endPresentation() {
+  QMainWindow& window = parts_.window;
+  const Presentation before = *std::exchange(presentation_, std::nullopt);
+  QApplication::setFont(before.font);
+  parts_.canvas.setTextScale(1);
+  window.menuBar()->show();
+  window.statusBar()->setVisible(before.hasStatus);
+  parts_.appearance.setDark(parts_.appearance.isDark());
+  window.restoreGeometry(before.geometry);
+  window.restoreState(before.docks, kLayoutVersion);
+  for (const auto& [splitter, sizes] : before.splits)
+    if (splitter) splitter->restoreState(sizes);
+  // The dock gets its size again when the layouts have seen that the letters are small: until then
+  // their minimum sizes squeeze it.
+  QTimer::singleShot(0, this, [this, size = before.dock] {
+    if (isPresenting()) return;
+    parts_.window.resizeDocks({&parts_.dock}, {size.width()}, Qt::Horizontal);
+    parts_.window.resizeDocks({&parts_.dock}, {size.height()}, Qt::Vertical);
+  });
+}
+
+// ---- From one start to the next
+
+void WindowLayout::keepAsDefault() {
+  default_ = parts_.window.saveState();
+}
+
+void WindowLayout::restoreDefault() {
+  parts_.window.restoreState(default_);
+  parts_.splitter.setSizes(defaultSplit());
+  parts_.tabs.hideTabs({});
+}
+
+void WindowLayout::remember() {
+  remembers_ = true;
+  QSettings settings;
+  settings.beginGroup("window");
+  parts_.window.restoreGeometry(settings.value("geometry").toByteArray());
+  fitToScreen();
+  parts_.window.restoreState(settings.value("docks").toByteArray(), kLayoutVersion);
+  parts_.splitter.restoreState(settings.value("split").toByteArray());
+  parts_.tabs.hideTabs(settings.value("hiddenTabs").toStringList());
+  const int colours = std::clamp(settings.value("colours", 0).toInt(), 0, 2);
+  parts_.appearance.setColours(static_cast<Colours>(colours));
+  showScreenMode();
+}
+
+/// Saves the layout as it is without the figures and without a presentation.
+void WindowLayout::save() {
+  if (!remembers_) return;
+  const std::optional<Presentation> before = presentation_;
+  setPresenting(false);
+  parts_.figures.closeFigures();
+  QSettings settings;
+  settings.beginGroup("window");
+  settings.setValue("geometry", before ? before->geometry : parts_.window.saveGeometry());
+  settings.setValue("docks", before ? before->docks : parts_.window.saveState(kLayoutVersion));
+  settings.setValue("split", parts_.splitter.saveState());
+  settings.setValue("hiddenTabs", parts_.tabs.hiddenTabs());
+  settings.setValue("colours", static_cast<int>(parts_.appearance.colours()));
+}
+
+/// The frame of the window counts, too.
+void WindowLayout::fitToScreen() {
+  QMainWindow& window = parts_.window;
+  const Qt::WindowStates state = window.windowState();
+  const QRect wanted = state == Qt::WindowNoState ? window.geometry() : window.normalGeometry();
+  const bool hasPlace = window.testAttribute(Qt::WA_Moved);
+  const QScreen* there = hasPlace ? QGuiApplication::screenAt(wanted.center()) : nullptr;
+  const QRect room = (there ? there : window.screen())->availableGeometry().marginsRemoved(kFrame);
+  window.setMinimumSize(kLeastWindow.boundedTo(room.size()));
+  const QSize size = wanted.size().boundedTo(room.size());
+  const QRect fitted(std::clamp(wanted.x(), room.left(), room.right() + 1 - size.width()),
+                     std::clamp(wanted.y(), room.top(), room.bottom() + 1 - size.height()),
+                     size.width(), size.height());
+  if (fitted == wanted) return;
+  window.setWindowState(Qt::WindowNoState);
+  if (hasPlace)
+    window.setGeometry(fitted);
+  else
+    window.resize(size);
+  window.setWindowState(state);
+}
+
+}  // namespace asperity

@@ -1,0 +1,84 @@
+#include "ui/window/tasks/background_work.h"
+
+#include <exception>
+
+#include "core/friction/study.h"
+#include "ui/language/translated.h"
+
+namespace asperity {
+
+BackgroundWork::BackgroundWork(Overtaking overtaking) : overtaking_(overtaking) {}
+
+BackgroundWork::~BackgroundWork() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+    stop_.request_stop();
+  }
+  changed_.notify_one();
+  if (thread_.joinable()) thread_.join();
+}
+
+void BackgroundWork::start(Work work, Failed failed) {
+  ++newest_;
+  if (overtaking_ == Overtaking::StopsTheRunning) oldestWanted_ = newest_;
+  {
+    const std::lock_guard lock(mutex_);
+    if (overtaking_ != Overtaking::WaitsForItsTurn) waiting_.clear();
+    if (overtaking_ == Overtaking::StopsTheRunning) {
+      stop_.request_stop();
+      stop_ = std::stop_source();
+    }
+    waiting_.push_back({std::move(work), std::move(failed), newest_});
+  }
+  if (!thread_.joinable()) thread_ = std::thread([this] { this->work(); });
+  changed_.notify_one();
+}
+
+void BackgroundWork::cancel() {
+  oldestWanted_ = newest_ + 1;
+  const std::lock_guard lock(mutex_);
+  waiting_.clear();
+  stop_.request_stop();
+  stop_ = std::stop_source();
+}
+
+void BackgroundWork::work() {
+  while (true) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
+    // Files that were asked for are written before the end.
+    const bool hasDuties = overtaking_ == Overtaking::WaitsForItsTurn && !waiting_.empty();
+    if (ending_ && !hasDuties) return;
+    const Request request = std::move(waiting_.front());
+    waiting_.pop_front();
+    const std::stop_token stop = stop_.get_token();
+    lock.unlock();
+    carryOut(request, stop);
+  }
+}
+
+void BackgroundWork::carryOut(const Request& request, const std::stop_token& stop) {
+  const Run run(*this, request.number, stop);
+  try {
+    request.work(run);
+  } catch (const StudyStopped&) {
+    return;
+  } catch (const std::exception& error) {
+    if (request.failed)
+      run.tell(
+          [failed = request.failed, reason = translatedText(error.what())] { failed(reason); });
+  }
+}
+
+/// Posts the call to the owner; Qt drops posted calls when their object is destroyed.
+void BackgroundWork::Run::tell(std::function<void()> tell) const {
+  QMetaObject::invokeMethod(
+      &owner_,
+      [owner = &owner_, number = number_, tell = std::move(tell)] {
+        if (number >= owner->oldestWanted_) tell();
+      },
+      Qt::QueuedConnection);
+}
+
+}  // namespace asperity
