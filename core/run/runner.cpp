@@ -10,6 +10,7 @@
 
 #include "core/accuracy/compute_curve.h"
 #include "core/run/simulation.h"
+#include "core/base/input_error.h"
 
 namespace asperity {
 namespace {
