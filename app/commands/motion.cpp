@@ -38,7 +38,6 @@ MotionTable compute(const Scene& scene, const MotionCommand& command) {
 
 void writePicture(const std::string& output, const Scene& scene, const MotionTable& table,
                   const PictureStyle& style, HeadlessPictures& pictures) {
-  constexpr float kLeastText = 0.8F;  // strips are low, which would make their texts small
   DiagramOptions options{style.width, style.height, style.scale, style.theme, kLeastText};
   if (style.transparent) options.theme.background.a = 0;
   nlohmann::ordered_json origin = motionProvenance("motion", scene, table);
