@@ -23,7 +23,6 @@
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/figures/claims_table.h"
 #include "ui/window/figures/gallery_page.h"
-#include "ui/window/main/contact_canvas.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_document.h"
