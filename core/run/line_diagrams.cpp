@@ -191,13 +191,6 @@ Diagram slopeDiagram(const SlopeStatistics& slopes) {
   return diagram;
 }
 
-/// The cubic with heights z0, z1 and slopes s0, s1 at the ends of an interval; t in [0, 1].
-double hermite(double z0, double z1, double s0, double s1, double interval, double t) {
-  const double r = 1 - t;
-  return r * r * ((1 + 2 * t) * z0 + t * interval * s0) +
-         t * t * ((1 + 2 * r) * z1 - r * interval * s1);
-}
-
 /// The rigid body over one period of its line.
 Diagram heightDiagram(const Line& line) {
   constexpr std::size_t kPoints = 2000;
@@ -237,11 +230,12 @@ std::vector<LinePoint> sampledLine(const Line& line, std::size_t atLeast) {
     const double x = static_cast<double>(i) * line.spacing;
     points.push_back({x, line.height[i]});
     const std::size_t next = (i + 1) % n;
+    const double step = line.height[next] - line.height[i];
     for (std::size_t k = 1; k < pieces; ++k) {
       const double t = static_cast<double>(k) / static_cast<double>(pieces);
-      points.push_back(
-          {x + t * line.spacing, hermite(line.height[i], line.height[next], line.slopeAfter[i],
-                                         line.slopeLeftOf(next), line.spacing, t)});
+      const double rise =
+          hermiteRise(t, step, line.spacing, line.slopeAfter[i], line.slopeLeftOf(next));
+      points.push_back({x + t * line.spacing, line.height[i] + rise});
     }
   }
   points.push_back({line.length, line.height.front()});

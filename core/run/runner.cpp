@@ -13,6 +13,7 @@
 #include "core/base/input_error.h"
 #include "core/friction/ensemble.h"
 #include "core/run/simulation.h"
+#include "core/base/input_error.h"
 
 namespace asperity {
 namespace {

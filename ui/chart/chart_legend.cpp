@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "ui/language/language.h"
+
 namespace asperity {
 
 namespace {
@@ -43,7 +45,7 @@ ChartLegend::ChartLegend(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   setMouseTracking(true);
   setObjectName("chartLegend");
-  setAccessibleName(tr("legend of the chart"));
+  keepTranslated(*this, [this] { setAccessibleName(tr("legend of the chart")); });
   arrange();
 }
 

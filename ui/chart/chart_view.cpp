@@ -18,6 +18,7 @@
 #include "core/chart/curve_diagram.h"
 #include "ui/chart/chart_legend.h"
 #include "ui/chart/chart_marker.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -74,6 +75,10 @@ ChartView::ChartView(QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(legend_);
   layout->addWidget(view_, 1);
+  keepTranslated(*this, [this] {
+    sheet_ = translated(english_);
+    showAll();
+  });
 }
 
 ChartView::~ChartView() = default;
@@ -83,6 +88,7 @@ void ChartView::setSheet(const DiagramSheet& english) {
     return sheet.diagrams.empty() || !sheet.diagrams[0].marker ? kNaN : sheet.diagrams[0].marker->x;
   };
   const double before = markerAt(sheet_);
+  english_ = english;
   sheet_ = translated(english);
   if (markerAt(sheet_) != before && gesture_ != Gesture::Marker) wantedX_ = kNaN;
   if (zoom_) zoom_ = heldWithin(*zoom_, whole());

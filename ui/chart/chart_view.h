@@ -100,7 +100,7 @@ class ChartView : public QWidget {
   void moveMarker(double x, bool finely);
   void chooseNextPoint(bool forward);
 
-  DiagramSheet sheet_;
+  DiagramSheet english_, sheet_;  // sheet_ in the language in use
   ChartLook look_;
   Describe describe_;
   bool isDue_ = false;  // what is on the screen is of another sheet

@@ -9,14 +9,14 @@ namespace {
 
 constexpr double kShearModulus = 1e7, kRelaxationTime = 1e-3;
 
-struct Line {
+struct SampleLine {
   std::vector<double> height, slope;
 };
 
 /// A self-affine sum of cosines with fixed, well mixed phases; every point its own height and
 /// slope.
-Line line(const SampleOptions& o) {
-  Line line{std::vector<double>(o.points), std::vector<double>(o.points)};
+SampleLine line(const SampleOptions& o) {
+  SampleLine line{std::vector<double>(o.points), std::vector<double>(o.points)};
   const int modes = std::max(1, o.points / 2 - 1);
   double square = 0;
   for (int k = 1; k <= modes; ++k) square += 0.5 * std::pow(k, -2 * o.hurst - 1);
@@ -34,7 +34,7 @@ Line line(const SampleOptions& o) {
 }
 
 /// The steady surface: each element relaxes towards 0 or is held down by the line.
-void press(Frame& frame, const Line& line, double velocity) {
+void press(Frame& frame, const SampleLine& line, double velocity) {
   const auto n = static_cast<std::int64_t>(line.height.size());
   const double relaxation = std::abs(velocity) * kRelaxationTime;
   const double keep = relaxation > 0 ? std::exp(-frame.spacing / relaxation) : 0;
@@ -52,7 +52,7 @@ void press(Frame& frame, const Line& line, double velocity) {
   }
 }
 
-void sumUp(Frame& frame, const Line& line) {
+void sumUp(Frame& frame, const SampleLine& line) {
   double square = 0, slopeSquare = 0;
   const auto n = static_cast<double>(line.height.size());
   for (std::size_t i = 0; i < line.height.size(); ++i) {
@@ -85,7 +85,7 @@ std::shared_ptr<const Frame> sampleFrame(const SampleOptions& o) {
   frame->distance = o.distance;
   frame->time = o.velocity != 0 ? std::abs(o.distance / o.velocity) : 0;
   frame->indentation = o.depth;
-  const Line z = line(o);
+  const SampleLine z = line(o);
   const double lowest = *std::min_element(z.height.begin(), z.height.end());
   for (const double height : z.height) frame->lineHeight.push_back(height - lowest - o.depth);
   frame->surfaceHeight.resize(z.height.size());

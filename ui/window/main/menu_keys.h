@@ -36,7 +36,7 @@ struct ShortcutGroup {
 /// Groups without a key are left out.
 QList<ShortcutGroup> shortcutGroups(const QMainWindow& window);
 
-/// The gestures that contact_canvas.h and plot_view.h describe.
+/// The gestures that contact_canvas.h and chart_view.h describe.
 QList<ShortcutGroup> gestureGroups();
 
 class ShortcutSheet : public QDialog {

@@ -65,10 +65,6 @@ void Session::editCurve(const std::function<void(FrictionChart&)>& edit) {
   emit plotChanged();
 }
 
-void Session::markAgain() {
-  if (frame_) friction_.mark(*frame_);
-}
-
 void Session::setScene(const Scene& scene, Begin begin) {
   const bool sameCurve = sceneTime_.isValid() && haveSameCurve(scene, scene_);
   scene_ = scene;

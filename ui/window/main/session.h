@@ -66,9 +66,6 @@ class Session : public QObject {
   /// Changes what the diagram shows beside the present curve: pins, axes, a difference.
   void editCurve(const std::function<void(FrictionChart&)>& edit);
 
-  /// Makes the texts of the diagram's marker anew, in another language.
-  void markAgain();
-
   /// The newest state of a curve of the present scene; null before the first and once it is stale.
   const CurveUpdate* curve() const { return curve_ && !friction_.isStale() ? &*curve_ : nullptr; }
 
