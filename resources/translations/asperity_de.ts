@@ -2,29 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_GB">
 <context>
-    <name>asperity::FrictionChart</name>
-    <message>
-        <source>v = %1 m/s</source>
-        <translation>v = %1 m/s</translation>
-    </message>
-    <message>
-        <source>in contact %1 %</source>
-        <translation>in Kontakt %1 %</translation>
-    </message>
-    <message>
-        <source>Eq. (11): %1</source>
-        <translation>Gl. (11): %1</translation>
-    </message>
-    <message>
-        <source>difference %1</source>
-        <translation>Unterschied %1</translation>
-    </message>
-    <message>
-        <source>with %1</source>
-        <translation>mit %1</translation>
-    </message>
-</context>
-<context>
     <name>Words</name>
     <message>
         <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
@@ -1481,10 +1458,6 @@
 </context>
 <context>
     <name>asperity::SceneTabs</name>
-    <message>
-        <source>velocity, friction, indentation and contact length in time</source>
-        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
-    </message>
     <message>
         <source>about the scene</source>
         <translation>über die Szene</translation>

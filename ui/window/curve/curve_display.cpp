@@ -36,10 +36,7 @@ CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
   });
   connect(&view_, &ChartView::unpinWanted, this,
           [this](int id) { session_.editCurve([id](FrictionChart& plot) { plot.unpin(id); }); });
-  keepTranslated(view_, [this] {
-    session_.markAgain();
-    show();
-  });
+  show();
 }
 
 void CurveDisplay::showSoon() {
