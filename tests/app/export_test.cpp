@@ -266,7 +266,7 @@ TEST_F(ExportTest, LayoutsAndMotions) {
   const std::string start = " --set sliding.kind=start --set sliding.duration=0.02";
   run("render s.json -o t.gif --frames 3 --layout transient --size 640x600" + start);
   run("render s.json -o b.svg --layout both" + start);
-  EXPECT_THAT(read("b.svg"), HasSubstr("the motion up to here"));
+  EXPECT_THAT(read("b.svg"), HasSubstr("this motion, now"));
 }
 
 /// The examples of reports: make has nothing left to do afterwards, and all pictures are there.

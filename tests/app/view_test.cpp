@@ -179,7 +179,7 @@ TEST_F(ViewTest, ComparedCurvesAreInPictureAndTables) {
   EXPECT_THAT(read("c.svg"), AllOf(HasSubstr("linear x4, 5 lines"), HasSubstr("100 mN")));
   const std::string table = read("c.csv");
   EXPECT_THAT(table, AllOf(StartsWith("# asperity: "), HasSubstr("relative_difference"),
-                           HasSubstr("\n\"H = 0.5, F\u2099 = 1 N\","),
+                           HasSubstr("\n\"H = 0.5, F\u2099 = 1 N"),
                            HasSubstr("\n\"linear x4, 5 lines\",")));
   const Json answer = Json::parse(read("c.json"));
   EXPECT_EQ(answer["points"].size(), 5U);
