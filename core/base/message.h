@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <compare>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -44,6 +45,9 @@ struct Message {
 
   bool operator==(const Message&) const = default;
   std::strong_ordering operator<=>(const Message&) const = default;
+  friend std::ostream& operator<<(std::ostream& out, const Message& message) {
+    return out << message.english();
+  }
 };
 
 /// The places %1, %2, ... of a template, filled with the values; any other text stays as it is.

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/base/number_text.h"
+#include "core/contact/line/polynomial.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
 

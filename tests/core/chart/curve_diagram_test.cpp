@@ -1,5 +1,6 @@
 #include "core/chart/curve_diagram.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,10 +27,10 @@ TEST(CurveDiagram, ShadesAndNamesTheRegions) {
   ASSERT_EQ(sheet.diagrams.size(), 1U);
   const auto& spans = sheet.diagrams.front().spans;
   ASSERT_EQ(spans.size(), 4U);
-  EXPECT_EQ(spans[0].label, "I linear");
-  EXPECT_EQ(spans[3].label, "IV decrease");
+  EXPECT_EQ(spans[0].label.english(), "I linear");
+  EXPECT_EQ(spans[3].label.english(), "IV decrease");
   EXPECT_EQ(spans[1].shortLabel, "II");
-  EXPECT_NE(sheet.note.find("read from the curve"), sheet.note.npos);
+  EXPECT_THAT(sheet.note.english(), testing::HasSubstr("read from the curve"));
 }
 
 TEST(CurveDiagram, PinnedCurvesHaveMarksAndColoursOfTheirOwn) {

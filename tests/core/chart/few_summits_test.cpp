@@ -1,6 +1,7 @@
 // Where few summits carry the load: the border by hand, and where it says nothing.
 #include "core/chart/curve_regions.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -65,9 +66,9 @@ TEST(FewSummits, AreTintedInCurvesOfEitherAxes) {
   };
   const DiagramSheet sheet = shadesOf(scene);
   ASSERT_EQ(sheet.diagrams.front().shades.size(), 1U);
-  EXPECT_EQ(sheet.diagrams.front().shades.front().label, "few summits carry the load");
+  EXPECT_EQ(sheet.diagrams.front().shades.front().label.english(), "few summits carry the load");
   EXPECT_NEAR(sheet.diagrams.front().shades.front().from, 1.7, 1e-9);
-  EXPECT_NE(sheet.note.find("Tinted"), sheet.note.npos);
+  EXPECT_THAT(sheet.note.english(), testing::HasSubstr("Tinted"));
   const CurvePoint last = frictionCurve(scene).points.back();
   const Diagram bars = shadesOf(scene, CurveAxes::Dimensionless).diagrams.front();
   ASSERT_EQ(bars.shades.size(), 1U);
@@ -79,7 +80,7 @@ TEST(FewSummits, AreTintedInCurvesOfEitherAxes) {
   EXPECT_EQ(shadesOf(scene).diagrams.front().shades.front().from, 10);
   scene.sweep = {1e-5, 1, 9};
   EXPECT_TRUE(shadesOf(scene).diagrams.front().shades.empty());
-  EXPECT_EQ(shadesOf(scene).note.find("Tinted"), std::string::npos);
+  EXPECT_THAT(shadesOf(scene).note.english(), testing::Not(testing::HasSubstr("Tinted")));
   Scene solid = sceneOfSize(300, 9, 2);
   solid.elastomer.rheology = Rheology::StandardSolid;
   EXPECT_TRUE(shadesOf(solid).diagrams.front().shades.empty());

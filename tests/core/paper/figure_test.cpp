@@ -128,7 +128,7 @@ TEST(Figures, ConstantLevelHoldsForTheLiteralRuleOnly) {
   EXPECT_EQ(claimOf(figure, "region_1_is_linear").holds, Verdict::Yes);
   ASSERT_EQ(figure.sheet.diagrams.size(), 1U);
   std::vector<std::string> regions;
-  for (const DiagramSpan& span : figure.sheet.diagrams[0].spans) regions.push_back(span.label);
+  for (const DiagramSpan& span : figure.sheet.diagrams[0].spans) regions.push_back(span.label.english());
   EXPECT_THAT(regions, testing::ElementsAre("I", "II", "III", "IV"));
 }
 

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string reasonOf(const Scene& scene, Purpose purpose, Stage stage) {
-  return planOf(scene, purpose)[static_cast<std::size_t>(stage)].reason;
+  return planOf(scene, purpose)[static_cast<std::size_t>(stage)].reason.english();
 }
 
 TEST(Plan, NamesEveryStageOnceAndGivesAReason) {
@@ -23,7 +23,7 @@ TEST(Plan, NamesEveryStageOnceAndGivesAReason) {
       EXPECT_EQ(static_cast<std::size_t>(plan[i].stage), i);
       EXPECT_EQ(plan[i].name, nameOf(plan[i].stage));
       EXPECT_FALSE(plan[i].reason.empty());
-      EXPECT_FALSE(plan[i].reason.ends_with('.'));
+      EXPECT_FALSE(plan[i].reason.english().ends_with('.'));
       EXPECT_EQ(plan[i].runs, callsFor(Scene{}, purpose, plan[i].stage));
     }
   }
