@@ -38,7 +38,7 @@ TEST(WorkPrecisionSheet, TheScenesMethodIsRingedAndNamedInEveryRegion) {
   for (const Diagram& diagram : sheet.diagrams) {
     const auto ring = std::ranges::find(diagram.series, SeriesMark::Ring, &DiagramSeries::mark);
     ASSERT_NE(ring, diagram.series.end());
-    EXPECT_EQ(ring->name, "this scene: cubic \u00D72");
+    EXPECT_EQ(ring->name.english(), "this scene: cubic \u00D72");
     const auto& points = made.regions[0].points;
     const auto own = std::ranges::find(points, made.present, &WorkPrecisionPoint::choice);
     ASSERT_EQ(ring->points.size(), 1U);
@@ -66,7 +66,8 @@ TEST(WorkPrecisionSheet, TheMakingOfTheLineIsCounted) {
 }
 
 TEST(WorkPrecisionSheet, VelocitiesArePrintedNotDumped) {
-  EXPECT_EQ(workPrecisionSheet(comparison()).diagrams[0].title, "region III: 0.63 to 630 m/s");
+  EXPECT_EQ(workPrecisionSheet(comparison()).diagrams[0].title.english(),
+            "region III: 0.63 to 630 m/s");
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST(Claims, OfFigure2SayWhatRegionsThreeAndFourAre) {
   EXPECT_EQ(claimOf(figure, "elasticity_negligible_on_plateau").holds, Verdict::Yes);
   const Claim& follows = claimOf(figure, "region_4_follows_slope");
   EXPECT_EQ(follows.holds, Verdict::Yes);
-  EXPECT_THAT(follows.note, HasSubstr("to 1.15")) << 2 / std::numbers::sqrt3;
+  EXPECT_THAT(follows.note.english(), HasSubstr("to 1.15")) << 2 / std::numbers::sqrt3;
   const Claim& border = claimOf(figure, "region_4_begins_at_few_summits");
   EXPECT_GT(border.measured.value, 0.03);
   EXPECT_LT(border.measured.value, 0.3);
@@ -142,9 +142,10 @@ TEST(Claims, OfThePaperLeaveOutTheEndsOfItsRange) {
 
 TEST(Claims, OnAlphaNameTheirWindowAndWhatAnotherGives) {
   const Figure figure = makeFigure(FigureName::Exponents, optionsOf(12, {"surface.elements=600"}));
-  EXPECT_THAT(claimOf(figure, "alpha_is_H_over_1_plus_H").note,
+  EXPECT_THAT(claimOf(figure, "alpha_is_H_over_1_plus_H").note.english(),
               HasSubstr("It depends on the window: with F_N / G h L up to 1"));
-  EXPECT_THAT(figure.sheet.note, HasSubstr("share their random lines and are correlated: "));
+  EXPECT_THAT(figure.sheet.note.english(),
+              HasSubstr("share their random lines and are correlated: "));
   EXPECT_EQ(figure.sheet.diagrams[0].series.size(), 3U) << "theory and two windows";
 }
 
@@ -156,14 +157,16 @@ TEST(Claims, ReadZone1InOneWindow) {
   EXPECT_FALSE(isInZone1(9e-4));
   const Figure figure = makeFigure(FigureName::Forces, optionsOf(2, {"surface.elements=300"}));
   for (const char* id : {"zone_1_power", "contact_length_power"})
-    EXPECT_THAT(claimOf(figure, id).quantity, HasSubstr("up to 0.1"));
+    EXPECT_THAT(claimOf(figure, id).quantity.english(), HasSubstr("up to 0.1"));
 }
 
 TEST(Claims, Figure3SaysHowMuchOfItIsCompleteContact) {
   const Figure figure = makeFigure(FigureName::Hurst, optionsOf(2, {"surface.elements=600"}));
-  EXPECT_THAT(figure.sheet.note, HasSubstr("F\u2099/GhL = 100: up to "));
-  EXPECT_THAT(figure.sheet.note, HasSubstr(" of the 246 points, the whole line is in contact"));
-  EXPECT_THAT(claimOf(figure, "equation_11").note, HasSubstr("the figure does not test it"));
+  EXPECT_THAT(figure.sheet.note.english(), HasSubstr("F\u2099/GhL = 100: up to "));
+  EXPECT_THAT(figure.sheet.note.english(),
+              HasSubstr(" of the 246 points, the whole line is in contact"));
+  EXPECT_THAT(claimOf(figure, "equation_11").note.english(),
+              HasSubstr("the figure does not test it"));
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/friction/study.h"
 #include "core/base/input_error.h"
+#include "core/friction/study.h"
 
 namespace asperity {
 namespace {
@@ -44,7 +44,7 @@ TEST_P(EachFigure, IsWhole) {
   const Figure figure = makeFigure(GetParam(), options);
   EXPECT_NEAR(part, 1, 1e-9);
   EXPECT_FALSE(figure.sheet.title.empty());
-  EXPECT_THAT(figure.sheet.subtitle, HasSubstr("G = 10 MPa"));
+  EXPECT_THAT(figure.sheet.subtitle.english(), HasSubstr("G = 10 MPa"));
   EXPECT_EQ(figure.sheet.diagrams.empty(), GetParam() == FigureName::Contact);
   for (const Diagram& diagram : figure.sheet.diagrams) {
     EXPECT_FALSE(diagram.x.title.empty());
@@ -56,7 +56,7 @@ TEST_P(EachFigure, IsWhole) {
   std::set<std::string> ids;
   for (const Claim& claim : figure.claims) {
     EXPECT_TRUE(ids.insert(claim.id).second) << claim.id;
-    EXPECT_THAT(claim.where, HasSubstr("p. ")) << claim.id;
+    EXPECT_THAT(claim.where.english(), HasSubstr("p. ")) << claim.id;
     EXPECT_FALSE(claim.claim.empty() || claim.quantity.empty() || claim.criterion.empty());
   }
 }
@@ -128,7 +128,8 @@ TEST(Figures, ConstantLevelHoldsForTheLiteralRuleOnly) {
   EXPECT_EQ(claimOf(figure, "region_1_is_linear").holds, Verdict::Yes);
   ASSERT_EQ(figure.sheet.diagrams.size(), 1U);
   std::vector<std::string> regions;
-  for (const DiagramSpan& span : figure.sheet.diagrams[0].spans) regions.push_back(span.label.english());
+  for (const DiagramSpan& span : figure.sheet.diagrams[0].spans)
+    regions.push_back(span.label.english());
   EXPECT_THAT(regions, testing::ElementsAre("I", "II", "III", "IV"));
 }
 

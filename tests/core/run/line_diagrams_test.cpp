@@ -78,8 +78,8 @@ TEST(Spectrum, SheetShowsWantedAndFitted) {
   const DiagramSheet sheet = spectrumSheet({});
   ASSERT_EQ(sheet.diagrams.size(), 1U);
   ASSERT_EQ(sheet.diagrams[0].series.size(), 3U);
-  EXPECT_EQ(sheet.diagrams[0].series[0].name, "wanted, H = 0.7");
-  EXPECT_EQ(sheet.diagrams[0].series[2].name, "fitted, H = 0.700");
+  EXPECT_EQ(sheet.diagrams[0].series[0].name.english(), "wanted, H = 0.7");
+  EXPECT_EQ(sheet.diagrams[0].series[2].name.english(), "fitted, H = 0.700");
   for (const DiagramSeries& series : sheet.diagrams[0].series)
     EXPECT_LT(series.points.size(), 100U);
 }
@@ -139,7 +139,7 @@ TEST(Statistics, NothingBreaksWithoutContactOrPoints) {
   EXPECT_EQ(statisticsSheet({}).diagrams.size(), 2U);
   Frame frame = steadyFrame(1);
   std::fill(frame.pressure.begin(), frame.pressure.end(), 0.0);
-  EXPECT_EQ(statisticsSheet(frame).note, "No element is in contact.");
+  EXPECT_EQ(statisticsSheet(frame).note.english(), "No element is in contact.");
 }
 
 /// p L_c = F_N, whatever the scheme and however few elements are in contact; where they are enough

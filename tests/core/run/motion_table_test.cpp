@@ -200,9 +200,10 @@ TEST(MotionTable, TheBandOfErrorsFitsOnTheAxis) {
 
 TEST(MotionTable, ThePictureSaysThatFrictionIsOfDeformationAlone) {
   Scene scene = someMotion(SlidingKind::Start);
-  EXPECT_EQ(motionSheet(scene, marchMotion(scene, {})).diagrams[1].y.title, "friction \u03BC");
+  EXPECT_EQ(motionSheet(scene, marchMotion(scene, {})).diagrams[1].y.title.english(),
+            "friction \u03BC");
   scene.interface.frictionCoefficient = 0.1;
-  EXPECT_EQ(motionSheet(scene, marchMotion(scene, {})).diagrams[1].y.title,
+  EXPECT_EQ(motionSheet(scene, marchMotion(scene, {})).diagrams[1].y.title.english(),
             "friction \u03BC, deformation alone");
 }
 

@@ -57,7 +57,7 @@ float columnOf(const DrawList& list, const std::string& words) {
 /// A sheet without a legend, so that its dots are the points.
 DiagramSheet unnamed(DiagramSheet sheet) {
   for (Diagram& diagram : sheet.diagrams)
-    for (DiagramSeries& series : diagram.series) series.name.clear();
+    for (DiagramSeries& series : diagram.series) series.name = {};
   return sheet;
 }
 

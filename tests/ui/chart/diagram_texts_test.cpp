@@ -66,14 +66,16 @@ TEST(DiagramTexts, AreAllThereAtUsualSizes) {
     for (const NamedSheet& named : figureSheets()) {
       const DrawList list =
           composeDiagrams(named.sheet, {size.width, size.height, size.scale, darkTheme()});
-      std::vector<std::string> wanted{named.sheet.title};
-      for (const Diagram& diagram : named.sheet.diagrams) {
+      const DiagramSheet shown = translated(named.sheet);
+      std::vector<std::string> wanted{shown.title.text};
+      for (const Diagram& diagram : shown.diagrams) {
         if (!diagram.ramp)
-          for (const DiagramSeries& series : diagram.series) wanted.push_back(series.name);
+          for (const DiagramSeries& series : diagram.series) wanted.push_back(series.name.text);
         else
-          wanted.insert(wanted.end(), {diagram.ramp->title, diagram.ramp->from, diagram.ramp->to});
-        for (const DiagramSpan& span : diagram.spans) wanted.push_back(span.label);
-        for (const DiagramLabel& label : diagram.labels) wanted.push_back(label.text);
+          wanted.insert(wanted.end(),
+                        {diagram.ramp->title.text, diagram.ramp->from.text, diagram.ramp->to.text});
+        for (const DiagramSpan& span : diagram.spans) wanted.push_back(span.label.text);
+        for (const DiagramLabel& label : diagram.labels) wanted.push_back(label.text.text);
       }
       std::erase(wanted, "");
       for (const std::string& words : wanted)
@@ -162,10 +164,11 @@ TEST(DiagramTexts, LegendAndLabelsHideNoCurve) {
       const DrawList list =
           composeDiagrams(sheet, {size.width, size.height, size.scale, printTheme()});
       const DiagramSheet german = translated(sheet);
-      std::vector<std::string> names{german.diagrams[0].marker->name,
-                                     german.diagrams[0].marker->label,
-                                     german.diagrams[0].shades[0].label};
-      for (const DiagramSeries& series : german.diagrams[0].series) names.push_back(series.name);
+      std::vector<std::string> names{german.diagrams[0].marker->name.text,
+                                     german.diagrams[0].marker->label.text,
+                                     german.diagrams[0].shades[0].label.text};
+      for (const DiagramSeries& series : german.diagrams[0].series)
+        names.push_back(series.name.text);
       int found = 0;
       for (const DrawText& text : list.texts)
         for (const std::string& name : names)
@@ -183,7 +186,7 @@ TEST(DiagramTexts, LegendAndLabelsHideNoCurve) {
 /// As in the window's low views, where names would not fit into the frame.
 TEST(DiagramTexts, ALegendThatFitsBesideTheFrameIsWhole) {
   DiagramSheet sheet = sheetOf({{1e-5, 1e-2}, {1e-3, 1e-6}});
-  sheet.title.clear();
+  sheet.title = {};
   const DiagramSeries series = sheet.diagrams[0].series[0];
   sheet.diagrams[0].series.clear();
   for (const char* name : {"literal march (difference)", "nodal (difference)", "linear", "cubic",
@@ -193,7 +196,7 @@ TEST(DiagramTexts, ALegendThatFitsBesideTheFrameIsWhole) {
   }
   const DrawList list = composeDiagrams(sheet, {573, 178, 1, lightTheme(), 0.9F});
   for (const DiagramSeries& each : sheet.diagrams[0].series)
-    EXPECT_TRUE(says(list, each.name)) << each.name;
+    EXPECT_TRUE(says(list, each.name.text)) << each.name;
   expectTidy(list, "low view");
 }
 
@@ -209,7 +212,7 @@ TEST(DiagramTexts, TheWindowsLowViewsSayAllTheirAxesAreOf) {
       EXPECT_EQ(allTexts(list).find("…"), std::string::npos) << allTexts(list);
       for (const Diagram& diagram : translated(sheet).diagrams)
         for (const DiagramAxis* axis : {&diagram.x, &diagram.y})
-          EXPECT_NE(allTexts(list).find(axis->title), std::string::npos) << axis->title;
+          EXPECT_NE(allTexts(list).find(axis->title.text), std::string::npos) << axis->title;
       expectTidy(list, code);
     }
   }
@@ -248,7 +251,7 @@ TEST(DiagramTexts, StayReadableInLowTabs) {
       DiagramOptions options{size.width, size.height, size.scale, darkTheme()};
       options.leastText = 0.85F;
       const DrawList list = composeDiagrams(sheet, options);
-      expectTidy(list, sheet.note + std::to_string(size.width));
+      expectTidy(list, sheet.note.english() + std::to_string(size.width));
       for (const DrawText& text : list.texts)  // exponents are smaller
         EXPECT_GE(text.size, 7 * size.scale) << text.utf8;
       EXPECT_GE(list.texts.front().size, 9 * size.scale);

@@ -110,7 +110,7 @@ TEST(FrictionChartTest, KeepsErrorsAndStatesHowFarItIs) {
   const DiagramPoint shown = seriesOf(diagram, kPresentCurve).points.front();
   EXPECT_DOUBLE_EQ(shown.high - shown.y, 2e-4);
   EXPECT_DOUBLE_EQ(shown.y - shown.low, 2e-4);
-  EXPECT_EQ(diagram.sheet().status, "37 of 200 realizations");
+  EXPECT_EQ(diagram.sheet().status.english(), "37 of 200 realizations");
   EXPECT_DOUBLE_EQ(diagram.progress(), 37.0 / 200);
 }
 
@@ -124,7 +124,7 @@ TEST(FrictionChartTest, MarksThePresentVelocityOfTheFrame) {
   ASSERT_TRUE(plot.marker);
   EXPECT_EQ(plot.marker->x, 0.25);
   EXPECT_EQ(plot.marker->y, 3e-3);
-  EXPECT_EQ(plot.marker->label, "v = 0.25 m/s");
+  EXPECT_EQ(plot.marker->label.english(), "v = 0.25 m/s");
 }
 
 Frame motionFrame(const std::vector<TransientSample>& samples) {
@@ -155,8 +155,8 @@ TEST(FrictionChartTest, AMotionMovesItsMarkerAndLeavesATrace) {
   EXPECT_TRUE(plot.marker->isFixed);
   EXPECT_EQ(plot.marker->x, 0.25);
   EXPECT_EQ(plot.marker->y, 8e-4);
-  EXPECT_EQ(plot.marker->label, "|v| = 0.25 m/s");
-  EXPECT_EQ(plot.marker->name, "this motion, now");
+  EXPECT_EQ(plot.marker->label.english(), "|v| = 0.25 m/s");
+  EXPECT_EQ(plot.marker->name.english(), "this motion, now");
   ASSERT_EQ(plot.marker->trace.size(), 2U);
   EXPECT_EQ(plot.marker->trace[0].x, 0.5);
   EXPECT_EQ(plot.marker->trace[1].y, 8e-4);
@@ -214,7 +214,7 @@ TEST(FrictionChartTest, TintsWhereFewSummitsCarryTheLoad) {
   diagram.take(update(scene, {whole(0.01, 1e-3), whole(1, 2e-3), whole(100, 1e-3)}));
   std::vector<DiagramSpan> shades = diagramOf(diagram).shades;
   ASSERT_EQ(shades.size(), 1U);
-  EXPECT_EQ(shades[0].label, "few summits carry the load");
+  EXPECT_EQ(shades[0].label.english(), "few summits carry the load");
   EXPECT_NEAR(shades[0].from, 1.7, 1e-9);
   EXPECT_EQ(shades[0].to, 100);
   diagram.setAxes(CurveAxes::Dimensionless);
@@ -302,28 +302,28 @@ TEST(FrictionChartTest, OneLineIsNoMean) {
   curve.realizationsTotal = 1;
   diagram.take(curve);
   diagram.mark(frame(sine, 1e-3));
-  EXPECT_EQ(seriesOf(diagram, kPresentCurve).name, "this line");
-  EXPECT_EQ(diagram.sheet().status, "");
-  EXPECT_EQ(diagram.marker()->name, "now");
+  EXPECT_EQ(seriesOf(diagram, kPresentCurve).name.english(), "this line");
+  EXPECT_EQ(diagram.sheet().status.english(), "");
+  EXPECT_EQ(diagram.marker()->name.english(), "now");
 
   diagram.take(update({}, {point(1, 1e-3)}));
-  EXPECT_TRUE(seriesOf(diagram, kPresentCurve).name.starts_with("mean"));
-  EXPECT_EQ(diagram.sheet().status, "2 of 200 realizations");
+  EXPECT_TRUE(seriesOf(diagram, kPresentCurve).name.english().starts_with("mean"));
+  EXPECT_EQ(diagram.sheet().status.english(), "2 of 200 realizations");
 }
 
 TEST(FrictionChartTest, SaysWhyThereIsNothingToSee) {
   FrictionChart diagram;
-  EXPECT_EQ(diagramOf(diagram).blank, "");
+  EXPECT_EQ(diagramOf(diagram).blank.english(), "");
   Scene elastic;
   elastic.elastomer.rheology = Rheology::Elastic;
   diagram.expect(elastic);
   diagram.take(update(elastic, {point(1, 0), point(2, 0)}));
-  EXPECT_EQ(diagramOf(diagram).blank,
+  EXPECT_EQ(diagramOf(diagram).blank.english(),
             "no friction: nothing positive to show on a logarithmic axis");
   diagram.take(update(elastic, {point(1, -1e-9), point(2, std::nan(""))}));
-  EXPECT_TRUE(diagramOf(diagram).blank.starts_with("no positive"));
+  EXPECT_TRUE(diagramOf(diagram).blank.english().starts_with("no positive"));
   diagram.take(update(elastic, {point(1, 0), point(2, 1e-3)}));
-  EXPECT_EQ(diagramOf(diagram).blank, "");
+  EXPECT_EQ(diagramOf(diagram).blank.english(), "");
 }
 
 }  // namespace

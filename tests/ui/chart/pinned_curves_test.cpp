@@ -65,9 +65,9 @@ TEST_F(PinnedCurves, StayWhileTheSceneChanges) {
 TEST_F(PinnedCurves, AreNamedByWhatDiffers) {
   show(smallScene());
   const int id = diagram_.pin();
-  EXPECT_EQ(seriesOf(diagram_.sheet(), id)->name, "same parameters");
+  EXPECT_EQ(seriesOf(diagram_.sheet(), id)->name.english(), "same parameters");
   diagram_.expect(stiff());
-  EXPECT_EQ(seriesOf(diagram_.sheet(), id)->name, "G = 10 MPa");
+  EXPECT_EQ(seriesOf(diagram_.sheet(), id)->name.english(), "G = 10 MPa");
 }
 
 TEST_F(PinnedCurves, ACurveInTheMakingSaysHowFarItWas) {
@@ -78,7 +78,7 @@ TEST_F(PinnedCurves, ACurveInTheMakingSaysHowFarItWas) {
   diagram_.expect(smallScene());
   diagram_.take(part);
   const int id = diagram_.pin();
-  EXPECT_EQ(seriesOf(diagram_.sheet(), id)->name, "same parameters, 1 of 200 lines");
+  EXPECT_EQ(seriesOf(diagram_.sheet(), id)->name.english(), "same parameters, 1 of 200 lines");
   diagram_.take(curveOf(smallScene()));
   EXPECT_GT(diagram_.pin(), id) << "with more lines it is another curve";
 }
@@ -173,7 +173,7 @@ TEST_F(PinnedCurves, DimensionlessAxesScaleEveryCurveByItsOwn) {
     EXPECT_NEAR(point.x / row.dimensionlessVelocity, 1, 1e-12);
   }
   EXPECT_NEAR(plot.diagrams[0].spans.front().from / present.points.front().x, 1, 1e-12);
-  EXPECT_NE(plot.diagrams[0].x.title.find("∇z"), std::string::npos);
+  EXPECT_NE(plot.diagrams[0].x.title.english().find("∇z"), std::string::npos);
 }
 
 TEST_F(PinnedCurves, TheMarkerFollowsTheAxesAndBack) {
@@ -200,7 +200,7 @@ TEST_F(PinnedCurves, WithoutARelaxationTimeAxesSayWhyTheyAreEmpty) {
   show(solid);
   diagram_.setAxes(CurveAxes::Dimensionless);
   const Diagram diagram = diagram_.sheet().diagrams[0];
-  EXPECT_NE(diagram.blank.find("one relaxation time"), std::string::npos);
+  EXPECT_NE(diagram.blank.english().find("one relaxation time"), std::string::npos);
   const DiagramSeries present = *seriesOf(diagram_.sheet(), kPresentCurve);
   for (const DiagramPoint& point : present.points) EXPECT_FALSE(hasPlace(diagram, point));
 }
@@ -215,7 +215,7 @@ TEST_F(PinnedCurves, ADifferenceStandsInTheStripWhileItIsOfThisCurve) {
   const DiagramAxis axis = diagram_.sheet().diagrams[1].y;
   EXPECT_LT(axis.from, 0);
   EXPECT_GT(axis.to, 0);
-  EXPECT_TRUE(strip.name.starts_with("linear x1, 2 lines"));
+  EXPECT_TRUE(strip.name.english().starts_with("linear x1, 2 lines"));
   EXPECT_TRUE(diagram_.describe(kDifferenceCurve, 3).contains("difference"));
   diagram_.expect(stiff());
   EXPECT_TRUE(seriesOf(diagram_.sheet(), kDifferenceCurve)->isFaded);
@@ -232,7 +232,7 @@ TEST_F(PinnedCurves, WhatIsShownCanBeWritten) {
   const CurveSet set = *diagram_.shown(ChartWindow{{-3, 2}, {-5, -1}});
   EXPECT_EQ(set.present.scene, stiff());
   ASSERT_EQ(set.pinned.size(), 1U);
-  EXPECT_EQ(set.pinned[0].name, "G = 10 MPa");
+  EXPECT_EQ(set.pinned[0].name.english(), "G = 10 MPa");
   EXPECT_DOUBLE_EQ(set.xFrom, 1e-3);
   EXPECT_DOUBLE_EQ(set.yTo, 0.1);
 }

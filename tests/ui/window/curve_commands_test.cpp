@@ -104,7 +104,7 @@ TEST_F(CurveCommandsTest, PinsAreKeptComparedAndLetGo) {
   action("pinCurve").trigger();
   ASSERT_EQ(session().friction().pinned().size(), 2U);
   ASSERT_TRUE(waitFor([this] { return chart().series.size() == 4; }));
-  EXPECT_EQ(chart().series[1].name, "G = 10 MPa");
+  EXPECT_EQ(chart().series[1].name.english(), "G = 10 MPa");
 
   auto* menu = window_.findChild<QMenu*>("unpinMenu");
   ASSERT_TRUE(menu);
@@ -125,7 +125,7 @@ TEST_F(CurveCommandsTest, DimensionlessAxesStayWhileScenesChange) {
   scene.load.normalForce *= 3;
   window_.document().edit(scene);
   ASSERT_TRUE(waitForCurve());
-  EXPECT_NE(chart().x.title.find("∇z"), std::string::npos);
+  EXPECT_NE(chart().x.title.english().find("∇z"), std::string::npos);
   const double from = velocity();
   const double x = chart().marker->x;
   EXPECT_NE(x, from);
@@ -190,7 +190,7 @@ TEST_F(CurveCommandsTest, ASettingChosenInTheAccuracyPanelIsComparedBelowTheCurv
   };
   const auto strip = [this] { return session().friction().sheet().diagrams.at(1).series.at(1); };
   ASSERT_TRUE(waitFor(isComplete));
-  EXPECT_EQ(strip().name, "linear x3, 5 lines minus the curve above");
+  EXPECT_EQ(strip().name.english(), "linear x3, 5 lines minus the curve above");
   const auto own = frictionCurve(session().scene()).points;
   const auto other = frictionCurve(withSetting(session().scene(), {Scheme::Linear, 3, 5})).points;
   const DiagramPoint shown = strip().points[2];

@@ -317,7 +317,7 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
     window_.document().open(moving);
     EXPECT_TRUE(
         waitFor([&] { return frame()->sceneNumber == session().sceneNumber() && samples() > 3; }));
-    return strips.sheet().status;
+    return strips.sheet().status.text;
   };
   EXPECT_TRUE(noteOf(SlidingKind::Start).starts_with("predicted rate"));
   EXPECT_EQ(noteOf(SlidingKind::Oscillation), "");

@@ -112,7 +112,7 @@ TEST_F(StatusTest, ACurveToATargetIsFinished) {
     EXPECT_FALSE(control<QToolButton>("workStop").isVisible());
     ASSERT_TRUE(waitFor([&] { return fact("factRegime").startsWith("region"); }));
     const CurveUpdate& curve = *session().curve();
-    EXPECT_EQ(session().friction().sheet().status,
+    EXPECT_EQ(session().friction().sheet().status.english(),
               QStringLiteral("%1 of %1 realizations").arg(curve.realizationsTotal).toStdString());
     double squares = 0;
     for (const CurvePoint& point : curve.points)
@@ -310,7 +310,7 @@ TEST_F(StatusTest, WhatIsOfTheSceneBeforeSaysSo) {
   ASSERT_TRUE(waitFor([&] { return veil.isVisible(); }));
   EXPECT_EQ(veil.size(), window_.canvas().size());
   EXPECT_TRUE(marker().isFaded);
-  EXPECT_EQ(marker().name, "before the change");
+  EXPECT_EQ(marker().name.english(), "before the change");
   action("undo").trigger();
   ASSERT_TRUE(waitFor([&] { return !veil.isVisible(); }));
   EXPECT_FALSE(marker().isFaded);
