@@ -18,7 +18,6 @@
 #include "core/friction/ensemble.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
-#include "ui/language/translated.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {
@@ -180,8 +179,10 @@ class Entry {
       if (!item.scene.surface.file.empty())
         item.inputs.push_back(item.scene.folder / item.scene.surface.file);
       if (item.scene.title.empty()) item.scene.title = name_;
+      item.title = item.scene.title;
       if (const Message varied = variedInWords(item); !varied.empty())
-        item.scene.title = sceneText(item.scene.title).toStdString() + "; " + translated(varied);
+        item.title = message("{}; {}", item.title, varied);
+      item.scene.title = item.title.english();
       const bool isSteady = item.scene.sliding.kind == SlidingKind::Steady;
       item.show = !show_.empty() ? show_ : isSteady ? "both" : "transient";
     } catch (const InputError& error) {

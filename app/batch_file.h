@@ -20,6 +20,7 @@ struct BatchItem {
   std::string show;                                         // layout of its picture
   Scene scene;
   std::vector<std::filesystem::path> inputs;  // files that it is read from
+  Message title;  // of the scene, and what tells it from the others of its sweep
   Message error;                              // one sentence; empty: the scene is good
 };
 

@@ -105,7 +105,7 @@ std::string article(const BatchResult& result) {
   std::string html = fmt::format(
       "<article><h2>{0}</h2><a href=\"{1}\"><img src=\"{1}\" alt=\"{0}\" loading=\"lazy\"></a>"
       "<table>",
-      xmlText(translated(item.scene.title)), result.files.front());
+      xmlText(translated(item.title)), result.files.front());
   for (const auto& [key, value] : item.varied) html += variedRow(key, value);
   html += readings(result);
   html += "</table><p class=\"quiet\">" + xmlText(translated(parametersInWords(item.scene))) +

@@ -164,6 +164,8 @@ class BatchRun {
 
   void fill(BatchResult& result, HeadlessPictures& pictures) {
     const Scene& scene = result.item.scene;
+    Scene shown = scene;  // as pictures have it, in the language in use
+    shown.title = translated(result.item.title);
     const PictureLayout layout = layoutFrom(result.item.show);
     PictureContent content{layout};
     CurveOptions options;
@@ -175,10 +177,10 @@ class BatchRun {
         throw InputError("", "accuracy.target_relative_error",
                          "is not reached within the lines and memory allowed: " +
                              printedNumber(curve.achievedError, 2));
-      content.curves.present = {{}, scene, curve.points, 0};
+      content.curves.present = {{}, shown, curve.points, 0};
     }
     result.mean = meanOverLines(scene, options);
-    FrameSource source(scene, {}, true);
+    FrameSource source(shown, {}, true);
     const Frame frame = source.frame(0);
     result.lineMu = frame.transient ? frame.muMarch : frame.muSteady;
     result.lineIndentation = frame.indentation;
@@ -188,7 +190,7 @@ class BatchRun {
     PictureComposer composer(style_, content);
     composer.checkRoom(scene);
     pictures.write(fileIn(name + ".png"), composer.compose(frame),
-                   {translated(scene.title), pictureOrigin("batch", scene), style_.scale});
+                   {shown.title, pictureOrigin("batch", scene), style_.scale});
     result.files = {name + ".png"};
     const std::vector<CurvePoint>& curve = content.curves.present.points;
     if (!curve.empty()) {

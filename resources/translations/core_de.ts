@@ -48,11 +48,11 @@
     </message>
     <message>
         <source>cannot be opened: %1</source>
-        <translation>kann nicht geöffnet werden: %1</translation>
+        <translation>lässt sich nicht öffnen: %1</translation>
     </message>
     <message>
         <source>cannot be read: %1</source>
-        <translation>kann nicht gelesen werden: %1</translation>
+        <translation>lässt sich nicht lesen: %1</translation>
     </message>
     <message>
         <source>folder %1 does not exist</source>
@@ -524,7 +524,7 @@
     </message>
     <message>
         <source>cannot be written: %1</source>
-        <translation>kann nicht geschrieben werden: %1</translation>
+        <translation>lässt sich nicht schreiben: %1</translation>
     </message>
     <message>
         <source>contact is complete above d = %1 m at %2 m/s</source>

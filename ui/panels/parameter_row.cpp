@@ -46,14 +46,22 @@ QString labelWithSymbol(const Parameter& parameter) {
   return label + "&nbsp; " + symbolHtml(parameter.symbol);
 }
 
-/// Room for the longest label with its symbol.
+/// Room for the longest label with its symbol. A label longer than most is broken into two lines,
+/// so that it does not take the room of every slider.
 int labelWidth(const QFont& font) {
   static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
   const QFontMetrics metrics(font);
+  const int longest = metrics.horizontalAdvance(QStringLiteral("relaxation time  T"));
   int width = 0;
   for (const Parameter& parameter : parameters()) {
-    const QString text = labelWithSymbol(parameter).remove(tag).replace("&nbsp;", " ");
-    width = std::max(width, metrics.horizontalAdvance(text));
+    const QString text = labelWithSymbol(parameter).remove(tag);
+    const auto widthOf = [&metrics](QString part) {
+      return metrics.horizontalAdvance(part.replace("&nbsp;", " "));
+    };
+    int needed = widthOf(text);
+    if (const qsizetype space = text.indexOf(' '); needed > longest && space > 0)
+      needed = std::max(widthOf(text.left(space)), widthOf(text.mid(space + 1)));
+    width = std::max(width, needed);
   }
   return width + 4;
 }
@@ -246,6 +254,7 @@ void ParameterRow::changeEvent(QEvent* event) {
 void ParameterRow::addLabel(QHBoxLayout& line) {
   label_ = new QLabel;
   label_->setTextFormat(Qt::RichText);
+  label_->setWordWrap(true);
   line.addWidget(label_);
 }
 

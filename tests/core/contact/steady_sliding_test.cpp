@@ -20,7 +20,7 @@ TEST(UnmetBalance, SaysWhereAndByHowMuch) {
   EXPECT_STREQ(balanceError(result, 0.5).what(),
                "the force balance is not met at velocity 0.5 m/s: relative residual 0.03");
   try {
-    requireBalance(result, 0.5, " on realization 3");
+    requireBalance(result, 0.5, "on realization 3");
     ADD_FAILURE();
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(),

@@ -299,7 +299,7 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
   EXPECT_TRUE(tabs.isTabVisible(1));
   EXPECT_EQ(tabs.currentWidget(), &strips);
   ASSERT_TRUE(waitFor([&] { return samples() > 3; }));
-  EXPECT_EQ(strips.sheet().status, "");  // no line yet, before the step
+  EXPECT_EQ(strips.sheet().status.text, "");  // no line yet, before the step
   const QImage image = strips.grab().toImage();
   const QColor line =
       colourOf(seriesColour(0, window_.appearance().isDark() ? darkTheme() : lightTheme()));
