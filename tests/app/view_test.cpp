@@ -130,8 +130,10 @@ TEST_F(ViewTest, AComparisonIsDrawnWholeOrRefused) {
   ASSERT_THAT(said.err, HasSubstr("no room for the difference"));
   const std::size_t named = said.err.find("; 891x") + 2;
   run(call + said.err.substr(named, said.err.find(' ', named) - named) + compared);
-  EXPECT_THAT(read("c.svg"), HasSubstr("difference"));
+  EXPECT_THAT(read("c.svg"), HasSubstr("\u0394 (%)")) << "the axis of the difference, in short";
   run("render s.json -o c.svg --layout both --size 891x545" + compared);
+  EXPECT_THAT(read("c.svg"), HasSubstr("\u0394 (%)"));
+  run("render s.json -o c.svg --layout both --size 1200x1000" + compared);
   EXPECT_THAT(read("c.svg"), HasSubstr("difference"));
 }
 
