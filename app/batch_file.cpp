@@ -57,7 +57,7 @@ std::string textOf(const Json& object, const char* key, const std::string& other
   return found->get<std::string>();
 }
 
-/// As --set takes it.
+/// Returns the value as --set takes it.
 std::string assigned(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }

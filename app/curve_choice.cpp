@@ -78,7 +78,7 @@ CurveAxes axesFrom(const std::string& name) {
   return chosenFrom(kAxesNames, name, kAxes);
 }
 
-/// On logarithmic axes.
+/// Reads a range of a logarithmic axis. Throws InputError where an end is not above 0.
 NumberRange positiveRange(const char* option, const std::string& text) {
   const NumberRange range = rangeFrom(option, text, "");
   if (!(range.from > 0))

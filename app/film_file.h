@@ -21,7 +21,8 @@ struct FilmOptions {
   std::string metadata;  // one line of ASCII without markup; empty: none
 };
 
-/// Of the program itself first. Pictures come in RGBA by its standard input. extension: ".gif".
+/// Returns the arguments of ffmpeg, its own name first. It reads pictures in RGBA from its standard
+/// input. extension: ".gif".
 /// metadata: the file of filmMetadata, or empty.
 std::vector<std::string> ffmpegArguments(const std::string& extension, const FilmOptions& options,
                                          const std::string& output, const std::string& metadata);

@@ -15,9 +15,6 @@
 namespace CLI {
 class App;
 }
-namespace CLI {
-class App;
-}
 
 namespace asperity {
 

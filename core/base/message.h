@@ -40,7 +40,7 @@ struct Message {
 
   bool empty() const { return text.empty(); }
   std::string english() const;
-  /// With everything in it in printable characters (core/base/printable_text.h).
+  /// With everything in it in printable characters (core/base/text.h).
   Message quoted() const;
 
   bool operator==(const Message&) const = default;

@@ -55,8 +55,8 @@ struct SteadyResult {
   double muTotal() const { return mu + muInterface; }
 };
 
-/// The one place where friction is read from the contact: the sums of a pass at this depth (m) as a
-/// result in SI units. It counts as one pass and as balanced.
+/// Computes friction of a steady state, in SI units, from the sums of a pass at this depth (m): the
+/// only place that does. (Motions in time: core/run/transient.h.) Counts as one pass, balanced.
 SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
                           double depth, const PassSums& sums);
 

@@ -24,8 +24,9 @@ struct Line {
   }
 };
 
-/// The same for every realization, because amplitudes are not random; with summit correlation the
-/// slope varies by some per cent, and this is that of realization 0: Line::rmsSlope has its own.
+/// Rms height and rms slope of realization 0. All realizations have the same ones, because the
+/// amplitudes of the waves are not random, unless the scene has a summit correlation: then the
+/// slope varies by some per cent, and Line::rmsSlope is that of each line.
 struct LineStatistics {
   double rmsHeight = 0;  // m
   double rmsSlope = 0;

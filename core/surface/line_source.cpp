@@ -146,7 +146,7 @@ bool LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& 
   if (!transform_->evaluate(modes, line.height, stop)) return false;
   if (slopes == Slopes::Wanted && !transform_->evaluateSlope(modes, line.slopeAfter, stop))
     return false;
-  // Amplitudes are not random, but where waves are multiplied.
+  // The rms values are the same for every realization except with summit correlation.
   const bool isKnown = isRandom() && !summits_ && statistics_.rmsHeight > 0;
   line.rmsHeight = isKnown ? statistics_.rmsHeight : rmsHeight(modes);
   line.rmsSlope = isKnown ? statistics_.rmsSlope : rmsSlope(modes);

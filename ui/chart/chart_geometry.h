@@ -55,20 +55,22 @@ inline constexpr double kMarkerReach = 6, kPointReach = 9;
 ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const DiagramSheet& sheet,
                      QPointF place);
 
-/// Which axes a turn of the wheel there is for: both inside, one at its labels, none elsewhere.
+/// Returns the axes that the wheel zooms at this place: both inside the frame, one at its labels,
+/// none elsewhere.
 struct ZoomAxes {
   bool x = false, y = false;
 };
 ZoomAxes axesAt(const ChartGeometry& geometry, QPointF place);
 
-/// Seen `factor` times as wide about a place, which stays where it is; within 0.1 to 60 decades.
+/// Zooms about a place, which stays where it is: the range becomes `factor` times as wide, within
+/// 0.1 to 60 decades.
 ChartWindow zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes);
 
-/// Moved with the pointer by so many pixels.
+/// Moves the range by this many pixels.
 ChartWindow panned(const ChartGeometry& geometry, QPointF by);
 
-/// The window, or the nearest of its size of which on each axis at least a half shows a part of
-/// `whole`, or all of it.
+/// Moves the range as little as possible so that on each axis at least half of it lies within
+/// `whole`.
 ChartWindow heldWithin(const ChartWindow& window, const ChartWindow& whole);
 
 /// Whether any curve of the diagram passes through the window.

@@ -53,7 +53,7 @@ DiagramSizes sizesOf(const ChartLook& look) {
   return sizes;
 }
 
-/// Of a curve's marks, so that they do not touch.
+/// Returns the size of a curve's marks at which they do not touch each other.
 double markSizeOf(const DiagramSeries& series, double room, const ChartLook& look) {
   const double apart =
       room / static_cast<double>(std::max<std::size_t>(series.points.size(), 2) - 1);

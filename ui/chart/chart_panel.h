@@ -83,7 +83,7 @@ class ChartPanel {
   void show(const Diagram& diagram, const ChartGeometry& geometry, const ChartLook& look,
             bool saysAlong, double titleBeside);
 
-  /// Of the axis along, where it is cut; else empty.
+  /// Returns the whole title of the x-axis if it is shown shortened, otherwise an empty text.
   QString cutTitle() const;
 
  private:

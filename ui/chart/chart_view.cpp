@@ -130,7 +130,7 @@ bool ChartView::hasMarker() const {
   return !sheet_.diagrams.empty() && sheet_.diagrams[0].marker;
 }
 
-/// Of the first diagram.
+/// Returns the axes of the first diagram as its sheet has them, without zoom.
 ChartWindow ChartView::whole() const {
   if (sheet_.diagrams.empty()) return {};
   const AxisRange along = rangeAlong(sheet_.diagrams[0]);
@@ -437,7 +437,7 @@ void ChartView::moveMarker(double x, bool finely) {
   emit markerMoved(x, finely);
 }
 
-/// Of the present curve; where there is none, nothing.
+/// Moves the marker to the next point of the present curve; does nothing without a curve.
 void ChartView::chooseNextPoint(bool forward) {
   if (!hasMarker()) return;
   const double from = std::isfinite(wantedX_) ? wantedX_ : sheet_.diagrams[0].marker->x;

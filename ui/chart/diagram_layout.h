@@ -39,7 +39,7 @@ float addHeading(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& 
 float addNote(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& sizes,
               const Theme& theme);
 
-/// Of the picture's left and right edges.
+/// Returns the margin at the left and right edges of the picture, in pixels.
 float sheetMargin(const DiagramSizes& sizes);
 
 }  // namespace asperity

@@ -74,8 +74,8 @@ class FrictionChart {
 
   bool isStale() const;
   bool hasCurve() const { return curve_ != nullptr; }
-  /// Of the present scene's curve, 0 to 1; 1 only where it is complete, because a target may ask
-  /// for more lines at any time.
+  /// Returns the finished part of the present scene's curve, 0 to 1. It is 1 only for a complete
+  /// curve, because a target accuracy may need more lines at any time.
   double progress() const;
 
   DiagramSheet sheet() const;

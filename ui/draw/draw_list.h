@@ -1,7 +1,7 @@
 // What to draw, in pixels, without saying how: filled triangles, antialiased lines and texts, in
-// this order. Made by ui/contact and ui/chart from a Frame, drawn by ui/draw/renderer.h (shapes) and
-// ui/draw/text_painter.h (texts). A plain value; knows neither OpenGL nor Qt.
-// Coordinates: pixels, origin top left, y down. Colours: sRGB, straight alpha.
+// this order. Made by ui/contact and ui/chart from a Frame, drawn by ui/draw/renderer.h (shapes)
+// and ui/draw/fonts.h (texts). A plain value; knows neither OpenGL nor Qt. Coordinates: pixels,
+// origin top left, y down. Colours: sRGB, straight alpha.
 #pragma once
 
 #include <array>

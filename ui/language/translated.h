@@ -2,7 +2,7 @@
 // each is translated where it is shown: its template is looked up in
 // resources/translations/core_de.ts, where the values stand as %1, %2, ... Numbers get the
 // language's decimal sign, and such as 1e-10 are printed as all others are
-// (core/base/printed_number.h). Pure once the language is chosen; any thread.
+// (core/base/number_text.h). Pure once the language is chosen; any thread.
 #pragma once
 
 #include <QString>

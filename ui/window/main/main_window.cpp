@@ -227,7 +227,7 @@ void MainWindow::buildCommands() {
   exports_->setCurves(*curveCommands_);
 }
 
-// ---- How a scene travels: from whatever changes it to the document, and from there to all
+// ---- Connections: whatever changes the scene changes the document, which informs all parts
 
 void MainWindow::connectScene() {
   connect(panel_, &ParameterPanel::sceneEdited, this,
@@ -265,7 +265,7 @@ void MainWindow::showScene(const Scene& scene) {
   showTitle();
 }
 
-/// Closed by hand it stays closed.
+/// Shows the description of the scene, unless the user closed the bar and the text is the same.
 void MainWindow::showDescription() {
   const std::string& description = document_->scene().description;
   if (description == described_) return;
@@ -310,7 +310,7 @@ void MainWindow::connectFrames() {
     figures_->setTheme(theme);
   });
   connect(figures_, &FigurePages::switched, this, [this](bool areShown) {
-    // The run's keys are the page's: Space is for its buttons.
+    // Space presses the buttons of the page of figures; it does not pause the run behind it.
     for (QAction* action : commands_->get({"play", "step", "reset"})) action->setEnabled(!areShown);
     followSight();
     if (areShown) return;
@@ -333,7 +333,7 @@ void MainWindow::showFrame() {
   if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
 }
 
-/// Nothing is stepped and drawn for nobody; curves go on.
+/// Pauses the moving picture while the window is hidden; curves are computed further.
 void MainWindow::followSight() {
   poll_->setInterval(sight_->isSeen() ? kPollInterval : kUnseenPoll);
   session_->setSeen(sight_->isSeen() && !figures_->isShowingFigures());

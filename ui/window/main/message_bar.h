@@ -34,7 +34,7 @@ class MessageBar : public QFrame {
   /// English.
   void complain(const QString& key, const Message& english);
   void sceneRuns();
-  /// Whatever was said is of a scene that is left.
+  /// Hides every message, because another scene was opened.
   void forget();
 
   /// Shows an offer and a button that takes it up. Both texts are asked for again in another

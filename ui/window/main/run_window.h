@@ -48,12 +48,11 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene,
 /// background and does not stop within half a second ends with the process.
 int runUntilClosed(QApplication& application, std::unique_ptr<MainWindow> window);
 
-/// The longest that the end of the program may take. Work in the background is asked to stop and
-/// mostly does within milliseconds; a transform of millions of points, or a disk that does not
-/// answer, cannot be asked. Files are safe from a sudden end: each is whole or not there.
-///
-/// Once the limit is made, the process has this long to end or to destroy it; otherwise it ends
-/// with this status, whatever runs. Threading: made and destroyed on one thread.
+/// A watchdog: ends the process with `status` if the end of the program takes longer than `limit`
+/// after the construction of this object. Work in the background is asked to stop and mostly does
+/// within milliseconds; a transform of millions of points, or a disk that does not answer, cannot
+/// be asked. Files are safe from a sudden end: each is whole or not there. Threading: constructed
+/// and destroyed on one thread.
 class QuitLimit {
  public:
   QuitLimit(std::chrono::milliseconds limit, int status);

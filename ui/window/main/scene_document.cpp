@@ -113,7 +113,7 @@ SceneDocument::SceneDocument(const Scene& scene, QObject* parent)
   keepTranslated(*this, [this] { nameSteps(); });
 }
 
-/// A history that goes clears itself and says so, when the parent it would tell is half gone.
+/// QUndoStack emits signals while it is destroyed, when this object is partly destroyed already.
 SceneDocument::~SceneDocument() {
   history_.disconnect(this);
 }
@@ -191,7 +191,8 @@ std::vector<std::string_view> differingKeys(const Scene& a, const Scene& b) {
   return keys;
 }
 
-/// A choice brings other parameters with it and names the step.
+/// Returns the name of a step of the history: that of the choice, if one changed, because it
+/// changes other parameters too.
 QString stepName(const Scene& before, const Scene& after) {
   const std::vector<std::string_view> keys = differingKeys(before, after);
   const auto isChoice = [](std::string_view key) {

@@ -51,7 +51,7 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
       plan_(new PlanList) {
   setObjectName("tabs");
   setDocumentMode(true);
-  tabBar()->setFocusPolicy(Qt::NoFocus);  // Space is the run's
+  tabBar()->setFocusPolicy(Qt::NoFocus);  // the space bar pauses the run
   tabBar()->setDrawBase(false);
   plot_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
   plot_->setObjectName("frictionPlot");
@@ -148,7 +148,7 @@ void SceneTabs::hideTabs(const QStringList& names) {
 void SceneTabs::showScene(const Scene& scene) {
   const bool moves = scene.sliding.kind != SlidingKind::Steady;
   const bool moved = isTabVisible(kMotionTab);
-  // Left before it goes: the next tab would come to the front, which is not the curve's.
+  // The tab of the motion is left before it is hidden; otherwise Qt shows the one after it.
   if (!moves && currentWidget() == strips_) setCurrentWidget(plot_);
   QAction& action = *wanted_.at(kMotionTab);
   action.setVisible(moves);

@@ -138,7 +138,7 @@ void Session::poll() {
   tellWaiting();
 }
 
-/// The diagram's marker is of the scene before until then.
+/// Fades the marker of the chart while it still belongs to the previous scene.
 void Session::tellWaiting() {
   const bool waits = isWaiting();
   if (std::exchange(wasWaiting_, waits) == waits) return;
@@ -167,7 +167,7 @@ void Session::takeCurves() {
   if (changed) emit plotChanged();
   const bool isSound = runningNumber_ == sceneNumber_ && trouble_.isEmpty();
   if (brokenNumber_ == sceneNumber_ && isSound && changed && curve_->isComplete) {
-    brokenNumber_ = 0;  // averaged anew it went well
+    brokenNumber_ = 0;  // the curve was computed again without an error
     emit sceneRuns();
   }
 }

@@ -73,7 +73,7 @@ class Session : public QObject {
   void playingChanged(bool playing);
   void frameArrived();
   void plotChanged();
-  /// Only the marker has: where the line is, and its ranges hold it.
+  /// Only the marker has changed, and it lies within the axes as they are.
   void markChanged();
   /// isWaiting() has changed: the screen shows the scene before for longer than a moment.
   void waitingChanged(bool isWaiting);

@@ -91,7 +91,7 @@ void WindowLayout::setFullScreen(bool full) {
   showScreenMode();
 }
 
-/// Escape is the page's where the figures are shown.
+/// While the figures are shown, Escape closes their page instead of the presentation.
 void WindowLayout::showScreenMode() {
   const bool isFull = parts_.window.isFullScreen();
   commands_->get("fullScreen")->setChecked(isFull);

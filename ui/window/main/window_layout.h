@@ -49,11 +49,10 @@ class WindowLayout : public QObject {
   void addTo(Commands& commands);
   void fillMenu(QMenu& menu);
 
-  /// Size, docks, tabs and colours as they were when the last window was closed, as far as the
-  /// screen has room for them, and from now on this window leaves its own behind. Call before the
-  /// window is shown.
+  /// Restores size, docks, tabs and colours from the settings, as far as the screen has room for
+  /// them. From then on closing the window saves its own. Call before the window is shown.
   void remember();
-  /// Leaves them behind, where the layout is remembered; the window closes.
+  /// Saves them to the settings when the window closes, if remember() was called.
   void save();
 
   /// Makes the present layout the one that restoreDefault() goes back to.
