@@ -1,5 +1,6 @@
 #include "core/base/message.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/input_error.h"
@@ -29,6 +30,13 @@ Message Message::name(std::string text) {
   Message made(std::move(text));
   made.kind = Kind::Name;
   return made;
+}
+
+bool Message::operator<(const Message& other) const {
+  if (text != other.text) return text < other.text;
+  if (kind != other.kind) return kind < other.kind;
+  return std::lexicographical_compare(values.begin(), values.end(), other.values.begin(),
+                                      other.values.end());
 }
 
 std::string Message::english() const {

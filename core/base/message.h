@@ -5,7 +5,6 @@
 
 #include <fmt/core.h>
 
-#include <compare>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -44,7 +43,8 @@ struct Message {
   Message quoted() const;
 
   bool operator==(const Message&) const = default;
-  std::strong_ordering operator<=>(const Message&) const = default;
+  /// An order for sets.
+  bool operator<(const Message& other) const;
   friend std::ostream& operator<<(std::ostream& out, const Message& message) {
     return out << message.english();
   }
