@@ -1,7 +1,5 @@
 #include "app/curve_choice.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>

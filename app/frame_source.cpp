@@ -1,7 +1,5 @@
 #include "app/frame_source.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

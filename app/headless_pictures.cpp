@@ -49,7 +49,7 @@ void HeadlessPictures::write(const std::string& file, const DrawList& list,
   else if (extension == ".pdf")
     writePdf(file, list, {facts.title, facts.metadata, 0.75 / facts.scale});
   else
-    throw InputError(file, "", "'" + extension + "' is not one of .png, .svg, .pdf");
+    throw unknownExtension(file, extension, {".png", ".svg", ".pdf"});
 }
 
 void HeadlessPictures::writePng(const std::string& file, const DrawList& list,

@@ -32,7 +32,7 @@ void checkOutputs(const std::vector<std::string>& files,
     checkWritable(file);
     const std::string extension = extensionOf(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
-      throw InputError(file, "", notOneOf("'" + extension + "'", {extensions}));
+      throw unknownExtension(file, extension, extensions);
     if (!seen.insert(std::filesystem::absolute(file).lexically_normal()).second)
       throw InputError("", "--output", file + " is given more than once");
   }

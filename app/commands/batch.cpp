@@ -171,12 +171,9 @@ class BatchRun {
     CurveOptions options;
     options.threads = command_.common.threads;
     if (layout == PictureLayout::Curve || layout == PictureLayout::Both) {
-      needSteadySliding(scene, "\"show\": \"" + result.item.show + "\"");
+      needSteadySliding(scene, Message::name("\"show\": \"" + result.item.show + "\""));
       const Curve curve = computeCurve(scene, options);
-      if (!curve.isTargetMet)
-        throw InputError("", "accuracy.target_relative_error",
-                         "is not reached within the lines and memory allowed: " +
-                             printedNumber(curve.achievedError, 2));
+      requireTarget(curve);
       content.curves.present = {{}, shown, curve.points, 0};
     }
     result.mean = meanOverLines(scene, options);

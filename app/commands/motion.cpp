@@ -24,7 +24,7 @@ namespace {
 
 /// Of the usual size of texts, times the scale: as small as four strips make them in the usual
 /// picture, so that a picture of few pixels for print has larger ones.
-constexpr float kStripText = 0.6F;
+constexpr float kMotionText = 0.6F;
 
 MotionTable compute(const Scene& scene, const MotionCommand& command) {
   ProgressBar bar(Words::tr("time steps"), command.common.quiet);
@@ -38,7 +38,7 @@ MotionTable compute(const Scene& scene, const MotionCommand& command) {
 
 void writePicture(const std::string& output, const Scene& scene, const MotionTable& table,
                   const PictureStyle& style, HeadlessPictures& pictures) {
-  DiagramOptions options{style.width, style.height, style.scale, style.theme, kStripText};
+  DiagramOptions options{style.width, style.height, style.scale, style.theme, kMotionText};
   if (style.transparent) options.theme.background.a = 0;
   nlohmann::ordered_json origin = motionProvenance("motion", scene, table);
   origin["picture"] = style.json();

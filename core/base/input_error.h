@@ -2,8 +2,10 @@
 // mend: the command line prints it as one line and exits 2, the window shows it beside the control.
 #pragma once
 
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,7 +19,7 @@ namespace asperity {
 class TextError : public std::runtime_error {
  public:
   explicit TextError(Message message, std::vector<std::string> about = {})
-      : std::runtime_error(joined(about, message.english())),
+      : std::runtime_error(withNames(about, message).english()),
         message_(std::move(message)),
         about_(std::move(about)) {}
 
@@ -25,13 +27,8 @@ class TextError : public std::runtime_error {
   /// The names in front of it, such as file and key; each may be empty.
   const std::vector<std::string>& about() const { return about_; }
 
-  /// "file: key: message"; what is empty is left out.
-  static std::string joined(const std::vector<std::string>& about, const std::string& message) {
-    std::string text;
-    for (const std::string& part : about)
-      if (!part.empty()) text += part + ": ";
-    return text + message;
-  }
+  /// "file: key: message"; an empty name is left out.
+  static Message withNames(const std::vector<std::string>& names, Message message);
 
  private:
   Message message_;
@@ -58,5 +55,9 @@ class InputError : public TextError {
   /// The same error, said of this file.
   InputError in(const std::string& file) const { return {file, key(), message()}; }
 };
+
+/// The error of a file whose extension (with its dot) is none of the known ones.
+InputError unknownExtension(const std::string& file, const std::string& extension,
+                            std::initializer_list<std::string_view> known);
 
 }  // namespace asperity

@@ -1,7 +1,5 @@
 #include "core/base/json_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <utility>

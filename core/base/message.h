@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -58,6 +59,9 @@ Message listed(const std::vector<Message>& parts);
 
 /// All of them behind each other, a space between two. The empty ones are left out.
 Message sentences(const std::vector<Message>& parts);
+
+/// "pink is not one of light, dark, print".
+Message notOneOf(std::string_view given, std::span<const std::string_view> known);
 
 namespace detail {
 

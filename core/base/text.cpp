@@ -1,7 +1,6 @@
 #include "core/base/text.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -129,10 +128,6 @@ std::string_view nearestOf(std::string_view word, std::span<const std::string_vi
       known, {}, [start](std::string_view one) { return editDistance(start, one); });
   if (nearest == known.end() || 2 * editDistance(start, *nearest) > start.size()) return {};
   return *nearest;
-}
-
-std::string notOneOf(std::string_view given, std::span<const std::string_view> known) {
-  return fmt::format("{} is not one of {}", shortened(given), fmt::join(known, ", "));
 }
 
 std::string fileNameOf(std::string_view name) {

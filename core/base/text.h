@@ -21,9 +21,6 @@ std::string shortened(std::string_view text);
 /// word's length.
 std::string_view nearestOf(std::string_view word, std::span<const std::string_view> known);
 
-/// "pink is not one of light, dark, print".
-std::string notOneOf(std::string_view given, std::span<const std::string_view> known);
-
 /// Letters and digits of ASCII, '-' and '_' stay, every other byte becomes '_'; 60 at most. Empty
 /// for an empty name.
 std::string fileNameOf(std::string_view name);

@@ -1,7 +1,5 @@
 #include "core/chart/curve_diagram.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "core/contact/steady_sliding.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

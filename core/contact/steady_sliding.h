@@ -6,7 +6,6 @@
 // `residual` how far.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
 #include "core/base/input_error.h"

@@ -1,7 +1,5 @@
 #include "core/friction/curve_difference.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,7 +1,5 @@
 #include "core/friction/ensemble.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 

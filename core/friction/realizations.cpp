@@ -1,7 +1,5 @@
 #include "core/friction/realizations.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <vector>
 

@@ -8,7 +8,6 @@
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/scene/columns.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"

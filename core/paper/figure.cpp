@@ -1,14 +1,11 @@
 #include "core/paper/figure.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 

@@ -1,5 +1,7 @@
 // What the figures share: the scenes and ranges of the paper, studies that report how far the whole
-// figure is, series and table rows. Used by the files of this folder only.
+// figure is, series and table rows; and one function for each figure, which adds diagram, table and
+// claims to a Figure that has its scene and stands in a file of its own (velocity_figure.cpp, ...).
+// Used by the files of this folder only.
 #pragma once
 
 #include <span>
@@ -55,5 +57,14 @@ Message parameterLine(const Scene& scene, const FigureEntry& entry);
 
 /// Eq. (8) in complete contact, over all the studies.
 Claim fullContactClaim(std::span<const Study> studies);
+
+void addContactFigure(Figure& figure, const FigureOptions& options);
+void addVelocityFigure(Figure& figure, const FigureOptions& options);
+void addHurstFigure(Figure& figure, const FigureOptions& options);
+void addForcesFigure(Figure& figure, const FigureOptions& options);
+void addExponentsFigure(Figure& figure, const FigureOptions& options);
+void addPlateauFigure(Figure& figure, const FigureOptions& options);
+void addMasterFigure(Figure& figure, const FigureOptions& options);
+void addSpacingFigure(Figure& figure, const FigureOptions& options);
 
 }  // namespace asperity

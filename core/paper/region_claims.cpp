@@ -1,7 +1,5 @@
 #include "core/paper/region_claims.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,4 @@
 // Fig. 2: the typical curve, with regions I to IV; where the discretization decides, three curves.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +7,6 @@
 #include "core/friction/ensemble.h"
 #include "core/paper/element_curves.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/paper/region_claims.h"
 #include "core/scene/columns.h"
 

@@ -1,8 +1,6 @@
 #include "core/paper/zone_claims.h"
 #include "core/base/number_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "core/run/line_diagrams.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,7 +1,5 @@
 #include "core/run/transient_diagram.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

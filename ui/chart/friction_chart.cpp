@@ -1,7 +1,5 @@
 #include "ui/chart/friction_chart.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <optional>
 
-#include "ui/contact/contact_insets.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/decimate.h"
 #include "ui/contact/label_placement.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "ui/contact/contact_insets.h"
+#include "ui/contact/contact_parts.h"
 #include "ui/contact/contact_probe.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"

@@ -51,8 +51,8 @@ void writeCurves(const std::filesystem::path& file, const CurveSet& set) {
     writePicture(file, composeDiagrams(sheet, printed(set)),
                  {translated(sheet.title), provenanceLine(origin), kScale});
   } catch (const InputError&) {
-    throw InputError(file.string(), "",
-                     "'" + file.extension().string() + "' is not one of .png, .svg, .pdf, .csv");
+    throw unknownExtension(file.string(), file.extension().string(),
+                           {".png", ".svg", ".pdf", ".csv"});
   }
 }
 

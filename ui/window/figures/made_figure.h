@@ -1,9 +1,14 @@
-// One of the paper's figures as it was made in the background, ready to be shown and written.
-// Threading: a figure is made on the thread of a BackgroundWork; what was made is immutable.
-// Failure: StudyStopped where the work was stopped, else as makeFigure.
+// One of the paper's figures as it was made in the background, ready to be shown, and the files
+// that are written of it, with the names that the command line gives them too.
+// Threading: a figure is made on the thread of a BackgroundWork; what was made is immutable. Files
+// may be written on any thread but the GUI thread for PNG, which draws with OSMesa.
+// Failure: StudyStopped where the work was stopped, else as makeFigure; InputError for another
+// extension and std::runtime_error where a file cannot be drawn or written.
 #pragma once
 
+#include <QString>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 
@@ -28,5 +33,15 @@ std::shared_ptr<const MadeFigure> makeFigureBeside(const BackgroundWork::Run& ru
                                                    const FigureMaker& maker, FigureName name,
                                                    std::int64_t realizations,
                                                    const std::function<void(double)>& progressed);
+
+/// "figure_5.csv" for ".csv".
+QString figureFile(FigureName name, const QString& extension);
+
+/// Fit for print, as PNG, SVG or PDF by the extension. Throws InputError for another one and
+/// std::runtime_error where it cannot be drawn or written.
+void writeFigurePicture(const std::filesystem::path& file, const MadeFigure& made);
+
+/// The table (.csv) or the claims (.json). Throws likewise.
+void writeFigureData(const std::filesystem::path& file, const MadeFigure& made);
 
 }  // namespace asperity

@@ -58,7 +58,7 @@ void writePicture(const std::filesystem::path& file, const DrawList& picture,
   } else if (extension == ".pdf") {
     writePdf(file, picture, {label.title, label.origin, 0.75 / label.scale});
   } else {
-    throw InputError(file.string(), "", "'" + extension + "' is not one of .png, .svg, .pdf");
+    throw unknownExtension(file.string(), extension, {".png", ".svg", ".pdf"});
   }
 }
 
