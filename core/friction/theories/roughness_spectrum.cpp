@@ -1,0 +1,33 @@
+#include "core/friction/theories/roughness_spectrum.h"
+
+#include <numbers>
+
+namespace asperity {
+
+double RoughnessSpectrum::meanSquareHeight() const {
+  double sum = 0;
+  for (const RoughnessWave& wave : waves) sum += wave.meanSquareHeight;
+  return sum;
+}
+
+double RoughnessSpectrum::meanSquareSlope() const {
+  double sum = 0;
+  for (const RoughnessWave& wave : waves)
+    sum += wave.waveNumber * wave.waveNumber * wave.meanSquareHeight;
+  return sum;
+}
+
+RoughnessSpectrum roughnessSpectrum(const LineSource& source) {
+  FourierLine modes = source.spectrum(0);
+  if (modes.coefficients.empty()) {
+    const Line line = source.make(0);
+    modes = FourierTransform(line.nodes()).analyse(line.height, line.length);
+  }
+  RoughnessSpectrum spectrum;
+  for (std::size_t i = 0; i < modes.coefficients.size(); ++i)
+    spectrum.waves.push_back({2 * std::numbers::pi * static_cast<double>(i + 1) / modes.length,
+                              2 * std::norm(modes.coefficients[i])});
+  return spectrum;
+}
+
+}  // namespace asperity

@@ -1,0 +1,119 @@
+#include "core/friction/theories/theory.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/friction/curve_point.h"
+#include "core/friction/law.h"
+#include "core/friction/theories/complete_contact_friction.h"
+#include "core/friction/theories/gaussian_foundation.h"
+#include "core/friction/theories/persson_half_space.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::array<TheoryEntry, 4> kEntries{
+    {{Theory::Eq11, "eq_11", "Eq. (11)",
+      "Eq. (11) of Li et al. (2013): self-affine lines, Kelvin elements, contact of many summits."},
+     {Theory::GaussianFoundation, "gaussian_foundation", "Gaussian foundation, low velocity",
+      "Gaussian line on independent elements as the velocity goes to 0, without a fitted constant; "
+      "it needs many independent waves."},
+     {Theory::CompleteContact, "complete_contact", "complete contact",
+      "Losses of all waves of the line in complete contact, for any linear rheology; below "
+      "complete contact it is too large."},
+     {Theory::PerssonHalfSpace, "persson_half_space", "half-space, with long-range elasticity",
+      "Persson (2001) for the isotropic surface that this line is equivalent to, at its nominal "
+      "pressure: another model, whose elements feel each other."}}};
+
+/// Pressure is above 0 everywhere on a Gaussian line but for one place in seven hundred.
+constexpr double kDeviationsOfCompleteContact = 3;
+
+struct TheoryInput {
+  ElementLaw law;
+  RoughnessSpectrum spectrum;
+  double length;       // m
+  double normalForce;  // N
+};
+
+std::vector<TheoryPoint> lawCurve(const Scene& scene, const LineSource& source,
+                                  std::span<const double> velocities) {
+  std::vector<TheoryPoint> points;
+  const LawColumns columns(scene, source);
+  CurveAverages none;  // of friction; the law needs the slope of the lines alone
+  none.mu.add(0);
+  none.rmsSlope.add(source.statistics().rmsSlope);
+  for (const double velocity : velocities) {
+    CurvePoint point;
+    point.velocity = velocity;
+    columns.addTo(point, none);
+    points.push_back({velocity, point.muLaw, kNotApplicable, true});
+  }
+  return points;
+}
+
+std::vector<TheoryPoint> gaussianCurve(const TheoryInput& in, std::span<const double> velocities) {
+  const GaussianFoundation found =
+      gaussianFoundation(in.law, in.spectrum.meanSquareHeight(), in.spectrum.meanSquareSlope(),
+                         in.normalForce / in.length);
+  std::vector<TheoryPoint> points;
+  for (const double velocity : velocities)
+    points.push_back({velocity, found.slope * std::abs(velocity), found.contactFraction,
+                      std::abs(velocity) <= found.validBelow});
+  return points;
+}
+
+std::vector<TheoryPoint> completeCurve(const TheoryInput& in, std::span<const double> velocities) {
+  std::vector<TheoryPoint> points;
+  const double lineForce = in.normalForce / in.length;
+  for (const double velocity : velocities) {
+    const CompleteContactFriction found =
+        completeContactFriction(in.law, in.spectrum, lineForce, std::abs(velocity));
+    points.push_back(
+        {velocity, found.mu, 1, lineForce >= kDeviationsOfCompleteContact * found.rmsPressure});
+  }
+  return points;
+}
+
+std::vector<TheoryPoint> perssonCurve(const TheoryInput& in, std::span<const double> velocities) {
+  const PerssonHalfSpace theory(in.law, in.spectrum, in.normalForce / (in.length * in.length));
+  std::vector<TheoryPoint> points;
+  for (const double velocity : velocities) {
+    const auto [mu, contactFraction] = theory.at(std::abs(velocity));
+    points.push_back({velocity, mu, contactFraction, true});
+  }
+  return points;
+}
+
+}  // namespace
+
+std::span<const TheoryEntry> theoryEntries() {
+  return kEntries;
+}
+
+const TheoryEntry& entryOf(Theory theory) {
+  return *std::ranges::find(kEntries, theory, &TheoryEntry::theory);
+}
+
+std::vector<TheoryPoint> theoryCurve(Theory theory, const Scene& scene, const LineSource& source,
+                                     std::span<const double> velocities) {
+  if (theory == Theory::Eq11) return lawCurve(scene, source, velocities);
+  if (scene.load.kind == LoadKind::Indentation || !(scene.load.normalForce > 0)) {
+    std::vector<TheoryPoint> none;
+    for (const double velocity : velocities)
+      none.push_back({velocity, kNotApplicable, kNotApplicable, false});
+    return none;
+  }
+  const TheoryInput in{lawOf(scene.elastomer), roughnessSpectrum(source), source.length(),
+                       scene.load.normalForce};
+  switch (theory) {
+    case Theory::GaussianFoundation:
+      return gaussianCurve(in, velocities);
+    case Theory::CompleteContact:
+      return completeCurve(in, velocities);
+    default:
+      return perssonCurve(in, velocities);
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,39 @@
+// The theories that are drawn beside a friction curve, each under the name by which a scene and the
+// command line choose it. Pure; any thread.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/message.h"
+#include "core/scene/scene.h"
+#include "core/surface/line_source.h"
+
+namespace asperity {
+
+enum class Theory { Eq11, GaussianFoundation, CompleteContact, PerssonHalfSpace };
+
+struct TheoryEntry {
+  Theory theory;
+  std::string_view word;  // in scenes and on the command line
+  const char* name;       // in legends
+  const char* range;      // one sentence: what it holds for, and its source
+};
+std::span<const TheoryEntry> theoryEntries();
+const TheoryEntry& entryOf(Theory theory);
+
+struct TheoryPoint {
+  double velocity = 0;         // m/s
+  double mu = 0;               // NaN: the theory says nothing
+  double contactFraction = 0;  // L_c / L; NaN likewise
+  bool isInRange = true;       // where the theory's own assumptions hold
+};
+
+/// What a theory says of a scene at these velocities. NaN where it does not apply: Eq. (11) without
+/// one relaxation time or to a line that is not self-affine; the foundation at low velocity without
+/// an equilibrium modulus; all of them at a given indentation, which fixes no force.
+std::vector<TheoryPoint> theoryCurve(Theory theory, const Scene& scene, const LineSource& source,
+                                     std::span<const double> velocities);
+
+}  // namespace asperity
