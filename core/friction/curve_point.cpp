@@ -39,10 +39,14 @@ CurvePoint CurveAverages::point(double velocity) const {
 }
 
 LawColumns::LawColumns(const Scene& scene, const LineSource& source)
+    : LawColumns(scene, source.statistics(), source) {}
+
+LawColumns::LawColumns(const Scene& scene, const LineStatistics& statistics,
+                       const LineSource& source)
     : scene_(scene),
-      rmsHeight_(source.statistics().rmsHeight),
+      rmsHeight_(statistics.rmsHeight),
       length_(source.length()),
-      rmsSlope_(source.statistics().rmsSlope),
+      rmsSlope_(statistics.rmsSlope),
       isRandom_(source.isRandom()),
       hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
       hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),

@@ -12,6 +12,7 @@
 namespace asperity {
 
 class LineSource;
+struct LineStatistics;
 struct SteadyResult;
 
 /// Not applicable: empty in CSV, null in JSON, not drawn.
@@ -90,6 +91,8 @@ struct CurveAverages {
 class LawColumns {
  public:
   LawColumns(const Scene& scene, const LineSource& source);
+  /// Lines with other statistics than those that `source` makes for the scene.
+  LawColumns(const Scene& scene, const LineStatistics& statistics, const LineSource& source);
 
   /// Adds muLaw, normalizedMu and the dimensionless numbers; takes away muInterface where the scene
   /// has no local friction, muRatioOfMeans where it gives the force, and marginalShare where the

@@ -1,0 +1,46 @@
+// Many steady states of one scene with other values, on common random lines: the work behind maps,
+// sweeps of any parameter, sensitivities and fits. Each state is a whole scene, which slides at its
+// `sliding.velocity`; they may differ in any key.
+//
+// The work is shared as far as the model allows. A line of random phases is h times a line of unit
+// height, forces are G h, and time is counted in relaxation times: with z = h zeta(x), p = 4 G h
+// pi(x) the state depends on F_N / (G h) and v tau alone, mu is in units of h. So modulus, rms
+// height and force are one scaling of a line; temperature and relaxation time are velocities. With
+// Maxwell arms the same holds for all moduli together and for all times together. States that
+// differ only in these slide on the same lines, several in one kernel call, and equal ones once.
+// Every result is that of the state's own friction curve at its velocity, to rounding.
+//
+// Threading: a function of its arguments, which uses several threads; same bytes for any number.
+// Failure: InputError for a state that cannot run; std::runtime_error where a balance is not met.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/friction/curve_point.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+struct StateOptions {
+  int threads = 0;  // 0: as many as the machine has
+  std::stop_token stop;
+  /// Called with the part of the work that is done, from one thread at a time; may be empty.
+  std::function<void(double part)> progress;
+  bool keepsLines = false;  // whether `muOfLines` is wanted
+};
+
+struct SteadyStates {
+  std::vector<CurvePoint> points;  // one for each state, as rows of its own curve
+  /// mu of each line, [state][realization]; states whose lines do not differ have one.
+  std::vector<std::vector<double>> muOfLines;
+  bool isComplete = true;    // false: stopped, and nothing else is meant
+  std::size_t computed = 0;  // states that had to be slid; the others are equal to one of them
+};
+
+SteadyStates slideStates(std::span<const Scene> states, const StateOptions& options = {});
+
+}  // namespace asperity
