@@ -35,7 +35,8 @@ struct StateOptions {
 
 struct SteadyStates {
   std::vector<CurvePoint> points;  // one for each state, as rows of its own curve
-  /// mu of each line, [state][realization]; states whose lines do not differ have one.
+  /// Friction of each line with what the interface adds, [state][realization]; states whose lines
+  /// do not differ have one.
   std::vector<std::vector<double>> muOfLines;
   bool isComplete = true;    // false: stopped, and nothing else is meant
   std::size_t computed = 0;  // states that had to be slid; the others are equal to one of them

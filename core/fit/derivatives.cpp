@@ -1,0 +1,169 @@
+#include "core/fit/derivatives.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kStep = 1e-3;
+
+const Parameter& numberRow(std::string_view key, const Scene& scene) {
+  const Parameter* row = findParameter(key);
+  if (!row) {
+    const std::string_view nearest = nearestKey(key);
+    throw InputError("", std::string(key),
+                     nearest.empty() ? message("unknown key")
+                                     : message("unknown key; did you mean {}?", nearest));
+  }
+  if (!std::holds_alternative<RealField>(row->field))
+    throw InputError("", std::string(key), "is not a real number, which alone can be varied");
+  if (!isApplicable(*row, scene))
+    throw InputError("", std::string(key), "has no meaning in this scene");
+  return *row;
+}
+
+/// The numbers that steady friction at one velocity may depend on. What is 0 is an effect that is
+/// switched off.
+std::vector<VariedParameter> activeParameters(const Scene& scene) {
+  std::vector<VariedParameter> active;
+  for (const Parameter& row : parameters()) {
+    const std::string_view section = row.key.substr(0, row.key.find('.'));
+    const bool isOfTheState = section == "surface" || section == "elastomer" || section == "load" ||
+                              section == "interface" || &row == findParameter("sliding.velocity");
+    if (!isOfTheState || !std::holds_alternative<RealField>(row.field) ||
+        !isApplicable(row, scene) || std::get<double>(valueOf(row, scene)) == 0)
+      continue;
+    active.emplace_back(row.key, scene);
+  }
+  return active;
+}
+
+}  // namespace
+
+VariedParameter::VariedParameter(std::string_view key, const Scene& scene)
+    : VariedParameter(key, scene, allowedRange(numberRow(key, scene))->minimum,
+                      allowedRange(numberRow(key, scene))->maximum) {}
+
+VariedParameter::VariedParameter(std::string_view key, const Scene& scene, double low, double high)
+    : row_(&numberRow(key, scene)), low_(low), high_(high) {
+  const AllowedRange allowed = *allowedRange(*row_);
+  if (!(low < high) || low < allowed.minimum || high > allowed.maximum)
+    throw InputError(
+        "", std::string(key),
+        message("{}:{} is no range within {}", plain(low), plain(high), allowedText(*row_)));
+  const double now = of(scene);
+  if (now < low || now > high)
+    throw InputError(
+        "", std::string(key),
+        message("the scene's {} is outside {} to {}", plain(now), plain(low), plain(high)));
+  const auto& field = std::get<RealField>(row_->field);
+  isLogarithmic_ = field.scale != Scale::Linear && now > 0;
+  if (field.scale == Scale::LogarithmicFromNone && now == 0)
+    throw InputError("", std::string(key),
+                     "is 0, which means none; it needs a value to begin from");
+  if (isLogarithmic_) {
+    // A logarithm reaches down to a value that is none for all that slides.
+    constexpr double kLeastPart = 1e-12;
+    low_ = std::max(low_, kLeastPart * now);
+  } else {
+    step_ = kStep * (field.sliderTo - field.sliderFrom);
+  }
+}
+
+double VariedParameter::value(double place) const {
+  return std::clamp(isLogarithmic_ ? std::exp(place) : place, low_, high_);
+}
+
+double VariedParameter::place(double value) const {
+  return isLogarithmic_ ? std::log(value) : value;
+}
+
+double VariedParameter::of(const Scene& scene) const {
+  return std::get<double>(valueOf(*row_, scene));
+}
+
+void VariedParameter::set(Scene& scene, double place) const {
+  setValue(*row_, scene, value(place));
+}
+
+void fixResolution(Scene& scene) {
+  if (scene.accuracy.scheme != Scheme::Nodal && scene.accuracy.oversampling == 0)
+    scene.accuracy.oversampling = pointsPerElementOfCurve(scene);
+}
+
+double totalMu(const CurvePoint& point) {
+  return std::isnan(point.muInterface) ? point.mu : point.mu + point.muInterface;
+}
+
+FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
+                                                std::span<const VariedParameter> parameters,
+                                                const StateOptions& options) {
+  // All states side by side: as given, then those below and those above for each parameter. A
+  // resolution that the program chooses may change with a parameter, which would be a jump.
+  std::vector<Scene> all(states.begin(), states.end());
+  for (Scene& state : all) fixResolution(state);
+  std::vector<double> widths;  // [parameter][state]
+  for (const VariedParameter& parameter : parameters)
+    for (const double side : {-1.0, 1.0})
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        const double here = parameter.place(parameter.of(states[i]));
+        const double there =
+            std::clamp(here + side * parameter.step(), parameter.lowest(), parameter.highest());
+        Scene state = all[i];
+        parameter.set(state, there);
+        all.push_back(std::move(state));
+        widths.push_back(there);
+      }
+  StateOptions keeping = options;
+  keeping.keepsLines = true;
+  SteadyStates found = slideStates(all, keeping);
+  if (!found.isComplete) throw StudyStopped{};
+
+  FrictionWithDerivatives result;
+  const std::size_t n = states.size();
+  result.points.assign(found.points.begin(), found.points.begin() + static_cast<std::ptrdiff_t>(n));
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    auto& slopes = result.slopesOfLines.emplace_back(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t below = (2 * k) * n + i, above = below + n;
+      const double width = widths[above] - widths[below];
+      const std::vector<double>& low = found.muOfLines[n + below];
+      const std::vector<double>& high = found.muOfLines[n + above];
+      for (std::size_t line = 0; line < low.size(); ++line)
+        slopes[i].push_back((high[line] - low[line]) / width);
+    }
+  }
+  found.muOfLines.resize(n);
+  result.muOfLines = std::move(found.muOfLines);
+  return result;
+}
+
+std::vector<Sensitivity> sensitivities(const Scene& scene, const StateOptions& options) {
+  const std::vector<VariedParameter> parameters = activeParameters(scene);
+  const FrictionWithDerivatives found = frictionWithDerivatives({&scene, 1}, parameters, options);
+  std::vector<Sensitivity> all;
+  const std::vector<double>& mu = found.muOfLines.front();
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const std::vector<double>& slopes = found.slopesOfLines[k].front();
+    if (std::ranges::all_of(slopes, [](double slope) { return slope == 0; })) continue;
+    // The ratio of two means over the same lines, and its error by leaving out one line at a time.
+    const auto read = [&](int leftOut) {
+      double slope = 0, friction = 0;
+      for (std::size_t line = 0; line < mu.size(); ++line) {
+        if (static_cast<int>(line) == leftOut) continue;
+        slope += slopes[line];
+        friction += mu[line];
+      }
+      return slope / friction;
+    };
+    all.push_back({parameters[k].key(), parameters[k].isLogarithmic(),
+                   jackknife(static_cast<int>(mu.size()), read)});
+  }
+  return all;
+}
+
+}  // namespace asperity

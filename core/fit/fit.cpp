@@ -1,0 +1,427 @@
+#include "core/fit/fit.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <numeric>
+
+#include "core/base/input_error.h"
+
+namespace asperity {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+double meanOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// The scene at the measured points for any places of the parameters, and what it differs by from
+/// what was measured.
+class Objective {
+ public:
+  Objective(const Scene& scene, std::span<const FrictionData> data,
+            std::span<const VariedParameter> parameters, const FitOptions& options)
+      : scene_(scene), fixed_(scene), parameters_(parameters), options_(options) {
+    fixResolution(fixed_);
+    for (const FrictionData& set : data)
+      for (const MeasuredPoint& point : set.points) points_.push_back(point);
+    weighWithErrors();
+  }
+
+  std::size_t size() const { return points_.size(); }
+  const MeasuredPoint& point(std::size_t i) const { return points_[i]; }
+  double deviation(std::size_t i) const { return deviations_[i]; }
+  int evaluations() const { return evaluations_; }
+
+  std::vector<Scene> statesAt(const VectorXd& places) const {
+    const Scene here = at(fixed_, places);
+    std::vector<Scene> states;
+    for (const MeasuredPoint& point : points_) states.push_back(sceneOf(point, here));
+    return states;
+  }
+
+  Scene sceneAt(const VectorXd& places) const { return at(scene_, places); }
+
+  /// Friction and, for the parameters named, its derivatives.
+  FrictionWithDerivatives evaluate(const VectorXd& places, std::span<const int> varied) const {
+    ++evaluations_;
+    std::vector<VariedParameter> some;
+    for (const int k : varied) some.push_back(parameters_[static_cast<std::size_t>(k)]);
+    StateOptions options;
+    options.threads = options_.threads;
+    options.stop = options_.stop;
+    return frictionWithDerivatives(statesAt(places), some, options);
+  }
+
+  void report(double chiSquared) const {
+    if (options_.progress) options_.progress(evaluations_, chiSquared);
+  }
+
+  /// An error of the velocity is one of friction by the slope of the computed curve (effective
+  /// variance).
+  void addVelocityErrors(const VectorXd& places) {
+    if (std::ranges::all_of(
+            points_, [](const MeasuredPoint& point) { return std::isnan(point.velocityError); }))
+      return;
+    weighWithErrors();
+    const std::vector<Scene> states = statesAt(places);
+    const VariedParameter velocity("sliding.velocity", states.front());
+    StateOptions options;
+    options.threads = options_.threads;
+    options.stop = options_.stop;
+    const FrictionWithDerivatives found = frictionWithDerivatives(states, {&velocity, 1}, options);
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (std::isnan(points_[i].velocityError)) continue;
+      const double relative = points_[i].velocityError / points_[i].velocity;
+      deviations_[i] =
+          std::hypot(deviations_[i], relative * meanOf(found.slopesOfLines.front()[i]));
+    }
+  }
+
+ private:
+  void weighWithErrors() {
+    deviations_.clear();
+    for (const MeasuredPoint& point : points_)
+      deviations_.push_back(std::isnan(point.muError) ? point.mu : point.muError);
+  }
+
+  Scene at(Scene scene, const VectorXd& places) const {
+    for (std::size_t k = 0; k < parameters_.size(); ++k)
+      parameters_[k].set(scene, places[static_cast<Eigen::Index>(k)]);
+    return scene;
+  }
+
+  const Scene& scene_;
+  Scene fixed_;  // with its resolution stated
+  std::span<const VariedParameter> parameters_;
+  const FitOptions& options_;
+  std::vector<MeasuredPoint> points_;
+  std::vector<double> deviations_;  // of each point; without errors 100 %
+  mutable int evaluations_ = 0;
+};
+
+/// Residuals and their derivatives by the free parameters, as Ceres asks for them.
+class Residuals : public ceres::CostFunction {
+ public:
+  Residuals(const Objective& objective, VectorXd places, std::vector<int> free)
+      : objective_(objective), places_(std::move(places)), free_(std::move(free)) {
+    set_num_residuals(static_cast<int>(objective_.size()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(free_.size()));
+  }
+
+  bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
+    for (std::size_t j = 0; j < free_.size(); ++j) places_[free_[j]] = blocks[0][j];
+    const bool wantsSlopes = jacobians && jacobians[0];
+    try {
+      const FrictionWithDerivatives found =
+          objective_.evaluate(places_, wantsSlopes ? free_ : std::vector<int>{});
+      double chiSquared = 0;
+      for (std::size_t i = 0; i < objective_.size(); ++i) {
+        const double deviation = objective_.deviation(i);
+        residuals[i] = (meanOf(found.muOfLines[i]) - objective_.point(i).mu) / deviation;
+        chiSquared += residuals[i] * residuals[i];
+        if (!wantsSlopes) continue;
+        for (std::size_t j = 0; j < free_.size(); ++j)
+          jacobians[0][i * free_.size() + j] = meanOf(found.slopesOfLines[j][i]) / deviation;
+      }
+      objective_.report(chiSquared);
+      return true;
+    } catch (...) {
+      // Ceres knows no exceptions: a state that cannot be is a step that failed.
+      failure_ = std::current_exception();
+      return false;
+    }
+  }
+
+  const std::exception_ptr& failure() const { return failure_; }
+  const VectorXd& places() const { return places_; }
+
+ private:
+  const Objective& objective_;
+  mutable VectorXd places_;
+  std::vector<int> free_;
+  mutable std::exception_ptr failure_;
+};
+
+struct Minimum {
+  VectorXd places;
+  double chiSquared = 0;
+  bool hasConverged = false;
+};
+
+/// The least sum of squares over the free parameters, the others held.
+Minimum minimize(const Objective& objective, std::span<const VariedParameter> parameters,
+                 const VectorXd& start, const std::vector<int>& free, int iterations,
+                 const std::stop_token& stop) {
+  Minimum minimum{start, 0, true};
+  std::vector<double> values;
+  for (const int k : free) values.push_back(start[k]);
+  auto residuals = std::make_unique<Residuals>(objective, start, free);
+  const Residuals& watched = *residuals;
+  ceres::Problem::Options owned;
+  owned.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(owned);
+  problem.AddResidualBlock(residuals.get(), nullptr, values.data());
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    const VariedParameter& parameter = parameters[static_cast<std::size_t>(free[j])];
+    problem.SetParameterLowerBound(values.data(), static_cast<int>(j), parameter.lowest());
+    problem.SetParameterUpperBound(values.data(), static_cast<int>(j), parameter.highest());
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = iterations;
+  options.function_tolerance = 1e-6;
+  options.parameter_tolerance = 1e-6;
+  options.logging_type = ceres::SILENT;
+  options.num_threads = 1;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  if (stop.stop_requested()) throw StudyStopped{};
+  if (summary.termination_type == ceres::FAILURE && watched.failure())
+    std::rethrow_exception(watched.failure());
+  for (std::size_t j = 0; j < free.size(); ++j) minimum.places[free[j]] = values[j];
+  minimum.chiSquared = 2 * summary.final_cost;
+  minimum.hasConverged = summary.termination_type == ceres::CONVERGENCE;
+  return minimum;
+}
+
+/// The covariance of the mean over the lines, which all points share, [point][point].
+MatrixXd covarianceOfLines(const FrictionWithDerivatives& found) {
+  const auto n = static_cast<Eigen::Index>(found.muOfLines.size());
+  std::size_t lines = found.muOfLines.front().size();
+  for (const std::vector<double>& mu : found.muOfLines) lines = std::min(lines, mu.size());
+  MatrixXd covariance = MatrixXd::Zero(n, n);
+  if (lines < 2) return covariance;
+  MatrixXd about(n, static_cast<Eigen::Index>(lines));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::vector<double>& mu = found.muOfLines[static_cast<std::size_t>(i)];
+    const double mean = meanOf(mu);
+    for (std::size_t line = 0; line < lines; ++line)
+      about(i, static_cast<Eigen::Index>(line)) = mu[line] - mean;
+  }
+  return about * about.transpose() / (static_cast<double>(lines) * static_cast<double>(lines - 1));
+}
+
+/// The inverse of a symmetric matrix; directions that it knows nothing of get a very large value in
+/// place of an infinite one.
+MatrixXd inverse(const MatrixXd& matrix) {
+  constexpr double kNothing = 1e-15;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix);
+  const double floor = std::max(kNothing * solver.eigenvalues().maxCoeff(),
+                                std::numeric_limits<double>::min() * 1e10);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(floor).cwiseInverse().asDiagonal() *
+         solver.eigenvectors().transpose();
+}
+
+/// How far a parameter's place may be wrong before it counts as open.
+double openBeyond(const VariedParameter& parameter) {
+  if (parameter.isLogarithmic()) return std::log(2.0);
+  const auto& field = std::get<RealField>(parameter.row().field);
+  return (field.sliderTo - field.sliderFrom) / 4;
+}
+
+class Fitting {
+ public:
+  Fitting(const Scene& scene, std::span<const FrictionData> data,
+          std::span<const VariedParameter> parameters, const FitOptions& options)
+      : parameters_(parameters),
+        options_(options),
+        objective_(scene, data, parameters, options),
+        hasErrors_(std::ranges::all_of(data, &FrictionData::hasErrors)),
+        all_(parameters.size()) {
+    std::iota(all_.begin(), all_.end(), 0);
+    start_.resize(static_cast<Eigen::Index>(parameters.size()));
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+      start_[static_cast<Eigen::Index>(k)] = parameters[k].place(parameters[k].of(scene));
+    const auto points = static_cast<std::int64_t>(objective_.size());
+    const auto count = static_cast<std::int64_t>(parameters.size());
+    if (count == 0) throw InputError("", "--vary", "no parameter is named");
+    if (points <= count)
+      throw InputError("", "--data",
+                       message("{} points do not determine {} parameters; more points than "
+                               "parameters are needed",
+                               points, count));
+    fit_.freedom = points - count;
+  }
+
+  Fit run() {
+    constexpr int kIterations = 60;
+    objective_.addVelocityErrors(start_);
+    Minimum best = minimize(objective_, parameters_, start_, all_, kIterations, options_.stop);
+    if (objective_.hasVelocityErrors()) {
+      objective_.addVelocityErrors(best.places);
+      best = minimize(objective_, parameters_, best.places, all_, kIterations, options_.stop);
+    }
+    fit_.hasConverged = best.hasConverged;
+    fit_.chiSquared = best.chiSquared;
+    fit_.scene = objective_.sceneAt(best.places);
+    setErrors(best.places);
+    setParameters(best.places);
+    setCombinations();
+    if (options_.hasProfiles) setProfiles(best);
+    fit_.evaluations = objective_.evaluations();
+    addNotes();
+    return std::move(fit_);
+  }
+
+ private:
+  void setErrors(const VectorXd& places) {
+    const FrictionWithDerivatives found = objective_.evaluate(places, all_);
+    const auto n = static_cast<Eigen::Index>(objective_.size());
+    const auto count = static_cast<Eigen::Index>(parameters_.size());
+    MatrixXd slopes(n, count);
+    VectorXd weights(n), variances(n);
+    const double scatter =
+        hasErrors_ ? 1 : std::sqrt(fit_.chiSquared / static_cast<double>(fit_.freedom));
+    if (!hasErrors_) fit_.relativeScatter = scatter;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto point = static_cast<std::size_t>(i);
+      const double deviation = objective_.deviation(point);
+      weights[i] = 1 / (deviation * deviation);
+      variances[i] = scatter * scatter / weights[i];
+      for (Eigen::Index k = 0; k < count; ++k)
+        slopes(i, k) = meanOf(found.slopesOfLines[static_cast<std::size_t>(k)][point]);
+    }
+    const MatrixXd lines = covarianceOfLines(found);
+    const MatrixXd response = inverse(slopes.transpose() * weights.asDiagonal() * slopes) *
+                              slopes.transpose() * weights.asDiagonal();
+    const MatrixXd ofErrors = MatrixXd(variances.asDiagonal()) + lines;
+    covariance_ = response * ofErrors * response.transpose();
+    fit_.computed = found.points;
+    const MatrixXd band = slopes * covariance_ * slopes.transpose();
+    for (Eigen::Index i = 0; i < n; ++i) {
+      fit_.computedErrors.push_back(std::sqrt(lines(i, i)));
+      fit_.bandErrors.push_back(std::sqrt(std::max(0.0, band(i, i))));
+    }
+  }
+
+  void setParameters(const VectorXd& places) {
+    const auto count = static_cast<Eigen::Index>(parameters_.size());
+    fit_.correlation = MatrixXd::Identity(count, count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const VariedParameter& parameter = parameters_[static_cast<std::size_t>(k)];
+      FittedParameter found;
+      found.key = parameter.key();
+      found.isLogarithmic = parameter.isLogarithmic();
+      found.value = parameter.value(places[k]);
+      found.standardError = std::sqrt(covariance_(k, k));
+      found.low = parameter.value(places[k] - found.standardError);
+      found.high = parameter.value(places[k] + found.standardError);
+      const double near = 1e-6 * (parameter.highest() - parameter.lowest());
+      found.isAtLimit =
+          places[k] - parameter.lowest() < near || parameter.highest() - places[k] < near;
+      found.isDetermined = found.standardError <= openBeyond(parameter);
+      fit_.parameters.push_back(found);
+      for (Eigen::Index j = 0; j < count; ++j)
+        if (j != k)
+          fit_.correlation(k, j) =
+              covariance_(k, j) / std::sqrt(covariance_(k, k) * covariance_(j, j));
+    }
+  }
+
+  /// The principal axes of the error ellipsoid.
+  void setCombinations() {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(covariance_);
+    for (Eigen::Index k = 0; k < covariance_.rows(); ++k) {
+      VectorXd axis = solver.eigenvectors().col(k);
+      Eigen::Index largest = 0;
+      axis.cwiseAbs().maxCoeff(&largest);
+      axis /= axis[largest];
+      const double variance = axis.dot(covariance_ * axis);
+      fit_.combinations.push_back({{axis.begin(), axis.end()}, std::sqrt(std::max(0.0, variance))});
+    }
+  }
+
+  /// With one parameter held at some places around the best one, the others follow as their
+  /// covariance says and are then minimized for.
+  void setProfiles(const Minimum& best) {
+    constexpr int kIterations = 4;
+    for (std::size_t k = 0; k < parameters_.size(); ++k) {
+      const auto index = static_cast<Eigen::Index>(k);
+      const VariedParameter& parameter = parameters_[k];
+      const double reach = std::min(fit_.parameters[k].standardError, 2 * openBeyond(parameter));
+      std::vector<int> others = all_;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+      ObjectiveProfile profile{std::string(parameter.key()), {}, {}};
+      for (const double steps : {-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0}) {
+        const double there = best.places[index] + steps * reach;
+        if (there < parameter.lowest() || there > parameter.highest()) continue;
+        Minimum held = best;
+        if (steps != 0) {
+          VectorXd start =
+              best.places + covariance_.col(index) * (steps * reach) / covariance_(index, index);
+          for (std::size_t j = 0; j < parameters_.size(); ++j) {
+            const auto place = static_cast<Eigen::Index>(j);
+            start[place] =
+                std::clamp(start[place], parameters_[j].lowest(), parameters_[j].highest());
+          }
+          start[index] = there;
+          held = others.empty()
+                     ? atPlace(start)
+                     : minimize(objective_, parameters_, start, others, kIterations, options_.stop);
+        }
+        profile.values.push_back(parameter.value(there));
+        profile.chiSquared.push_back(held.chiSquared);
+      }
+      fit_.profiles.push_back(std::move(profile));
+    }
+  }
+
+  Minimum atPlace(const VectorXd& places) const {
+    const FrictionWithDerivatives found = objective_.evaluate(places, {});
+    Minimum minimum{places, 0, true};
+    for (std::size_t i = 0; i < objective_.size(); ++i) {
+      const double residual =
+          (meanOf(found.muOfLines[i]) - objective_.point(i).mu) / objective_.deviation(i);
+      minimum.chiSquared += residual * residual;
+    }
+    return minimum;
+  }
+
+  void addNotes() {
+    for (const FittedParameter& parameter : fit_.parameters) {
+      if (!parameter.isDetermined)
+        fit_.notes.push_back(message(
+            "{} is not determined by these data: its standard error is {:.2g} in {}", parameter.key,
+            parameter.standardError, parameter.isLogarithmic ? "ln" : "its unit"));
+      if (parameter.isAtLimit)
+        fit_.notes.push_back(
+            message("{} ends at its limit; the best value may lie beyond", parameter.key));
+    }
+    if (!fit_.hasConverged)
+      fit_.notes.emplace_back("the fit ended before the sum of squares stopped falling");
+    if (hasErrors_ && fit_.freedom > 0) {
+      // Three standard deviations of chi squared beyond its mean, or as many below.
+      const auto freedom = static_cast<double>(fit_.freedom);
+      if (fit_.chiSquared > freedom + 3 * std::sqrt(2 * freedom))
+        fit_.notes.push_back(
+            message("the points lie further from the curve than their errors say: chi squared is "
+                    "{:.3g} for {} degrees of freedom",
+                    fit_.chiSquared, fit_.freedom));
+    }
+  }
+
+  std::span<const VariedParameter> parameters_;
+  const FitOptions& options_;
+  Objective objective_;
+  bool hasErrors_;
+  std::vector<int> all_;
+  VectorXd start_;
+  MatrixXd covariance_;  // of the places
+  Fit fit_;
+};
+
+}  // namespace
+
+Fit fitFriction(const Scene& scene, std::span<const FrictionData> data,
+                std::span<const VariedParameter> parameters, const FitOptions& options) {
+  return Fitting(scene, data, parameters, options).run();
+}
+
+}  // namespace asperity

@@ -1,0 +1,214 @@
+// Fits of known scenes: parameters that made the data come back, with errors that cover them.
+#include "core/fit/fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "core/base/input_error.h"
+#include "core/friction/ensemble.h"
+#include "tests/core/small_scene.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kNoise = 0.03;
+
+Scene truth() {
+  return sceneOfSize(1000, 15, 4000);
+}
+
+/// Friction of the scene's sweep on lines of other seeds than those that fits use.
+std::vector<CurvePoint> exactFriction(Scene scene, double from, double to) {
+  scene.surface.seed = 777;
+  scene.sweep.velocityFrom = from;
+  scene.sweep.velocityTo = to;
+  return frictionCurve(scene, {}).points;
+}
+
+FrictionData noisy(const std::vector<CurvePoint>& points, std::uint32_t seed,
+                   bool hasErrors = true) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal(0, kNoise);
+  FrictionData data;
+  for (const CurvePoint& point : points) {
+    MeasuredPoint measured;
+    measured.velocity = point.velocity;
+    measured.mu = point.mu * (1 + normal(generator));
+    if (hasErrors) measured.muError = kNoise * point.mu;
+    measured.row = static_cast<int>(data.points.size()) + 2;
+    data.points.push_back(measured);
+  }
+  return data;
+}
+
+Scene start(std::int64_t lines, std::int64_t seed) {
+  Scene scene = sceneOfSize(1000, 15, lines);
+  scene.surface.seed = seed;
+  scene.surface.rmsHeight = 8e-7;
+  scene.elastomer.shearModulus = 3e7;
+  scene.elastomer.relaxationTime = 4e-4;
+  return scene;
+}
+
+std::vector<VariedParameter> threeParameters(const Scene& scene) {
+  return {{"surface.rms_height", scene},
+          {"elastomer.shear_modulus", scene},
+          {"elastomer.relaxation_time", scene}};
+}
+
+/// Fits of one kind of data many times over, with other noise and other lines each time.
+struct Coverage {
+  int repetitions = 0, height = 0, modulus = 0, time = 0, product = 0;
+};
+
+constexpr double kExponent = 0.45;  // of G beside tau, which regions I to III determine
+
+Coverage coverage(double from, double to, int repetitions, double* errorOfModulus) {
+  const std::vector<CurvePoint> exact = exactFriction(truth(), from, to);
+  const Scene real = truth();
+  Coverage within;
+  for (int i = 0; i < repetitions; ++i) {
+    const Scene scene = start(50, 1000 + i);
+    const FrictionData data = noisy(exact, static_cast<std::uint32_t>(i));
+    FitOptions options;
+    options.hasProfiles = false;
+    const Fit fit = fitFriction(scene, {&data, 1}, threeParameters(scene), options);
+    const auto isWithin = [&](std::size_t k, double value) {
+      const FittedParameter& parameter = fit.parameters[k];
+      return std::abs(std::log(parameter.value / value)) <= 2 * parameter.standardError;
+    };
+    ++within.repetitions;
+    within.height += isWithin(0, real.surface.rmsHeight);
+    within.modulus += isWithin(1, real.elastomer.shearModulus);
+    within.time += isWithin(2, real.elastomer.relaxationTime);
+    const double error1 = fit.parameters[1].standardError, error2 = fit.parameters[2].standardError;
+    const double variance = kExponent * kExponent * error1 * error1 + error2 * error2 +
+                            2 * kExponent * error1 * error2 * fit.correlation(1, 2);
+    const double off = kExponent * std::log(fit.parameters[1].value / real.elastomer.shearModulus) +
+                       std::log(fit.parameters[2].value / real.elastomer.relaxationTime);
+    within.product += std::abs(off) <= 2 * std::sqrt(variance);
+    if (errorOfModulus) *errorOfModulus += error1 / repetitions;
+  }
+  return within;
+}
+
+/// Regions I to III: height and tau G^0.45 come back, G is left open.
+TEST(Fit, RegionsOneToThreeDetermineTheHeightAndAProduct) {
+  double errorOfModulus = 0;
+  const Coverage within = coverage(1e-4, 3, 100, &errorOfModulus);
+  EXPECT_GE(within.height, 88);
+  EXPECT_LE(within.height, 99);
+  EXPECT_GE(within.product, 88);
+  EXPECT_LE(within.product, 99);
+  EXPECT_GT(errorOfModulus, std::log(2.0));
+}
+
+/// Regions I to IV: all three come back.
+TEST(Fit, RegionsOneToFourDetermineAllThree) {
+  double errorOfModulus = 0;
+  const Coverage within = coverage(1e-4, 1e3, 100, &errorOfModulus);
+  for (const int count : {within.height, within.modulus, within.time}) {
+    EXPECT_GE(count, 88);
+    EXPECT_LE(count, 99);
+  }
+  EXPECT_LT(errorOfModulus, std::log(2.0));
+}
+
+TEST(Fit, SaysThatAParameterIsNotDetermined) {
+  const FrictionData data = noisy(exactFriction(truth(), 1e-4, 3), 5);
+  const Scene scene = start(50, 3);
+  const Fit fit = fitFriction(scene, {&data, 1}, threeParameters(scene));
+  EXPECT_TRUE(fit.parameters[0].isDetermined);
+  EXPECT_FALSE(fit.parameters[1].isDetermined);
+  bool isSaid = false;
+  for (const Message& note : fit.notes)
+    isSaid |= note.english().starts_with("elastomer.shear_modulus is not determined");
+  EXPECT_TRUE(isSaid);
+  // Its profile is flat where that of the height is steep.
+  ASSERT_EQ(fit.profiles.size(), 3U);
+  const auto rise = [](const ObjectiveProfile& profile) {
+    const auto [low, high] = std::ranges::minmax(profile.chiSquared);
+    return high - low;
+  };
+  EXPECT_GT(rise(fit.profiles[0]), 3);
+  // The best determined combination is known to a few per cent.
+  EXPECT_LT(fit.combinations.front().standardError, 0.05);
+}
+
+/// Without errors in the table they are read from what the fit leaves.
+TEST(Fit, ReadsTheScatterWhereNoErrorsAreGiven) {
+  const FrictionData data = noisy(exactFriction(truth(), 1e-4, 1e3), 11, false);
+  const Scene scene = start(100, 4);
+  FitOptions options;
+  options.hasProfiles = false;
+  const Fit fit = fitFriction(scene, {&data, 1}, threeParameters(scene), options);
+  EXPECT_NEAR(fit.relativeScatter / kNoise, 1, 0.6);
+  EXPECT_NEAR(std::log(fit.parameters[0].value / 5e-7), 0, 3 * fit.parameters[0].standardError);
+}
+
+/// Series over the force are fitted like series over the velocity.
+TEST(Fit, ForceSeriesAreFittedToo) {
+  FrictionData data;
+  Scene real = truth();
+  real.surface.seed = 777;
+  real.ensemble.realizations = 1000;
+  std::vector<Scene> states;
+  for (int i = 0; i < 12; ++i) {
+    MeasuredPoint point;
+    point.velocity = 0.01;
+    point.normalForce = 1e-3 * std::pow(10, i / 3.0);
+    data.points.push_back(point);
+    states.push_back(sceneOf(point, real));
+  }
+  const SteadyStates exact = slideStates(states);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    data.points[i].mu = exact.points[i].mu;
+    data.points[i].muError = 0.01 * exact.points[i].mu;
+  }
+  Scene scene = start(100, 5);
+  scene.elastomer.relaxationTime = 1e-3;
+  const std::vector<VariedParameter> varied{{"surface.rms_height", scene},
+                                            {"elastomer.shear_modulus", scene}};
+  const Fit fit = fitFriction(scene, {&data, 1}, varied);
+  EXPECT_NEAR(std::log(fit.parameters[0].value / 5e-7), 0, 3 * fit.parameters[0].standardError);
+  EXPECT_NEAR(std::log(fit.parameters[1].value / 1e7), 0, 3 * fit.parameters[1].standardError);
+  EXPECT_LT(fit.parameters[1].standardError, 0.2);
+}
+
+TEST(Fit, AnyNumberOfThreadsGivesTheSameBits) {
+  const FrictionData data = noisy(exactFriction(truth(), 1e-4, 1e3), 2);
+  const Scene scene = start(20, 6);
+  FitOptions one, three;
+  one.threads = 1;
+  three.threads = 3;
+  const Fit a = fitFriction(scene, {&data, 1}, threeParameters(scene), one);
+  const Fit b = fitFriction(scene, {&data, 1}, threeParameters(scene), three);
+  EXPECT_EQ(a.chiSquared, b.chiSquared);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(a.parameters[k].value, b.parameters[k].value);
+}
+
+TEST(Fit, NeedsMorePointsThanParameters) {
+  FrictionData data = noisy(exactFriction(truth(), 1e-4, 1e3), 2);
+  data.points.resize(3);
+  const Scene scene = start(5, 6);
+  EXPECT_THROW(fitFriction(scene, {&data, 1}, threeParameters(scene)), InputError);
+}
+
+TEST(Fit, StopsWhereItIsAskedTo) {
+  const FrictionData data = noisy(exactFriction(truth(), 1e-4, 1e3), 2);
+  const Scene scene = start(50, 6);
+  std::stop_source source;
+  FitOptions options;
+  options.stop = source.get_token();
+  int calls = 0;
+  options.progress = [&](int, double) {
+    if (++calls == 2) source.request_stop();
+  };
+  EXPECT_THROW(fitFriction(scene, {&data, 1}, threeParameters(scene), options), StudyStopped);
+}
+
+}  // namespace
+}  // namespace asperity
