@@ -36,6 +36,7 @@ class Objective {
 
   std::size_t size() const { return points_.size(); }
   const MeasuredPoint& point(std::size_t i) const { return points_[i]; }
+  const VariedParameter& parameter(int k) const { return parameters_[static_cast<std::size_t>(k)]; }
   double deviation(std::size_t i) const { return deviations_[i]; }
   int evaluations() const { return evaluations_; }
 
@@ -63,12 +64,15 @@ class Objective {
     if (options_.progress) options_.progress(evaluations_, chiSquared);
   }
 
+  bool hasVelocityErrors() const {
+    return std::ranges::any_of(
+        points_, [](const MeasuredPoint& point) { return !std::isnan(point.velocityError); });
+  }
+
   /// An error of the velocity is one of friction by the slope of the computed curve (effective
   /// variance).
   void addVelocityErrors(const VectorXd& places) {
-    if (std::ranges::all_of(
-            points_, [](const MeasuredPoint& point) { return std::isnan(point.velocityError); }))
-      return;
+    if (!hasVelocityErrors()) return;
     weighWithErrors();
     const std::vector<Scene> states = statesAt(places);
     const VariedParameter velocity("sliding.velocity", states.front());
@@ -116,7 +120,15 @@ class Residuals : public ceres::CostFunction {
   }
 
   bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
-    for (std::size_t j = 0; j < free_.size(); ++j) places_[free_[j]] = blocks[0][j];
+    // Beyond a limit friction is that at the limit. Limits of Ceres's own would cost a search along
+    // a line, with derivatives, after every step.
+    std::vector<bool> isBeyond;
+    for (std::size_t j = 0; j < free_.size(); ++j) {
+      const VariedParameter& parameter = objective_.parameter(free_[j]);
+      const double place = std::clamp(blocks[0][j], parameter.lowest(), parameter.highest());
+      isBeyond.push_back(place != blocks[0][j]);
+      places_[free_[j]] = place;
+    }
     const bool wantsSlopes = jacobians && jacobians[0];
     try {
       const FrictionWithDerivatives found =
@@ -128,7 +140,8 @@ class Residuals : public ceres::CostFunction {
         chiSquared += residuals[i] * residuals[i];
         if (!wantsSlopes) continue;
         for (std::size_t j = 0; j < free_.size(); ++j)
-          jacobians[0][i * free_.size() + j] = meanOf(found.slopesOfLines[j][i]) / deviation;
+          jacobians[0][i * free_.size() + j] =
+              isBeyond[j] ? 0 : meanOf(found.slopesOfLines[j][i]) / deviation;
       }
       objective_.report(chiSquared);
       return true;
@@ -156,9 +169,8 @@ struct Minimum {
 };
 
 /// The least sum of squares over the free parameters, the others held.
-Minimum minimize(const Objective& objective, std::span<const VariedParameter> parameters,
-                 const VectorXd& start, const std::vector<int>& free, int iterations,
-                 const std::stop_token& stop) {
+Minimum minimize(const Objective& objective, const VectorXd& start, const std::vector<int>& free,
+                 int iterations, const std::stop_token& stop) {
   Minimum minimum{start, 0, true};
   std::vector<double> values;
   for (const int k : free) values.push_back(start[k]);
@@ -168,11 +180,6 @@ Minimum minimize(const Objective& objective, std::span<const VariedParameter> pa
   owned.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem problem(owned);
   problem.AddResidualBlock(residuals.get(), nullptr, values.data());
-  for (std::size_t j = 0; j < free.size(); ++j) {
-    const VariedParameter& parameter = parameters[static_cast<std::size_t>(free[j])];
-    problem.SetParameterLowerBound(values.data(), static_cast<int>(j), parameter.lowest());
-    problem.SetParameterUpperBound(values.data(), static_cast<int>(j), parameter.highest());
-  }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = iterations;
@@ -185,7 +192,9 @@ Minimum minimize(const Objective& objective, std::span<const VariedParameter> pa
   if (stop.stop_requested()) throw StudyStopped{};
   if (summary.termination_type == ceres::FAILURE && watched.failure())
     std::rethrow_exception(watched.failure());
-  for (std::size_t j = 0; j < free.size(); ++j) minimum.places[free[j]] = values[j];
+  for (std::size_t j = 0; j < free.size(); ++j)
+    minimum.places[free[j]] = std::clamp(values[j], objective.parameter(free[j]).lowest(),
+                                         objective.parameter(free[j]).highest());
   minimum.chiSquared = 2 * summary.final_cost;
   minimum.hasConverged = summary.termination_type == ceres::CONVERGENCE;
   return minimum;
@@ -253,10 +262,10 @@ class Fitting {
   Fit run() {
     constexpr int kIterations = 60;
     objective_.addVelocityErrors(start_);
-    Minimum best = minimize(objective_, parameters_, start_, all_, kIterations, options_.stop);
+    Minimum best = minimize(objective_, start_, all_, kIterations, options_.stop);
     if (objective_.hasVelocityErrors()) {
       objective_.addVelocityErrors(best.places);
-      best = minimize(objective_, parameters_, best.places, all_, kIterations, options_.stop);
+      best = minimize(objective_, best.places, all_, kIterations, options_.stop);
     }
     fit_.hasConverged = best.hasConverged;
     fit_.chiSquared = best.chiSquared;
@@ -362,9 +371,8 @@ class Fitting {
                 std::clamp(start[place], parameters_[j].lowest(), parameters_[j].highest());
           }
           start[index] = there;
-          held = others.empty()
-                     ? atPlace(start)
-                     : minimize(objective_, parameters_, start, others, kIterations, options_.stop);
+          held = others.empty() ? atPlace(start)
+                                : minimize(objective_, start, others, kIterations, options_.stop);
         }
         profile.values.push_back(parameter.value(there));
         profile.chiSquared.push_back(held.chiSquared);

@@ -49,7 +49,7 @@ TEST(Sensitivities, KnowTheExponentsOfCompleteContact) {
   const auto of = byKey(sensitivities(scene));
   EXPECT_NEAR(of.at("sliding.velocity").slope.value, 1, 1e-6);
   EXPECT_NEAR(of.at("load.normal_force").slope.value, -1, 1e-6);
-  EXPECT_NEAR(of.at("surface.rms_height").slope.value, 2, 1e-6);
+  EXPECT_NEAR(of.at("surface.rms_height").slope.value, 2, 1e-5);
 }
 
 TEST(Sensitivities, LeaveOutWhatIsSwitchedOffAndWhatChangesNothing) {

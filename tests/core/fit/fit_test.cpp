@@ -98,7 +98,7 @@ Coverage coverage(double from, double to, int repetitions, double* errorOfModulu
 /// Regions I to III: height and tau G^0.45 come back, G is left open.
 TEST(Fit, RegionsOneToThreeDetermineTheHeightAndAProduct) {
   double errorOfModulus = 0;
-  const Coverage within = coverage(1e-4, 3, 100, &errorOfModulus);
+  const Coverage within = coverage(1e-4, 0.3, 100, &errorOfModulus);
   EXPECT_GE(within.height, 88);
   EXPECT_LE(within.height, 99);
   EXPECT_GE(within.product, 88);
@@ -118,7 +118,7 @@ TEST(Fit, RegionsOneToFourDetermineAllThree) {
 }
 
 TEST(Fit, SaysThatAParameterIsNotDetermined) {
-  const FrictionData data = noisy(exactFriction(truth(), 1e-4, 3), 5);
+  const FrictionData data = noisy(exactFriction(truth(), 1e-4, 0.3), 5);
   const Scene scene = start(50, 3);
   const Fit fit = fitFriction(scene, {&data, 1}, threeParameters(scene));
   EXPECT_TRUE(fit.parameters[0].isDetermined);
