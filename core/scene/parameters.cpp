@@ -13,6 +13,7 @@ constexpr std::array<std::string_view, 5> kSurfaceKinds{"self_affine", "sine", "
                                                         "profile"};
 constexpr std::array<std::string_view, 4> kRheologies{"elastic", "kelvin", "standard_solid",
                                                       "prony"};
+constexpr std::array<std::string_view, 3> kShiftKinds{"wlf", "arrhenius", "table"};
 constexpr std::array<std::string_view, 2> kLoadKinds{"force", "indentation"};
 constexpr std::array<std::string_view, 5> kSlidingKinds{"steady", "start", "step", "oscillation",
                                                         "reversal"};
@@ -23,6 +24,9 @@ constexpr Scale kLin = Scale::Linear;
 constexpr Scale kNoneOrLog = Scale::LogarithmicFromNone;
 constexpr Change kLive = Change::Live;
 constexpr Change kRebuild = Change::Rebuild;
+constexpr FileRule kOfMaterial{true, false};
+constexpr FileRule kNewOfMaterial{true, true};  // scene files from before it do not state it
+constexpr FileRule kUnlessDefault{false, true};
 constexpr std::int64_t kLargestInteger = (std::int64_t{1} << 53) - 1;  // exact in JSON
 
 /// A field that reads and writes `scene.section.member`.
@@ -77,24 +81,42 @@ const std::array kTable{
 
     Parameter{"elastomer.rheology", "rheology", "", "", "How the elastomer answers to deformation.", kLive, {},
               ASPERITY_CHOICE(elastomer, rheology, kRheologies)},
+    Parameter{"elastomer.material", "material", "", "", "A shipped material or a material file, relative to the scene; it gives moduli, relaxation times and shift, and a key beside it replaces that one value.", kLive, {"elastomer.rheology", "prony"},
+              TextField{ASPERITY_MEMBER(elastomer, material)}, kUnlessDefault},
     Parameter{"elastomer.shear_modulus", "shear modulus", "G", "Pa", "Static shear modulus of the elastomer.", kLive, {"elastomer.rheology", "elastic kelvin"},
               RealField{ASPERITY_MEMBER(elastomer, shearModulus), 1e-6, 1e15, 1e3, 1e9, kLog}},
     Parameter{"elastomer.relaxation_time", "relaxation time", "tau", "s", "Viscosity over shear modulus: how long the free surface takes to come back.", kLive, {"elastomer.rheology", "kelvin"},
               RealField{ASPERITY_MEMBER(elastomer, relaxationTime), 0, 1e12, 1e-7, 10, kLog}},
     Parameter{"elastomer.equilibrium_modulus", "equilibrium modulus", "G_inf", "Pa", "Shear modulus that is left when all arms have relaxed; steady sliding needs more than 0.", kLive, {"elastomer.rheology", "standard_solid prony"},
-              RealField{ASPERITY_MEMBER(elastomer, equilibriumModulus), 0, 1e15, 1e3, 1e9, kLog}},
+              RealField{ASPERITY_MEMBER(elastomer, equilibriumModulus), 0, 1e15, 1e3, 1e9, kLog}, kOfMaterial},
     Parameter{"elastomer.viscosity", "viscosity", "eta", "Pa s", "Viscosity of a dashpot beside the arms; 0: none.", kLive, {"elastomer.rheology", "prony"},
-              RealField{ASPERITY_MEMBER(elastomer, viscosity), 0, 1e27, 10, 1e7, kNoneOrLog}},
+              RealField{ASPERITY_MEMBER(elastomer, viscosity), 0, 1e27, 10, 1e7, kNoneOrLog}, kOfMaterial},
     Parameter{"elastomer.arms", "arms", "", "", "Springs and dashpots in series: modulus in Pa and relaxation time in s of each; a standard solid has one.", kLive, {"elastomer.rheology", "standard_solid prony"},
-              ArmsField{ASPERITY_MEMBER(elastomer, arms)}},
+              ArmsField{ASPERITY_MEMBER(elastomer, arms)}, kOfMaterial},
     Parameter{"elastomer.temperature", "temperature", "T", "K", "Temperature of the elastomer; it shifts all relaxation times together.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
               RealField{ASPERITY_MEMBER(elastomer, temperature), 1, 2000, 200, 450, kLin}},
-    Parameter{"elastomer.shift.c1", "shift C1", "C_1", "", "First constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
-              RealField{ASPERITY_MEMBER(elastomer.shift, c1), 0, 1e3, 1, 30, kLin}},
-    Parameter{"elastomer.shift.c2", "shift C2", "C_2", "K", "Second constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
-              RealField{ASPERITY_MEMBER(elastomer.shift, c2), 1e-3, 1e4, 10, 300, kLin}},
-    Parameter{"elastomer.shift.reference_temperature", "reference", "T_r", "K", "Temperature at which the relaxation times are as given.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
-              RealField{ASPERITY_MEMBER(elastomer.shift, referenceTemperature), 1, 2000, 200, 450, kLin}},
+    Parameter{"elastomer.shift.kind", "shift", "", "", "How temperature shifts the relaxation times: by Williams, Landel and Ferry (wlf), by an activation energy (arrhenius), or as measured (table).", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
+              ASPERITY_CHOICE(elastomer.shift, kind, kShiftKinds), kNewOfMaterial},
+    Parameter{"elastomer.shift.c1", "shift C1", "C_1", "", "First constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.shift.kind", "wlf"},
+              RealField{ASPERITY_MEMBER(elastomer.shift, c1), 0, 1e3, 1, 30, kLin}, kOfMaterial},
+    Parameter{"elastomer.shift.c2", "shift C2", "C_2", "K", "Second constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.shift.kind", "wlf"},
+              RealField{ASPERITY_MEMBER(elastomer.shift, c2), 1e-3, 1e4, 10, 300, kLin}, kOfMaterial},
+    Parameter{"elastomer.shift.reference_temperature", "reference", "T_r", "K", "Temperature at which the relaxation times are as given.", kLive, {"elastomer.shift.kind", "wlf arrhenius"},
+              RealField{ASPERITY_MEMBER(elastomer.shift, referenceTemperature), 1, 2000, 200, 450, kLin}, kOfMaterial},
+    Parameter{"elastomer.shift.activation_energy", "activation energy", "E_a", "J/mol", "Activation energy of the shift with temperature (Arrhenius).", kLive, {"elastomer.shift.kind", "arrhenius"},
+              RealField{ASPERITY_MEMBER(elastomer.shift, activationEnergy), 0, 1e7, 1e4, 1e6, kLog}, kOfMaterial},
+    Parameter{"elastomer.shift.table", "shift table", "", "", "Measured shifts: temperature in K and log10 of the factor on all relaxation times, linear in between; there is none outside.", kLive, {"elastomer.shift.kind", "table"},
+              ShiftTableField{ASPERITY_MEMBER(elastomer.shift, table)}, kOfMaterial},
+    Parameter{"elastomer.measured.frequency_from", "measured from", "", "Hz", "Lowest frequency at which the elastomer was measured, at the temperature of no shift; friction that rests on others is marked. 0: not known.", kLive, {"elastomer.rheology", "prony"},
+              RealField{ASPERITY_MEMBER(elastomer.measured, frequencyFrom), 0, 1e15, 1e-6, 1e12, kNoneOrLog}, kNewOfMaterial},
+    Parameter{"elastomer.measured.frequency_to", "measured to", "", "Hz", "Highest frequency at which the elastomer was measured, at the temperature of no shift. 0: not known.", kLive, {"elastomer.rheology", "prony"},
+              RealField{ASPERITY_MEMBER(elastomer.measured, frequencyTo), 0, 1e15, 1e-6, 1e12, kNoneOrLog}, kNewOfMaterial},
+    Parameter{"elastomer.measured.temperature_from", "measured above", "", "K", "Lowest temperature at which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},
+              RealField{ASPERITY_MEMBER(elastomer.measured, temperatureFrom), 0, 2000, 200, 450, kLin}, kNewOfMaterial},
+    Parameter{"elastomer.measured.temperature_to", "measured below", "", "K", "Highest temperature at which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},
+              RealField{ASPERITY_MEMBER(elastomer.measured, temperatureTo), 0, 2000, 200, 450, kLin}, kNewOfMaterial},
+    Parameter{"elastomer.measured.strain_amplitude", "measured strain", "", "", "Amplitude of the strain with which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},
+              RealField{ASPERITY_MEMBER(elastomer.measured, strainAmplitude), 0, 100, 1e-5, 1, kNoneOrLog}, kNewOfMaterial},
 
     Parameter{"load.kind", "load", "", "", "What is held constant: the normal force or the indentation.", kLive, {},
               ASPERITY_CHOICE(load, kind, kLoadKinds)},

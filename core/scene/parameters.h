@@ -53,6 +53,12 @@ struct ArmsField {
 };
 inline constexpr std::size_t kMostArms = 64;
 
+/// A table of temperature shifts; as a value: a JSON list of {"temperature", "log10_shift"}.
+struct ShiftTableField {
+  std::vector<ShiftPoint>& (*member)(Scene&);
+};
+inline constexpr std::size_t kMostShiftPoints = 1000;
+
 /// What a change asks of a running simulation: go on with the new value, or a new line.
 enum class Change { Live, Rebuild };
 
@@ -63,6 +69,13 @@ struct Applicability {
   std::string_view words;
 };
 
+/// How a row stands in scene files.
+struct FileRule {
+  bool isOfMaterial = false;        // a material gives the value where the scene does not state it
+  bool isLeftOutAtDefault = false;  // not written where it has its default, unless a material is
+                                    // named that would give it another value
+};
+
 struct Parameter {
   std::string_view key;       // "surface.rms_height"
   std::string_view label;     // "rms height"
@@ -71,7 +84,8 @@ struct Parameter {
   std::string_view sentence;  // one sentence for a user
   Change change;
   Applicability applies;
-  std::variant<RealField, IntegerField, ChoiceField, TextField, ArmsField> field;
+  std::variant<RealField, IntegerField, ChoiceField, TextField, ArmsField, ShiftTableField> field;
+  FileRule rule{};
 };
 
 using ParameterValue = std::variant<double, std::int64_t, std::string>;
@@ -88,7 +102,10 @@ std::string_view nearestKey(std::string_view key);
 /// Whether the row has a meaning in this scene (a wedge has no Hurst exponent).
 bool isApplicable(const Parameter& parameter, const Scene& scene);
 
-/// The value in the scene; choices as their word, arms as JSON text.
+/// Whether its value is a list in JSON: arms, a table of shifts.
+bool isList(const Parameter& parameter);
+
+/// The value in the scene; choices as their word, lists as JSON text.
 ParameterValue valueOf(const Parameter& parameter, const Scene& scene);
 
 /// The value that a new scene has.

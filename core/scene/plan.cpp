@@ -177,8 +177,7 @@ bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
   const bool steady = isSteady(scene, purpose);
   switch (stage) {
     case Stage::TemperatureShift:
-      return lawOf(scene.elastomer).kind() != ElementKind::Elastic &&
-             scene.elastomer.temperature != scene.elastomer.shift.referenceTemperature;
+      return lawOf(scene.elastomer).kind() != ElementKind::Elastic && shiftsTimes(scene.elastomer);
     case Stage::FreeSurface:
       return lawOf(scene.elastomer).kind() != ElementKind::Elastic;
     case Stage::Arms:
