@@ -1,0 +1,37 @@
+// A measured surface as a plain value: heights on a uniform grid. Row i of the grid is one profile
+// along the direction that the file calls x; the grid's rows follow each other along y.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asperity {
+
+struct Topography {
+  std::int64_t columns = 0;    // points of one profile along x
+  std::int64_t rows = 0;       // profiles; 1: a single profile
+  double columnSpacing = 0;    // m, between neighbours along x
+  double rowSpacing = 0;       // m, between neighbours along y; 0 for a single profile
+  std::vector<double> height;  // m, rows x columns, row by row; NaN where nothing was measured
+
+  bool isProfile() const { return rows == 1; }
+  double length() const { return static_cast<double>(columns) * columnSpacing; }  // m, along x
+  double width() const { return static_cast<double>(rows) * rowSpacing; }         // m, along y
+
+  /// Heights along x of row `number`, counted from 0: `columns` of them.
+  std::span<const double> row(std::int64_t number) const {
+    return std::span(height).subspan(static_cast<std::size_t>(number * columns),
+                                     static_cast<std::size_t>(columns));
+  }
+  /// Row and column are counted from 0.
+  double at(std::int64_t rowNumber, std::int64_t column) const {
+    return height[static_cast<std::size_t>(rowNumber * columns + column)];
+  }
+};
+
+/// Rows and columns exchanged: its profiles run along y.
+Topography transposed(const Topography& topography);
+
+}  // namespace asperity
