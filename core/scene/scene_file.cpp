@@ -8,6 +8,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/scene/effects.h"
 #include "core/scene/parameters.h"
@@ -120,10 +121,24 @@ void apply(const Assignment& assignment, Scene& scene) {
 }
 
 void refuseOtherKind(const Parameter& row, const Scene& scene) {
-  const Parameter& choice = *findParameter(row.applies.choiceKey);
+  const Parameter* decides = findParameter(row.applies.choiceKey);
+  // A choice that has no meaning itself cannot be named as what is missing.
+  const Parameter* of = &row;
+  for (; !isApplicable(*decides, scene); decides = findParameter(decides->applies.choiceKey))
+    of = decides;
+  const Parameter& choice = *decides;
   throw InputError("", std::string(row.key),
                    message("has no meaning for {} {}; it belongs to {}", choice.key,
-                           std::get<std::string>(valueOf(choice, scene)), row.applies.words));
+                           std::get<std::string>(valueOf(choice, scene)), of->applies.words));
+}
+
+/// Whether --set has changed a kind that the row hangs on, directly or by another choice.
+bool hangsOn(const std::set<std::string_view>& changedKinds, const Parameter& row) {
+  for (const Applicability& applies : {row.applies, row.alsoApplies})
+    if (!applies.choiceKey.empty() && (changedKinds.contains(applies.choiceKey) ||
+                                       hangsOn(changedKinds, *findParameter(applies.choiceKey))))
+      return true;
+  return false;
 }
 
 /// One point per element is what the paper's elements have anyway, chosen or stated.
@@ -174,20 +189,22 @@ Scene build(const std::vector<Assignment>& assignments) {
     if (!assignment.fromFile) changedKinds.insert(rowOf(assignment.key).key);
     apply(assignment, scene);
   }
-  // Left to the profile's file unless the scene says otherwise.
-  if (scene.surface.kind == SurfaceKind::Profile) {
+  // Left to the surface's file unless the scene says otherwise.
+  if (hasSurfaceFile(scene.surface)) {
     scene.surface.length = 0;
     scene.surface.elements = 0;
   }
+  if (scene.surface.kind == SurfaceKind::Measured && !hasRandomPhases(scene.surface))
+    scene.ensemble.realizations = 0;
   if (scene.accuracy.scheme == Scheme::Nodal) scene.accuracy.oversampling = 1;
   for (const Assignment& assignment : assignments) {
-    if (isChoice(assignment)) continue;
     const Parameter& row = rowOf(assignment.key);
-    if (isApplicable(row, scene))
-      apply(assignment, scene);
-    else if (!isHarmless(assignment) &&
-             (!assignment.fromFile || !changedKinds.contains(row.applies.choiceKey)))
-      refuseOtherKind(row, scene);
+    const bool applies = isApplicable(row, scene);
+    if (applies && !isChoice(assignment)) apply(assignment, scene);
+    if (applies || isHarmless(assignment)) continue;
+    if (!assignment.fromFile || !hangsOn(changedKinds, row)) refuseOtherKind(row, scene);
+    // A choice of the file's kind was taken before it was known that it has no meaning any more.
+    if (isChoice(assignment)) setValue(row, scene, defaultOf(row));
   }
   return scene;
 }
@@ -195,6 +212,19 @@ Scene build(const std::vector<Assignment>& assignments) {
 void checkWhole(const Scene& scene) {
   if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
     throw InputError("", "surface.file", "is missing; a profile needs a file");
+  if (scene.surface.kind == SurfaceKind::Measured && scene.surface.file.empty())
+    throw InputError("", "surface.file", "is missing; a measured surface needs a file");
+  if (scene.surface.kind == SurfaceKind::Spectrum && scene.surface.file.empty())
+    throw InputError("", "surface.file", "is missing; a spectrum needs a file");
+  if (scene.surface.kind == SurfaceKind::Spectrum &&
+      scene.surface.spectrumKind == SpectrumKind::Unstated)
+    throw InputError("", "surface.spectrum_kind",
+                     "is missing; allowed is one of c1_two_sided, c1_one_sided, c2");
+  const ProcessingChoices& processing = scene.surface.processing;
+  if (processing.longWaveCut > 0 && processing.longWaveCut <= processing.shortWaveCut)
+    throw InputError("", "surface.long_wave_cut",
+                     message("{} is not above surface.short_wave_cut, {}",
+                             plain(processing.longWaveCut), plain(processing.shortWaveCut)));
   checkEffects(scene);
   if (scene.sweep.velocityFrom > scene.sweep.velocityTo)
     throw InputError("", "sweep.velocity_from",
@@ -247,9 +277,9 @@ std::string writeScene(const Scene& scene) {
     if (row.key == "accuracy.scheme" && choosesAccuracy(scene)) continue;
     if (row.key == "accuracy.target_relative_error" && !choosesAccuracy(scene)) continue;
     const ParameterValue value = valueOf(row, scene);
-    const bool profile = scene.surface.kind == SurfaceKind::Profile;
-    if (profile && row.key == "surface.length" && scene.surface.length == 0) continue;
-    if (profile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
+    const bool hasFile = hasSurfaceFile(scene.surface);
+    if (hasFile && row.key == "surface.length" && scene.surface.length == 0) continue;
+    if (hasFile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
     placeOf(root, row.key) = jsonOf(row, value);
   }
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
