@@ -43,10 +43,10 @@ LawColumns::LawColumns(const Scene& scene, const LineSource& source)
       rmsHeight_(source.statistics().rmsHeight),
       length_(source.length()),
       rmsSlope_(source.statistics().rmsSlope),
-      isRandom_(source.isRandom()),
+      hasLaw_(scene.surface.kind == SurfaceKind::SelfAffine),
       hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
       hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
-      slopesDiffer_(callsFor(scene, Purpose::Curve, Stage::SummitCorrelation)) {}
+      slopesDiffer_(source.slopesDiffer()) {}
 
 /// The mean of the lines' own ratios, for a mean `mu` that may come from other lines as well.
 double LawColumns::normalized(double mu, const CurveAverages& averages) const {
@@ -57,14 +57,15 @@ double LawColumns::normalized(double mu, const CurveAverages& averages) const {
 
 void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   if (!hasInterface_) point.muInterface = kNotApplicable;
-  if (scene_.load.kind == LoadKind::Force) point.muRatioOfMeans = kNotApplicable;
+  if (scene_.load.kind != LoadKind::Indentation) point.muRatioOfMeans = kNotApplicable;
   const Accuracy& accuracy = scene_.accuracy;
   if (accuracy.scheme != Scheme::Nodal || accuracy.targetRelativeError > 0)
     point.marginalShare = kNotApplicable;
   if (!(rmsHeight_ > 0)) return;
   const SlidingConditions conditions = slidingConditions(scene_, point.velocity);
-  const double force =
-      scene_.load.kind == LoadKind::Force ? scene_.load.normalForce : averages.normalForce.mean();
+  const double force = scene_.load.kind == LoadKind::Indentation
+                           ? averages.normalForce.mean()
+                           : loadOn(scene_.load, length_).normalForce;
   const double slope = slopesDiffer_ ? averages.rmsSlope.mean() : rmsSlope_;
   const LawInput in{conditions.shearModulus,
                     conditions.relaxationTime,
@@ -78,7 +79,7 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   point.dimensionlessForce = dimensionlessForce(in);
   if (hasArms_) return;  // Eqs. (5) to (14) know one relaxation time
   point.dimensionlessVelocity = dimensionlessVelocity(in);
-  if (isRandom_) point.muLaw = frictionLaw(in);
+  if (hasLaw_) point.muLaw = frictionLaw(in);
 }
 
 }  // namespace asperity

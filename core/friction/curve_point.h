@@ -102,7 +102,7 @@ class LawColumns {
   Scene scene_;
   double rmsHeight_, length_;  // m, of the lines
   double rmsSlope_;
-  bool isRandom_, hasArms_, hasInterface_;
+  bool hasLaw_, hasArms_, hasInterface_;
   bool slopesDiffer_;  // from line to line
 };
 

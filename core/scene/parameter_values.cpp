@@ -125,17 +125,27 @@ bool isList(const Parameter& parameter) {
 }
 
 bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number) {
-  return number == 0 && scene.surface.kind == SurfaceKind::Profile &&
+  if (number != 0) return false;
+  if (parameter.key == "ensemble.realizations")
+    return scene.surface.kind == SurfaceKind::Measured && !hasRandomPhases(scene.surface);
+  return hasSurfaceFile(scene.surface) &&
          (parameter.key == "surface.length" || parameter.key == "surface.elements");
 }
 
+namespace {
+
+bool holds(const Applicability& applies, const Scene& scene) {
+  const Parameter* choice = findParameter(applies.choiceKey);
+  return isApplicable(*choice, scene) &&
+         containsWord(applies.words, std::get<std::string>(valueOf(*choice, scene)));
+}
+
+}  // namespace
+
 bool isApplicable(const Parameter& parameter, const Scene& scene) {
   if (parameter.key == "accuracy.oversampling" && choosesAccuracy(scene)) return false;
-  if (parameter.applies.choiceKey.empty()) return true;
-  const Parameter* choice = findParameter(parameter.applies.choiceKey);
-  // A choice that itself has no meaning leaves its keys without one.
-  if (!isApplicable(*choice, scene)) return false;
-  return containsWord(parameter.applies.words, std::get<std::string>(valueOf(*choice, scene)));
+  if (parameter.applies.choiceKey.empty() || holds(parameter.applies, scene)) return true;
+  return !parameter.alsoApplies.choiceKey.empty() && holds(parameter.alsoApplies, scene);
 }
 
 ParameterValue valueOf(const Parameter& parameter, const Scene& scene) {

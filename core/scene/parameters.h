@@ -62,8 +62,8 @@ inline constexpr std::size_t kMostShiftPoints = 1000;
 /// What a change asks of a running simulation: go on with the new value, or a new line.
 enum class Change { Live, Rebuild };
 
-/// Row applies only where the choice of key `choiceKey` is one of `words` (separated by spaces).
-/// An empty choiceKey: it always applies.
+/// Row applies only where the choice of key `choiceKey` applies and is one of `words` (separated by
+/// spaces). An empty choiceKey: it always applies.
 struct Applicability {
   std::string_view choiceKey;
   std::string_view words;
@@ -85,6 +85,8 @@ struct Parameter {
   Change change;
   Applicability applies;
   std::variant<RealField, IntegerField, ChoiceField, TextField, ArmsField, ShiftTableField> field;
+  /// It applies where this holds as well. An empty choiceKey: nowhere else.
+  Applicability alsoApplies{};
   FileRule rule{};
 };
 
@@ -127,8 +129,8 @@ std::optional<AllowedRange> allowedRange(const Parameter& parameter);
 /// "0 to 1", "1e-6 to 1e15 Pa", "one of nodal, linear, cubic", "text".
 Message allowedText(const Parameter& parameter);
 
-/// Whether this number of the parameter stands for "as the profile's file says": a 0 of its length
-/// or its elements.
+/// Whether this number of the parameter stands for "as the surface's file says": a 0 of the length
+/// or the elements of a line that has a file, or of the realizations of a measured surface.
 bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number);
 
 }  // namespace asperity

@@ -71,7 +71,7 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["schema"] = "asperity-" + verb + "/1";
   root["verb"] = verb;
   root["version"] = ASPERITY_VERSION;
-  root["seed"] = scene.surface.kind == SurfaceKind::SelfAffine ? Json(scene.surface.seed) : Json();
+  root["seed"] = hasRandomPhases(scene.surface) ? Json(scene.surface.seed) : Json();
   root["oversampling_used"] = oversamplingOf(verb, scene);
   if (verb == "batch") addCurveOversampling(root, scene);
   root["scene"] = Json::parse(writeScene(scene));
@@ -150,12 +150,11 @@ double nodesOf(const Scene& scene, const fs::path& file) {
 SceneDemands demandsOf(const Scene& scene) {
   SceneDemands demands;
   const fs::path file =
-      scene.surface.kind == SurfaceKind::Profile ? scene.folder / scene.surface.file : fs::path();
+      hasSurfaceFile(scene.surface) ? scene.folder / scene.surface.file : fs::path();
   if (!file.empty() && !liesBelow(file, scene.folder)) demands.file = file;
   const double nodes = nodesOf(scene, file);
-  const double lines = scene.surface.kind == SurfaceKind::SelfAffine
-                           ? static_cast<double>(scene.ensemble.realizations)
-                           : 1;
+  const double lines =
+      mayHaveManyLines(scene.surface) ? static_cast<double>(scene.ensemble.realizations) : 1;
   const double passes = kPassesOfLine + kPasses * static_cast<double>(scene.sweep.points);
   const double memory = nodes * kBytesPerNode, seconds = nodes * lines * passes * kSecondsPerNode;
   if (memory > kMemoryUnasked) demands.memory = memory;

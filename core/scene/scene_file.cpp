@@ -8,6 +8,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/material/material_library.h"
 #include "core/scene/effects.h"
@@ -121,26 +122,25 @@ void apply(const Assignment& assignment, Scene& scene) {
     setFromText(row, scene, std::get<std::string>(assignment.value));
 }
 
-/// The row whose choice leaves this one without a meaning: its own, or one that a choice above it
-/// depends on.
-const Parameter& rowThatFails(const Parameter& row, const Scene& scene) {
-  const Parameter& choice = *findParameter(row.applies.choiceKey);
-  return isApplicable(choice, scene) ? row : rowThatFails(choice, scene);
-}
-
 void refuseOtherKind(const Parameter& row, const Scene& scene) {
-  const Parameter& fails = rowThatFails(row, scene);
-  const Parameter& choice = *findParameter(fails.applies.choiceKey);
+  const Parameter* decides = findParameter(row.applies.choiceKey);
+  // A choice that has no meaning itself cannot be named as what is missing.
+  const Parameter* of = &row;
+  for (; !isApplicable(*decides, scene); decides = findParameter(decides->applies.choiceKey))
+    of = decides;
+  const Parameter& choice = *decides;
   throw InputError("", std::string(row.key),
                    message("has no meaning for {} {}; it belongs to {}", choice.key,
-                           std::get<std::string>(valueOf(choice, scene)), fails.applies.words));
+                           std::get<std::string>(valueOf(choice, scene)), of->applies.words));
 }
 
-/// Whether --set changed a choice on which the row's meaning rests.
-bool dependsOn(const Parameter& row, const std::set<std::string_view>& changedKinds) {
-  const std::string_view choice = row.applies.choiceKey;
-  return !choice.empty() &&
-         (changedKinds.contains(choice) || dependsOn(*findParameter(choice), changedKinds));
+/// Whether --set has changed a kind that the row hangs on, directly or by another choice.
+bool hangsOn(const std::set<std::string_view>& changedKinds, const Parameter& row) {
+  for (const Applicability& applies : {row.applies, row.alsoApplies})
+    if (!applies.choiceKey.empty() && (changedKinds.contains(applies.choiceKey) ||
+                                       hangsOn(changedKinds, *findParameter(applies.choiceKey))))
+      return true;
+  return false;
 }
 
 /// One point per element is what the paper's elements have anyway, chosen or stated.
@@ -291,30 +291,42 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
     apply(assignment, scene);
   }
   addMaterialValues(assignments, scene, folder);
-  // Left to the profile's file unless the scene says otherwise.
-  if (scene.surface.kind == SurfaceKind::Profile) {
+  // Left to the surface's file unless the scene says otherwise.
+  if (hasSurfaceFile(scene.surface)) {
     scene.surface.length = 0;
     scene.surface.elements = 0;
   }
+  if (scene.surface.kind == SurfaceKind::Measured && !hasRandomPhases(scene.surface))
+    scene.ensemble.realizations = 0;
   if (scene.accuracy.scheme == Scheme::Nodal) scene.accuracy.oversampling = 1;
   for (const Assignment& assignment : assignments) {
     const Parameter& row = rowOf(assignment.key);
-    if (isApplicable(row, scene)) {
-      if (!isChoice(assignment)) apply(assignment, scene);
-    } else if (!isHarmless(assignment) && (!assignment.fromFile || !dependsOn(row, changedKinds))) {
-      refuseOtherKind(row, scene);
-    }
+    const bool applies = isApplicable(row, scene);
+    if (applies && !isChoice(assignment)) apply(assignment, scene);
+    if (applies || isHarmless(assignment)) continue;
+    if (!assignment.fromFile || !hangsOn(changedKinds, row)) refuseOtherKind(row, scene);
+    // A choice of the file's kind was taken before it was known that it has no meaning any more.
+    if (isChoice(assignment)) setValue(row, scene, defaultOf(row));
   }
-  // A choice that was dropped is none.
-  for (const Parameter& row : parameters())
-    if (std::holds_alternative<ChoiceField>(row.field) && !isApplicable(row, scene))
-      setValue(row, scene, defaultOf(row));
   return scene;
 }
 
 void checkWhole(const Scene& scene) {
   if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
     throw InputError("", "surface.file", "is missing; a profile needs a file");
+  if (scene.surface.kind == SurfaceKind::Measured && scene.surface.file.empty())
+    throw InputError("", "surface.file", "is missing; a measured surface needs a file");
+  if (scene.surface.kind == SurfaceKind::Spectrum && scene.surface.file.empty())
+    throw InputError("", "surface.file", "is missing; a spectrum needs a file");
+  if (scene.surface.kind == SurfaceKind::Spectrum &&
+      scene.surface.spectrumKind == SpectrumKind::Unstated)
+    throw InputError("", "surface.spectrum_kind",
+                     "is missing; allowed is one of c1_two_sided, c1_one_sided, c2");
+  const ProcessingChoices& processing = scene.surface.processing;
+  if (processing.longWaveCut > 0 && processing.longWaveCut <= processing.shortWaveCut)
+    throw InputError("", "surface.long_wave_cut",
+                     message("{} is not above surface.short_wave_cut, {}",
+                             plain(processing.longWaveCut), plain(processing.shortWaveCut)));
   checkEffects(scene);
   if (scene.sweep.velocityFrom > scene.sweep.velocityTo)
     throw InputError("", "sweep.velocity_from",
@@ -372,9 +384,9 @@ std::string writeScene(const Scene& scene) {
     if (row.key == "accuracy.scheme" && choosesAccuracy(scene)) continue;
     if (row.key == "accuracy.target_relative_error" && !choosesAccuracy(scene)) continue;
     const ParameterValue value = valueOf(row, scene);
-    const bool profile = scene.surface.kind == SurfaceKind::Profile;
-    if (profile && row.key == "surface.length" && scene.surface.length == 0) continue;
-    if (profile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
+    const bool hasFile = hasSurfaceFile(scene.surface);
+    if (hasFile && row.key == "surface.length" && scene.surface.length == 0) continue;
+    if (hasFile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
     placeOf(root, row.key) = jsonOf(row, value);
   }
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
