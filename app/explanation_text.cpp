@@ -96,6 +96,9 @@ std::string explanationText(const Explanation& explanation) {
                          "h; the border belongs to the finite period and moves with it"),
                {quantity(explanation.fewSummitsVelocity, "m/s")}) +
         "\n";
+  if (!explanation.excitation.empty()) text += translated(explanation.excitation) + "\n";
+  for (const std::string& note : explanation.notes)
+    text += filled(Words::tr("note: %1"), {note}) + "\n";
   if (const auto& predicted = explanation.predicted)
     text += Words::tr("predicted") + "\n" +
             costLines(filled(Words::tr("%1 on %2 (%3)"),

@@ -10,6 +10,7 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"
 #include "core/chart/curve_regions.h"
+#include "core/chart/material_sheets.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
@@ -47,6 +48,15 @@ Explanation explain(const Scene& scene, int threads) {
   const bool isSteady = scene.sliding.kind == SlidingKind::Steady;
   Explanation explanation{scene, isSteady ? "curve" : "render",
                           planOnLine(scene, isSteady ? Purpose::Curve : Purpose::Picture)};
+  if (measuredFrequencies(scene.elastomer)) {
+    const Excitation excitation = excitationOf(scene);
+    explanation.excitation = excitationInWords(scene, excitation);
+    const double outside = excitation.shareNotMeasured(scene.sliding.velocity);
+    if (!std::isnan(outside) && outside > kMostNotMeasured)
+      explanation.notes.emplace_back("extrapolated_material");
+  }
+  if (isAtForeignTemperature(scene.elastomer))
+    explanation.notes.emplace_back("extrapolated_temperature");
   if (!isSteady) return explanation;
   explanation.fewSummitsVelocity = fewSummitsVelocity(scene, lineExtent(scene).rmsHeight);
   explanation.predicted = predictCurve(scene, threads);
@@ -78,6 +88,8 @@ std::string explanationJson(const Explanation& explanation) {
         {{"name", stage.name}, {"runs", stage.runs}, {"reason", stage.reason.english()}});
   root["stages"] = std::move(stages);
   root["few_summits_above"] = numberOrNull(explanation.fewSummitsVelocity);
+  if (!explanation.excitation.empty()) root["excitation"] = explanation.excitation.english();
+  if (!explanation.notes.empty()) root["notes"] = explanation.notes;
   root["predicted"] = nullptr;
   root["measured"] = nullptr;
   if (const auto& predicted = explanation.predicted)

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/accuracy/prediction.h"
 #include "core/friction/curve_point.h"
@@ -25,6 +26,11 @@ struct Explanation {
   std::vector<PlanStage> stages;
   /// m/s, above which few summits carry the load (core/chart/curve_regions.h); NaN: nowhere.
   double fewSummitsVelocity = kNotApplicable;
+  /// Which frequencies the line excites and how many of them were measured; empty where it is not
+  /// known what was measured.
+  Message excitation{};
+  /// Words of the column `notes` that hold at the scene's own velocity.
+  std::vector<std::string> notes{};
   std::optional<Prediction> predicted{};
   std::optional<Measurement> measured{};
 };

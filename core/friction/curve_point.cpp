@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/contact/steady_sliding.h"
+#include "core/friction/excitation.h"
 #include "core/friction/law.h"
 #include "core/scene/plan.h"
 #include "core/surface/line_source.h"
@@ -40,6 +41,9 @@ CurvePoint CurveAverages::point(double velocity) const {
 
 LawColumns::LawColumns(const Scene& scene, const LineSource& source)
     : scene_(scene),
+      excitation_(measuredFrequencies(scene.elastomer)
+                      ? std::make_shared<const Excitation>(scene, source)
+                      : nullptr),
       rmsHeight_(source.statistics().rmsHeight),
       length_(source.length()),
       rmsSlope_(source.statistics().rmsSlope),
@@ -58,6 +62,11 @@ double LawColumns::normalized(double mu, const CurveAverages& averages) const {
 void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   if (!hasInterface_) point.muInterface = kNotApplicable;
   if (scene_.load.kind != LoadKind::Indentation) point.muRatioOfMeans = kNotApplicable;
+  if (excitation_) {
+    const double share = excitation_->shareNotMeasured(point.velocity);
+    point.extrapolated = std::isnan(share) ? 0 : share > kMostNotMeasured ? 1 : 0;
+  }
+  point.isAtForeignTemperature = isAtForeignTemperature(scene_.elastomer);
   const Accuracy& accuracy = scene_.accuracy;
   if (accuracy.scheme != Scheme::Nodal || accuracy.targetRelativeError > 0)
     point.marginalShare = kNotApplicable;

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 #include "core/scene/scene.h"
 
 namespace asperity {
 
+class Excitation;
 class LineSource;
 struct SteadyResult;
 
@@ -39,6 +41,10 @@ struct CurvePoint {
   /// Of `nodal`: mean over realizations of the share of its load that the element on the edge of
   /// contact bears, where F_N(d) jumps past the force; 1 where it does not jump.
   double marginalShare = kNotApplicable;
+  /// 1 where friction rests on frequencies at which the elastomer was not measured, else 0; not
+  /// applicable where these are not known (core/friction/excitation.h).
+  double extrapolated = kNotApplicable;
+  bool isAtForeignTemperature = false;  // at which the elastomer was not measured
 };
 
 /// Mean and spread of a stream of numbers (Welford's recurrence).
@@ -100,7 +106,8 @@ class LawColumns {
   double normalized(double mu, const CurveAverages& averages) const;
 
   Scene scene_;
-  double rmsHeight_, length_;  // m, of the lines
+  std::shared_ptr<const Excitation> excitation_;  // null where nothing is known to be measured
+  double rmsHeight_, length_;                     // m, of the lines
   double rmsSlope_;
   bool hasLaw_, hasArms_, hasInterface_;
   bool slopesDiffer_;  // from line to line

@@ -395,6 +395,8 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
     vertical.push_back({step.both.log10Vertical, step.both.verticalError});
     storage.push_back(step.storage);
     loss.push_back(step.loss);
+    const double difference = std::abs(step.storage.value - step.loss.value);
+    if (std::isfinite(difference)) curve.largestStep = std::max(curve.largestStep, difference);
   }
   const Accumulated sums(isotherms, referenceTemperature);
   const auto horizontal = sums.from(both), up = sums.from(vertical), ofStorage = sums.from(storage),

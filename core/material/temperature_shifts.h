@@ -60,7 +60,8 @@ struct MasterCurve {
   /// Whether one shift serves both moduli: nowhere do those from G' and from G'' alone differ by
   /// more than a tenth of a decade and three standard errors.
   bool isThermorheologicallySimple = true;
-  double largestDifference = 0;  // decades, between the two
+  double largestDifference = 0;  // decades, between the two tables
+  double largestStep = 0;        // decades, the same from one isotherm to the next
 
   double lowestFrequency() const { return points.front().modulus.frequency; }  // Hz
   double highestFrequency() const { return points.back().modulus.frequency; }  // Hz

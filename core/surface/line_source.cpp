@@ -301,4 +301,11 @@ Line LineSource::make(std::int64_t number) const {
   return line;
 }
 
+FourierLine modesOf(const LineSource& source) {
+  FourierLine modes = source.spectrum(0);
+  if (!modes.coefficients.empty()) return modes;
+  const Line line = source.make(0);
+  return FourierTransform(line.nodes()).analyse(line.height, line.length);
+}
+
 }  // namespace asperity

@@ -93,4 +93,7 @@ class LineSource {
   std::optional<FourierTransform> summits_;    // for those with summit correlation
 };
 
+/// The modes of the first line; of one that is given by a formula from its points.
+FourierLine modesOf(const LineSource& source);
+
 }  // namespace asperity
