@@ -25,6 +25,9 @@ struct Explanation {
   std::vector<PlanStage> stages;
   /// m/s, above which few summits carry the load (core/chart/curve_regions.h); NaN: nowhere.
   double fewSummitsVelocity = kNotApplicable;
+  double length = 0;                    // m, of the line
+  double normalForce = kNotApplicable;  // N, on one period, where the load means one
+  NoteSet notes{};                      // of the line
   std::optional<Prediction> predicted{};
   std::optional<Measurement> measured{};
 };

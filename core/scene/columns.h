@@ -80,8 +80,17 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"mu_high", "", "Upper end of the same interval.", "", "curve, curves"},
     {"notes", "",
      "What to know before the row is used, separated by blanks; only where there is something. "
-     "unresolved_friction: the elements are too few in contact for the tangential force.",
+     "unresolved_friction: the elements are too few in contact for the tangential force; "
+     "slope_above_0.3: the model takes slopes for small; few_contacts: single summits carry the "
+     "load; seam_jump: the period repeats with a step.",
      "", "curve, curves"},
+    {"normal_force", "N",
+     "Normal force on one period that the nominal pressure means; only with such a load.",
+     "F_N = p_0 L width", "curve, curves"},
+    {"nominal_pressure", "Pa", "Normal force over the area of one period and the width.", "p_0",
+     "curve, curves"},
+    {"mean_pressure", "Pa", "Normal force over the area in contact: contact length times width.",
+     "p_0 L/L_c", "curve, curves"},
     {"series", "", "Which curve a row belongs to.", "", "curves"},
     {"relative_difference", "", "Difference from the present curve over that curve.",
      "mu_compared/mu - 1", "curves"},

@@ -301,4 +301,18 @@ Line LineSource::make(std::int64_t number) const {
   return line;
 }
 
+NoteSet notesOf(const LineSource& source) {
+  NoteSet notes;
+  notes.add(Note::SlopeAbove, source.statistics().rmsSlope > kSmallSlope);
+  const MeasuredLines* measured = source.measured();
+  if (!measured || !measured->mayHaveSeamJump()) return notes;
+  // A few rows, because a step is common to most of them.
+  constexpr std::int64_t kRows = 16;
+  const std::int64_t count = std::min(measured->rows(), kRows);
+  for (std::int64_t i = 0; i < count && !notes.has(Note::SeamJump); ++i)
+    notes.add(Note::SeamJump, measured->hasSeamJump(
+                                  measured->profile(rowOfRealization(i, count, measured->rows()))));
+  return notes;
+}
+
 }  // namespace asperity

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "core/scene/notes.h"
 #include "core/scene/scene.h"
 #include "core/surface/line.h"
 #include "core/surface/measured_lines.h"
@@ -92,5 +93,8 @@ class LineSource {
   std::optional<FourierTransform> transform_;  // for lines that have a spectrum
   std::optional<FourierTransform> summits_;    // for those with summit correlation
 };
+
+/// What to know of the lines of a source: the rms slope, and steps at the seam of measured rows.
+NoteSet notesOf(const LineSource& source);
 
 }  // namespace asperity

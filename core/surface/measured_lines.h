@@ -65,6 +65,7 @@ class MeasuredLines {
   /// Whether the ends of the profile meet in a step: it is larger than four times the root mean
   /// square step between neighbours. Only `periodic` makes one.
   bool hasSeamJump(const ProcessedProfile& profile) const;
+  bool mayHaveSeamJump() const { return surface_.processing.seam == Seam::Periodic; }
 
   /// The modes of the rigid line of a row, up to what the period's points carry. Of random phases:
   /// of a realization.
