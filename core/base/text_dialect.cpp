@@ -1,0 +1,247 @@
+#include "core/base/text_dialect.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <functional>
+#include <map>
+
+#include "core/base/text_number.h"
+
+namespace asperity {
+namespace {
+
+using Separator = TextDialect::Separator;
+using Lines = std::vector<std::string_view>;
+
+/// The longest stretch of lines that is looked at in one place, and how many of them.
+constexpr std::size_t kStretch = std::size_t{1} << 15, kMostLines = 200;
+
+/// Lines from the beginning, the end and three places between.
+struct Sample {
+  Lines lines;
+  std::size_t ofBeginning = 0;  // so many of them follow each other from the first line on
+};
+
+Sample sampleOf(std::string_view text) {
+  Sample sample;
+  const auto take = [&sample](std::string_view rest) {
+    const std::size_t whole = rest.size();
+    for (std::size_t i = 0; i < kMostLines && !rest.empty() && whole - rest.size() < kStretch; ++i)
+      sample.lines.push_back(takeLine(rest));
+  };
+  take(text);
+  sample.ofBeginning = sample.lines.size();
+  if (text.size() <= kStretch) return sample;
+  for (const std::size_t place : {text.size() / 4, text.size() / 2, text.size() / 4 * 3,
+                                  text.size() - std::min(text.size(), kStretch / 8)}) {
+    std::string_view rest = text.substr(place);
+    takeLine(rest);  // is cut off
+    take(rest);
+  }
+  return sample;
+}
+
+/// How well a dialect reads the lines of a sample.
+struct Fit {
+  double score = 0;          // lines that are rows of numbers; those of another width count less
+  std::size_t columns = 0;   // of most rows
+  std::size_t firstRow = 0;  // the first line that is a row
+};
+
+Fit fitOf(const Lines& lines, const TextDialect& dialect) {
+  std::vector<std::string_view> fields;
+  std::map<std::size_t, double> ofColumns;  // sum of the scores for each number of fields
+  Fit fit;
+  fit.firstRow = lines.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (trimmedBlanks(lines[i]).empty() || isComment(lines[i])) continue;
+    splitFields(lines[i], dialect.separator, fields);
+    while (fields.size() > 1 && trimmedBlanks(fields.back()).empty()) fields.pop_back();
+    std::size_t numbers = 0, texts = 0;
+    for (const std::string_view field : fields) {
+      const FieldKind kind = readField(field, dialect.decimal).kind;
+      numbers += kind == FieldKind::Number ? 1 : 0;
+      texts += kind == FieldKind::Text ? 1 : 0;
+    }
+    if (numbers == 0 || 2 * texts > fields.size()) continue;
+    const double score = texts == 0 ? 1 : 0.5;
+    if (texts == 0) fit.firstRow = std::min(fit.firstRow, i);
+    ofColumns[fields.size()] += score;
+    sum += score;
+  }
+  double best = 0;
+  for (const auto& [columns, score] : ofColumns)
+    if (score > best) {
+      best = score;
+      fit.columns = columns;
+    }
+  constexpr double kOfOtherWidth = 0.3;
+  fit.score = best + kOfOtherWidth * (sum - best);
+  return fit;
+}
+
+bool isDigit(char letter) {
+  return letter >= '0' && letter <= '9';
+}
+
+/// Whether each number is larger than the one before, or each one smaller.
+bool isMonotone(const std::vector<double>& numbers) {
+  const auto none = numbers.end();
+  return std::ranges::adjacent_find(numbers, std::greater_equal<>()) == none ||
+         std::ranges::adjacent_find(numbers, std::less_equal<>()) == none;
+}
+
+/// Whether commas between whole numbers are decimal marks: "0,05", "-0,5", "1,5E-3", always the
+/// same number of digits behind them, or, of two columns, a first one that goes up and down, which
+/// positions and velocities do not.
+bool looksLikeDecimals(const Lines& lines, std::size_t columns) {
+  std::vector<std::string_view> fields;
+  std::size_t rows = 0, digits = 0;
+  bool sameDigits = true, varies = false;
+  std::string_view firstTail;
+  std::vector<double> heads;
+  for (const std::string_view line : lines) {
+    splitFields(line, Separator::Comma, fields);
+    if (fields.size() != columns || isComment(line)) continue;
+    const auto isWhole = [](std::string_view field) {
+      return readField(field, '.').kind == FieldKind::Number &&
+             field.find('.') == std::string_view::npos;
+    };
+    if (!std::ranges::all_of(fields, isWhole)) continue;
+    heads.push_back(readField(fields.front(), '.').value);
+    for (std::size_t i = 1; i < fields.size(); i += 2) {
+      const std::string_view tail = trimmedBlanks(fields[i]);
+      if (!isDigit(tail.front())) return false;  // a sign begins a number of its own
+      if ((tail.size() > 1 && tail[0] == '0' && isDigit(tail[1])) ||
+          trimmedBlanks(fields[i - 1]) == "-0")
+        return true;
+      if (tail.find_first_of("eE") != std::string_view::npos) return true;
+      if (rows == 0) {
+        digits = tail.size();
+        firstTail = tail;
+      }
+      sameDigits = sameDigits && tail.size() == digits;
+      varies = varies || tail != firstTail;
+      ++rows;
+    }
+  }
+  constexpr std::size_t kEnoughRows = 3;
+  if (rows < kEnoughRows) return false;
+  return (digits > 1 && sameDigits && varies) || (columns == 2 && !isMonotone(heads));
+}
+
+/// The line before the first row; empty where there is none.
+std::string_view lineBefore(const Sample& sample, std::size_t firstRow) {
+  for (std::size_t i = std::min(firstRow, sample.ofBeginning); i-- > 0;)
+    if (!trimmedBlanks(sample.lines[i]).empty()) return sample.lines[i];
+  return {};
+}
+
+/// Of whole numbers between commas: whether each comma, or every second one, is a decimal mark.
+TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
+  const TextDialect comma{Separator::Comma, '.'};
+  if (fit.columns % 2 != 0) return comma;
+  const std::string_view names = lineBefore(sample, fit.firstRow);
+  std::vector<std::string_view> fields;
+  splitFields(names, Separator::Comma, fields);
+  if (fields.size() == fit.columns) return comma;
+  // As many names as halves; a single one counts if it has a unit, else it may be any title.
+  const bool isNamed = fields.size() == fit.columns / 2 &&
+                       (fields.size() > 1 || (names.find_first_of("([") != std::string_view::npos &&
+                                              names.find_first_of(":=") == std::string_view::npos));
+  if (!isNamed && !looksLikeDecimals(sample.lines, fit.columns)) return comma;
+  if (fit.columns == 2) return {Separator::Blanks, ','};
+  return {Separator::CommaPair, ','};
+}
+
+}  // namespace
+
+std::string_view takeLine(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+  return line;
+}
+
+bool isComment(std::string_view line) {
+  line = trimmedBlanks(line);
+  return line.starts_with('#') || line.starts_with('%') || line.starts_with("//") ||
+         line.starts_with('!');
+}
+
+void splitFields(std::string_view line, Separator separator,
+                 std::vector<std::string_view>& fields) {
+  fields.clear();
+  const char mark = separator == Separator::Tab         ? '\t'
+                    : separator == Separator::Semicolon ? ';'
+                    : separator == Separator::Bar       ? '|'
+                                                        : ',';
+  const bool atBlanks = separator == Separator::Blanks;
+  bool quoted = false, second = false;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= line.size(); ++i) {
+    const bool atEnd = i == line.size();
+    if (!atEnd && line[i] == '"') quoted = !quoted;
+    if (!atEnd && quoted) continue;
+    const bool isBlank = !atEnd && (line[i] == ' ' || line[i] == '\t');
+    if (atBlanks) {
+      if (!atEnd && !isBlank) continue;
+      if (i > begin) fields.push_back(line.substr(begin, i - begin));
+      begin = i + 1;
+      continue;
+    }
+    if (!atEnd && line[i] != mark) continue;
+    const bool blankFollows = i + 1 < line.size() && (line[i + 1] == ' ' || line[i + 1] == '\t');
+    if (!atEnd && separator == Separator::CommaBlank && !blankFollows) continue;
+    second = !second;
+    if (!atEnd && separator == Separator::CommaPair && second) continue;
+    fields.push_back(line.substr(begin, i - begin));
+    begin = i + 1;
+  }
+}
+
+TextDialect detectDialect(std::string_view text) {
+  const Sample sample = sampleOf(text);
+  // Of equal fits the first one is taken.
+  constexpr std::array<TextDialect, 11> kCandidates{{{Separator::Semicolon, '.'},
+                                                     {Separator::Semicolon, ','},
+                                                     {Separator::Tab, '.'},
+                                                     {Separator::Tab, ','},
+                                                     {Separator::Bar, '.'},
+                                                     {Separator::Bar, ','},
+                                                     {Separator::Comma, '.'},
+                                                     {Separator::Comma, ','},
+                                                     {Separator::CommaBlank, ','},
+                                                     {Separator::Blanks, '.'},
+                                                     {Separator::Blanks, ','}}};
+  TextDialect best;
+  Fit bestFit;
+  for (const TextDialect& candidate : kCandidates) {
+    const Fit fit = fitOf(sample.lines, candidate);
+    if (candidate.isExact() && fit.columns < 2) continue;
+    // "1,5, 2,5": each column holds two of the fields that every comma makes.
+    const bool halves = candidate.separator == Separator::CommaBlank &&
+                        best.separator == Separator::Comma && fit.score >= bestFit.score &&
+                        2 * fit.columns == bestFit.columns;
+    if (fit.score > bestFit.score || halves) {
+      best = candidate;
+      bestFit = fit;
+    }
+  }
+  if (best == TextDialect{Separator::Comma, '.'}) {
+    const auto hasPoint = [](std::string_view line) {
+      return !isComment(line) && line.find('.') != std::string_view::npos &&
+             line.find_first_of("0123456789") != std::string_view::npos;
+    };
+    const std::size_t points =
+        static_cast<std::size_t>(std::ranges::count_if(sample.lines, hasPoint));
+    if (2 * points < sample.lines.size()) return ofWholeNumbers(sample, bestFit);
+  }
+  return best;
+}
+
+}  // namespace asperity

@@ -1,0 +1,44 @@
+// How the rows of a text table are written: what separates the fields, and whether a decimal mark
+// is a point or a comma. Found from the numbers themselves. Pure; any thread.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace asperity {
+
+struct TextDialect {
+  enum class Separator {
+    Blanks,  // any run of spaces and tabs
+    Tab,     // each tab: two in a row enclose an empty field
+    Semicolon,
+    Comma,
+    Bar,         // "|"
+    CommaBlank,  // "1,5, 2,5": only a comma with a blank behind it separates
+    CommaPair,   // "1,5,2,5": every second comma separates
+  };
+
+  Separator separator = Separator::Blanks;
+  char decimal = '.';
+
+  /// Whether two separators in a row enclose an empty field.
+  bool isExact() const { return separator != Separator::Blanks; }
+  bool operator==(const TextDialect&) const = default;
+};
+
+/// The dialect in which most lines of the text are rows of equally many numbers. Looks at some
+/// places of a long text alone.
+TextDialect detectDialect(std::string_view text);
+
+/// Replaces `fields` by those of one line; separators within double quotes do not count. The fields
+/// still have their blanks and quotes.
+void splitFields(std::string_view line, TextDialect::Separator separator,
+                 std::vector<std::string_view>& fields);
+
+/// The first line of the text, without its end and the blanks there; takes it and its end away.
+std::string_view takeLine(std::string_view& text);
+
+/// Whether a line begins as a comment does: '#', '%', "//", '!'.
+bool isComment(std::string_view line);
+
+}  // namespace asperity

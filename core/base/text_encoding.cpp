@@ -1,0 +1,145 @@
+#include "core/base/text_encoding.h"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "core/base/input_error.h"
+#include "core/base/regular_file.h"
+
+namespace asperity {
+namespace {
+
+unsigned char byteAt(std::string_view text, std::size_t place) {
+  return static_cast<unsigned char>(text[place]);
+}
+
+void appendUtf8(std::string& text, std::uint32_t code) {
+  const auto add = [&text](std::uint32_t byte) { text += static_cast<char>(byte); };
+  if (code < 0x80) return add(code);
+  if (code < 0x800) {
+    add(0xC0 | code >> 6);
+  } else {
+    if (code < 0x10000) {
+      add(0xE0 | code >> 12);
+    } else {
+      add(0xF0 | code >> 18);
+      add(0x80 | (code >> 12 & 0x3F));
+    }
+    add(0x80 | (code >> 6 & 0x3F));
+  }
+  add(0x80 | (code & 0x3F));
+}
+
+std::string utf8OfUtf16(std::string_view bytes, bool littleEndian) {
+  const std::size_t count = bytes.size() / 2;
+  const auto unit = [&](std::size_t i) -> std::uint32_t {
+    const std::uint32_t first = byteAt(bytes, 2 * i), second = byteAt(bytes, 2 * i + 1);
+    return littleEndian ? second << 8 | first : first << 8 | second;
+  };
+  std::string text;
+  text.reserve(count + count / 8);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint32_t code = unit(i);
+    if (code >= 0xD800 && code < 0xDC00 && i + 1 < count && (unit(i + 1) & 0xFC00U) == 0xDC00) {
+      code = 0x10000 + ((code - 0xD800) << 10) + (unit(i + 1) - 0xDC00);
+      ++i;
+    } else if ((code & 0xF800U) == 0xD800) {
+      code = 0xFFFD;  // half of a pair
+    }
+    appendUtf8(text, code);
+  }
+  return text;
+}
+
+/// Bytes 0x80 to 0x9F of Microsoft's variant; those that it leaves free stay as in Latin-1.
+constexpr std::array<std::uint16_t, 32> kMicrosoft{
+    0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+    0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+    0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
+
+std::string utf8OfLatin1(std::string_view bytes) {
+  std::string text;
+  text.reserve(bytes.size() + bytes.size() / 16);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const unsigned char byte = byteAt(bytes, i);
+    appendUtf8(text, byte >= 0x80 && byte < 0xA0 ? kMicrosoft[byte - 0x80U] : byte);
+  }
+  return text;
+}
+
+/// Whether some carriage return has no line feed behind it.
+bool hasLoneReturn(std::string_view text) {
+  for (std::size_t at = 0; (at = text.find('\r', at)) != std::string_view::npos; ++at)
+    if (at + 1 == text.size() || text[at + 1] != '\n') return true;
+  return false;
+}
+
+std::string withLineFeeds(std::string_view text) {
+  std::string changed;
+  changed.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool isPair = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+    if (!isPair) changed += text[i] == '\r' ? '\n' : text[i];
+  }
+  return changed;
+}
+
+}  // namespace
+
+bool isUtf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    // Eight letters of ASCII at once.
+    std::uint64_t eight = 0;
+    while (i + 8 <= text.size()) {
+      std::memcpy(&eight, text.data() + i, 8);
+      if ((eight & 0x8080808080808080U) != 0) break;
+      i += 8;
+    }
+    if (i == text.size()) break;
+    const unsigned char first = byteAt(text, i);
+    if (first < 0x80) {
+      ++i;
+      continue;
+    }
+    const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    if (first < 0xC2 || first > 0xF4 || text.size() - i < bytes) return false;
+    for (std::size_t k = 1; k < bytes; ++k)
+      if ((byteAt(text, i + k) & 0xC0U) != 0x80) return false;
+    i += bytes;
+  }
+  return true;
+}
+
+void decodeText(std::string_view bytes, const std::string& name, DecodedText& decoded) {
+  constexpr std::string_view kMark8 = "\xEF\xBB\xBF", kMarkLittle = "\xFF\xFE",
+                             kMarkBig = "\xFE\xFF";
+  const std::string_view kind = foreignKindOf(bytes);
+  decoded.encoding = "UTF-8";
+  decoded.text = bytes;
+  if (kind == "text in UTF-16") {
+    const bool hasMark = bytes.starts_with(kMarkLittle) || bytes.starts_with(kMarkBig);
+    const bool isLittle = hasMark ? bytes.starts_with(kMarkLittle) : byteAt(bytes, 0) != 0;
+    decoded.converted = utf8OfUtf16(bytes.substr(hasMark ? 2 : 0), isLittle);
+    decoded.text = decoded.converted;
+    decoded.encoding = "UTF-16";
+  } else if (!kind.empty()) {
+    throw InputError(name, "", message("is {}, not a table of numbers as text", Message(kind)));
+  } else if (bytes.starts_with(kMark8)) {
+    decoded.text = bytes.substr(kMark8.size());
+  }
+  if (decoded.encoding == "UTF-8" && !isUtf8(decoded.text)) {
+    decoded.converted = utf8OfLatin1(decoded.text);
+    decoded.text = decoded.converted;
+    decoded.encoding = "Latin-1";
+  }
+  // What fills up the last block of a file is no text.
+  const std::size_t end = decoded.text.find_last_not_of(std::string_view("\0\x1A", 2));
+  decoded.text = decoded.text.substr(0, end == std::string_view::npos ? 0 : end + 1);
+  if (hasLoneReturn(decoded.text)) {
+    decoded.converted = withLineFeeds(decoded.text);
+    decoded.text = decoded.converted;
+  }
+}
+
+}  // namespace asperity

@@ -1,0 +1,28 @@
+// Text files as UTF-8 with plain line ends, whatever wrote them. Pure; any thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace asperity {
+
+/// The text of a file in UTF-8, without its byte order mark, each line ended by LF or CR LF.
+struct DecodedText {
+  std::string_view text;      // of the bytes given, or of `converted`
+  std::string_view encoding;  // "UTF-8", "UTF-16" or "Latin-1"
+  std::string converted{};    // where the bytes could not stay as they are
+
+  DecodedText() = default;
+  DecodedText(const DecodedText&) = delete;  // the text may be its own
+  DecodedText& operator=(const DecodedText&) = delete;
+};
+
+/// Fills `decoded` from UTF-8, UTF-16 (with a mark, or without one where every other byte is 0) or,
+/// where the bytes are no UTF-8, Latin-1 in Microsoft's variant. The bytes must outlive `decoded`.
+/// Throws InputError naming the file `name` where they are no text.
+void decodeText(std::string_view bytes, const std::string& name, DecodedText& decoded);
+
+/// Whether all of it is UTF-8.
+bool isUtf8(std::string_view text);
+
+}  // namespace asperity

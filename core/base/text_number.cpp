@@ -1,0 +1,162 @@
+#include "core/base/text_number.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// What programs write where there is no value, in lower case.
+constexpr std::array kMissing{"nan"sv,    "-nan"sv,     "+nan"sv,      "nan(ind)"sv,  "-nan(ind)"sv,
+                              "qnan"sv,   "1.#qnan"sv,  "-1.#qnan"sv,  "1.#ind"sv,    "-1.#ind"sv,
+                              "1.#inf"sv, "-1.#inf"sv,  "1.#j"sv,      "-1.#j"sv,     "inf"sv,
+                              "+inf"sv,   "-inf"sv,     "infinity"sv,  "-infinity"sv, "+infinity"sv,
+                              "\u221E"sv, "-\u221E"sv,  "na"sv,        "n/a"sv,       "#n/a"sv,
+                              "#nv"sv,    "#num!"sv,    "#div/0!"sv,   "#value!"sv,   "#wert!"sv,
+                              "null"sv,   "none"sv,     "nil"sv,       "missing"sv,   "bad"sv,
+                              "void"sv,   "undef"sv,    "undefined"sv, "n.d."sv,      "n.a."sv,
+                              "nd"sv,     "?"sv,        "."sv,         "\u2013"sv,    "\u2014"sv,
+                              "ol"sv,     "overflow"sv, "masked"sv,    "<na>"sv};
+
+constexpr std::array kTrue{"true"sv, "ok"sv, "good"sv, "valid"sv, "yes"sv, "pass"sv, "wahr"sv};
+constexpr std::array kFalse{"false"sv, "invalid"sv, "no"sv, "fail"sv, "nok"sv, "falsch"sv};
+
+template <std::size_t count>
+bool contains(const std::array<std::string_view, count>& words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+bool isMissing(std::string_view text) {
+  // "-", "--", "***", "####": nothing but one of these.
+  if (text.find_first_not_of("-") == std::string_view::npos ||
+      text.find_first_not_of("*") == std::string_view::npos ||
+      text.find_first_not_of("#") == std::string_view::npos)
+    return true;
+  constexpr std::size_t kLongest = 12;
+  return text.size() <= kLongest && contains(kMissing, lowerCase(text));
+}
+
+/// The bytes of blanks beyond ASCII at the beginning or at the end.
+constexpr std::array kWideBlanks{"\u00A0"sv, "\u2009"sv, "\u202F"sv, "\u2007"sv, "\uFEFF"sv};
+
+constexpr std::string_view kBlanks = " \t\r\n\v\f";
+
+constexpr std::string_view kMinus = "\u2212";
+
+constexpr std::size_t kLongestNumber = 64;
+
+/// All of the text by std::from_chars.
+bool readPlain(const char* begin, const char* end, double& number) {
+  const auto [stop, error] = std::from_chars(begin, end, number);
+  if (stop != end) return false;
+  if (error == std::errc{}) return std::isfinite(number);
+  if (error != std::errc::result_out_of_range) return false;
+  // Too small is 0; too large is no number.
+  const char* exponent = std::find_if(begin, end, [](char c) { return c == 'e' || c == 'E'; });
+  number = 0;
+  return exponent + 1 < end && exponent[1] == '-';
+}
+
+}  // namespace
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& letter : lower)
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return lower;
+}
+
+std::string_view trimmedBlanks(std::string_view text) {
+  while (true) {
+    const std::size_t before = text.size();
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    text.remove_suffix(text.size() - (text.find_last_not_of(kBlanks) + 1));
+    for (const std::string_view blank : kWideBlanks) {
+      if (text.starts_with(blank)) text.remove_prefix(blank.size());
+      if (text.ends_with(blank)) text.remove_suffix(blank.size());
+    }
+    if (text.size() == before) return text;
+  }
+}
+
+std::string_view trimmedField(std::string_view text) {
+  text = trimmedBlanks(text);
+  if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') &&
+      text.back() == text.front())
+    text = trimmedBlanks(text.substr(1, text.size() - 2));
+  return text;
+}
+
+bool readTextNumber(std::string_view text, char decimal, double& number) {
+  if (text.empty() || text.size() > kLongestNumber) return false;
+  std::array<char, kLongestNumber + 1> plain{};
+  char* end = plain.data();
+  if (text.starts_with(kMinus)) {
+    *end++ = '-';
+    text.remove_prefix(kMinus.size());
+  } else if (text.front() == '+') {
+    text.remove_prefix(1);
+    if (!text.empty() && text.front() == '-') return false;
+  }
+  bool hasDigit = false, hasExponent = false, afterExponent = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    char letter = text[i];
+    if (letter >= '0' && letter <= '9') {
+      hasDigit = true;
+    } else if (letter == '.' || letter == ',') {
+      if (letter != decimal || hasExponent) return false;
+      letter = '.';
+    } else if ((letter == 'e' || letter == 'E' || letter == 'd' || letter == 'D') && hasDigit &&
+               !hasExponent) {
+      hasExponent = true;
+      letter = 'e';
+    } else if (afterExponent && text.substr(i).starts_with(kMinus)) {
+      letter = '-';
+      i += kMinus.size() - 1;
+    } else if (letter != '-' && !(letter == '+' && afterExponent)) {
+      return false;  // letters of "inf" and "nan", too
+    }
+    afterExponent = letter == 'e';
+    *end++ = letter;
+  }
+  return hasDigit && readPlain(plain.data(), end, number);
+}
+
+Field readField(std::string_view text, char decimal) {
+  text = trimmedField(text);
+  if (text.empty()) return {FieldKind::Missing, kNone};
+  double number = 0;
+  if (readTextNumber(text, decimal, number)) return {FieldKind::Number, number};
+  if (isMissing(text)) return {FieldKind::Missing, kNone};
+  constexpr std::size_t kLongestFlag = 8;
+  if (text.size() <= kLongestFlag) {
+    const std::string word = lowerCase(text);
+    if (contains(kTrue, word)) return {FieldKind::Flag, 1};
+    if (contains(kFalse, word)) return {FieldKind::Flag, 0};
+  }
+  return {FieldKind::Text, 0};
+}
+
+std::optional<TextQuantity> quantityIn(std::string_view text) {
+  text = trimmedField(text);
+  // The longest beginning that is a number, with either mark.
+  const std::size_t most =
+      std::min(text.find_first_not_of("0123456789+-.,eEdD\xE2\x88\x92"), text.size());
+  for (std::size_t size = most; size > 0; --size) {
+    const std::string_view beginning = text.substr(0, size);
+    double number = 0;
+    if (readTextNumber(beginning, '.', number) || readTextNumber(beginning, ',', number))
+      return TextQuantity{number, std::string(trimmedField(text.substr(size)))};
+  }
+  return {};
+}
+
+}  // namespace asperity

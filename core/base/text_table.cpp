@@ -1,0 +1,478 @@
+#include "core/base/text_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "core/base/input_error.h"
+#include "core/base/text_encoding.h"
+#include "core/base/text_names.h"
+#include "core/base/text_number.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::size_t kMostNumbers = std::size_t{1} << 27;
+constexpr std::size_t kMostHeaderLines = 10000;              // that are kept for one block
+constexpr std::size_t kProgressStep = std::size_t{1} << 20;  // bytes
+
+bool isBlank(char letter) {
+  return letter == ' ' || letter == '\t';
+}
+
+bool isDigit(char letter) {
+  return letter >= '0' && letter <= '9';
+}
+
+char markOf(TextDialect::Separator separator) {
+  switch (separator) {
+    case TextDialect::Separator::Tab:
+      return '\t';
+    case TextDialect::Separator::Semicolon:
+      return ';';
+    case TextDialect::Separator::Bar:
+      return '|';
+    case TextDialect::Separator::Comma:
+      return ',';
+    default:
+      return ' ';
+  }
+}
+
+/// Reads a row of exactly `numbers.size()` plain numbers; false where there is anything else, which
+/// the slow way looks at.
+bool readPlainRow(std::string_view line, const TextDialect& dialect, std::span<double> numbers) {
+  using Separator = TextDialect::Separator;
+  if (dialect.separator == Separator::CommaBlank || dialect.separator == Separator::CommaPair)
+    return false;
+  const char mark = markOf(dialect.separator);
+  const bool atBlanks = dialect.separator == Separator::Blanks;
+  const char* place = line.data();
+  const char* const end = place + line.size();
+  const auto skipBlanks = [&] {
+    while (place != end && (*place == ' ' || (*place == '\t' && mark != '\t'))) ++place;
+  };
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    skipBlanks();
+    if (i > 0 && !atBlanks) {
+      if (place == end || *place != mark) return false;
+      ++place;
+      skipBlanks();
+    }
+    if (place != end && *place == '+') ++place;
+    // Neither "inf" nor "nan", which std::from_chars takes for numbers.
+    const char* first = place != end && *place == '-' ? place + 1 : place;
+    if (first == end || !(isDigit(*first) || *first == '.')) return false;
+    if (dialect.decimal == '.') {
+      const auto [stop, error] = std::from_chars(place, end, numbers[i]);
+      if (error != std::errc{}) return false;
+      place = stop;
+    } else {
+      const char* stop = place;
+      while (stop != end && !isBlank(*stop) && *stop != mark) ++stop;
+      const auto size = static_cast<std::size_t>(stop - place);
+      if (!readTextNumber(std::string_view(place, size), ',', numbers[i])) return false;
+      place = stop;
+    }
+    if (place != end && !isBlank(*place) && *place != mark) return false;
+  }
+  skipBlanks();
+  return place == end;
+}
+
+/// Without the mark of a comment.
+std::string_view withoutMark(std::string_view line) {
+  line = trimmedBlanks(line);
+  while (line.starts_with('#') || line.starts_with('%') || line.starts_with('!'))
+    line = trimmedBlanks(line.substr(1));
+  if (line.starts_with("//")) line = trimmedBlanks(line.substr(2));
+  return line;
+}
+
+/// Where ":" or "=" ends a key; npos where there is none.
+std::size_t keyEnd(std::string_view line) {
+  const std::size_t at = line.find_first_of(":=");
+  return at == 0 ? std::string_view::npos : at;
+}
+
+TextEntry entryOf(std::string_view line, std::size_t number, const TextDialect& dialect) {
+  line = withoutMark(line);
+  TextEntry entry{{}, std::string(line), number};
+  std::vector<std::string_view> fields;
+  splitFields(line, dialect.separator, fields);
+  const auto setKey = [&entry](std::string_view key, std::string_view value) {
+    key = trimmedField(key);
+    while (key.ends_with(':') || key.ends_with('='))
+      key = trimmedBlanks(key.substr(0, key.size() - 1));
+    if (key.empty()) return;
+    while (!value.empty() && (value.back() == ';' || value.back() == ',' || isBlank(value.back())))
+      value.remove_suffix(1);
+    entry.key = key;
+    entry.value = trimmedField(value);
+  };
+  const std::size_t end = keyEnd(line);
+  const std::size_t tab = line.find('\t');
+  const bool isExact = dialect.isExact() && fields.size() > 1;
+  if (isExact && end >= fields.front().size()) {
+    // "Width;10;\u00B5m"
+    std::string value;
+    for (std::size_t i = 1; i < fields.size(); ++i)
+      if (const auto part = trimmedField(fields[i]); !part.empty())
+        value += (value.empty() ? "" : " ") + std::string(part);
+    setKey(fields.front(), value);
+  } else if (end != std::string_view::npos) {
+    setKey(line.substr(0, end), line.substr(end + 1));
+  } else if (tab != std::string_view::npos && tab > 0) {
+    setKey(line.substr(0, tab), line.substr(tab + 1));
+  } else if ((fields.size() == 2 || fields.size() == 3) &&
+             readField(fields[0], dialect.decimal).kind == FieldKind::Text &&
+             readField(fields[1], dialect.decimal).kind == FieldKind::Number) {
+    setKey(fields[0], line.substr(static_cast<std::size_t>(fields[1].data() - line.data())));
+  }
+  return entry;
+}
+
+struct Line {
+  std::string_view text;
+  std::size_t number = 0;
+};
+
+/// The fields of the lines above a block that may be names, units and comments of its columns; the
+/// nearest line is the first.
+std::vector<std::vector<std::string>> rowsAbove(const std::vector<Line>& above,
+                                                const TextDialect& dialect, std::size_t columns) {
+  constexpr std::size_t kMostRows = 4;
+  std::vector<std::vector<std::string>> rows;
+  for (auto line = above.rbegin(); line != above.rend() && rows.size() < kMostRows; ++line) {
+    const std::string_view text = withoutMark(line->text);
+    if (text.empty()) continue;
+    // A comma or a semicolon in front is an unnamed column, too: the mark alone was taken off.
+    std::vector<std::string> fields = splitNames(text, dialect, columns);
+    // Row numbers, which some programs write in front, have no name.
+    if (fields.empty() && columns > 2 && (dialect.isExact() || text.starts_with('"'))) {
+      fields = splitNames(text, dialect, columns - 1);
+      if (!fields.empty()) fields.insert(fields.begin(), std::string());
+    }
+    if (fields.empty()) break;
+    const bool isEntry = keyEnd(text) != std::string_view::npos;
+    std::vector<std::string_view> exact;
+    splitFields(text, dialect.separator, exact);
+    if (isEntry && !(dialect.isExact() && columns > 1 && exact.size() >= columns)) break;
+    std::size_t numbers = 0, texts = 0;
+    for (const std::string& field : fields) {
+      const FieldKind kind = readField(field, dialect.decimal).kind;
+      numbers += kind == FieldKind::Number ? 1 : 0;
+      texts += kind == FieldKind::Text ? 1 : 0;
+    }
+    // Numbers may be names of all columns but the first: temperatures, or positions along x.
+    const bool areNames = numbers == 0 || (columns > 2 && numbers + 1 >= columns);
+    if (!areNames || texts == 0) break;
+    rows.push_back(std::move(fields));
+  }
+  return rows;
+}
+
+/// Whether each field is a unit or empty, and one at least could be nothing else.
+bool areUnits(const std::vector<std::string>& fields) {
+  bool anySure = false;
+  for (const std::string& field : fields) {
+    if (trimmedField(field).empty()) continue;
+    const std::string_view inner = withoutBrackets(field);
+    const bool inBrackets = inner.size() != trimmedField(field).size();
+    if (!isKnownUnit(field) && !inBrackets) return false;
+    anySure = anySure || inBrackets || inner.size() > 1 || inner == "m";
+  }
+  return anySure;
+}
+
+std::vector<TextColumn> namedColumns(const std::vector<Line>& above, const TextDialect& dialect,
+                                     std::size_t columns) {
+  std::vector<TextColumn> named(columns);
+  const auto rows = rowsAbove(above, dialect, columns);
+  const auto units = std::ranges::find_if(rows, areUnits);
+  // Names stand above their units; without units, right above the numbers.
+  const std::vector<std::string>* names = nullptr;
+  if (units == rows.end()) {
+    if (!rows.empty()) names = &rows.front();
+  } else if (units + 1 != rows.end()) {
+    names = &*(units + 1);
+  } else if (units != rows.begin()) {
+    names = &*(units - 1);
+  }
+  for (std::size_t i = 0; i < columns; ++i) {
+    if (names != nullptr) {
+      const ColumnName name = columnName((*names)[i]);
+      named[i].name = name.name;
+      named[i].unit = name.unit;
+    }
+    if (units != rows.end())
+      if (const std::string_view unit = withoutBrackets((*units)[i]); !unit.empty())
+        named[i].unit = unit;
+  }
+  return named;
+}
+
+class TableReader {
+ public:
+  TableReader(std::string_view text, const std::string& name, const TextTableOptions& options,
+              TextTable& table)
+      : whole_(text), rest_(text), name_(name), options_(options), table_(table) {}
+
+  void read() {
+    while (!rest_.empty()) {
+      const Line line{takeLine(rest_), ++number_};
+      if (whole_.size() - rest_.size() >= nextReport_) report();
+      take(line);
+    }
+    for (const Line& line : above_) addEntry(line, table_.trailer);
+    if (table_.blocks.empty()) throw InputError(name_, "", "has no rows of numbers");
+  }
+
+ private:
+  [[noreturn]] void fail(const Message& message) const { throw InputError(name_, "", message); }
+
+  void report() {
+    nextReport_ += kProgressStep;
+    if (options_.progress)
+      options_.progress(1 - static_cast<double>(rest_.size()) / static_cast<double>(whole_.size()));
+  }
+
+  void take(const Line& line) {
+    if (isOpen_ && appendPlain(line)) return;
+    if (trimmedBlanks(line.text).empty()) return;
+    if (isComment(line.text)) return keep(line);
+    readRow(line.text);
+    if (isOpen_ && fits()) return append(line);
+    if (isOpen_) refuseAmidRows(line);
+    if (startsBlock(line)) return start(line);
+    keep(line);
+  }
+
+  /// A line that is no row; it may be part of a header.
+  void keep(const Line& line) {
+    if (above_.size() < kMostHeaderLines) above_.push_back(line);
+  }
+
+  /// The rows go on behind lines that were kept: comments may stand between rows, a header begins a
+  /// block of its own.
+  bool goesOn() const {
+    return std::ranges::all_of(above_, [this](const Line& line) {
+      return isComment(line.text) && entryOf(line.text, line.number, table_.dialect).key.empty();
+    });
+  }
+
+  TextBlock& block() { return table_.blocks.back(); }
+
+  bool appendPlain(const Line& line) {
+    if (hasTexts_) return false;
+    row_.resize(block().columns.size());
+    if (!readPlainRow(line.text, table_.dialect, row_)) return false;
+    if (!above_.empty() && !goesOn()) return false;  // begins a block, the slow way
+    addRow(line);
+    return true;
+  }
+
+  void addRow(const Line& line) {
+    above_.clear();
+    if (count_ + row_.size() > kMostNumbers)
+      fail(message("has more than {} numbers", kMostNumbers));
+    count_ += row_.size();
+    block().values.insert(block().values.end(), row_.begin(), row_.end());
+    block().lines.push_back(static_cast<std::uint32_t>(line.number));
+    ++block().rows;
+  }
+
+  /// Fills fields_ and kinds_.
+  void readRow(std::string_view line) {
+    splitFields(line, table_.dialect.separator, fields_);
+    kinds_.clear();
+    for (const std::string_view field : fields_)
+      kinds_.push_back(readField(field, table_.dialect.decimal));
+  }
+
+  std::size_t countOf(FieldKind kind) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(kinds_, [kind](const Field& field) { return field.kind == kind; }));
+  }
+
+  /// Whether the fields are a row of the open block.
+  bool fits() const {
+    const std::vector<TextColumn>& columns = table_.blocks.back().columns;
+    std::size_t size = fields_.size();
+    while (size > columns.size() && trimmedBlanks(fields_[size - 1]).empty()) --size;
+    if (size > columns.size()) return false;
+    for (std::size_t i = size; i < columns.size(); ++i)
+      if (!columns[i].isText) return false;
+    bool anyValue = false;
+    for (std::size_t i = 0; i < size; ++i) {
+      if (columns[i].isText) continue;
+      if (kinds_[i].kind == FieldKind::Text) return false;
+      anyValue = anyValue || !trimmedBlanks(fields_[i]).empty();
+    }
+    // Nothing but separators is a row of gaps if it stands amid the rows.
+    return anyValue || (size == columns.size() && nextLineFits());
+  }
+
+  /// Whether the next line that is not blank is a row of the open block.
+  bool nextLineFits() const {
+    std::string_view rest = rest_;
+    while (!rest.empty()) {
+      const std::string_view line = takeLine(rest);
+      if (trimmedBlanks(line).empty()) continue;
+      std::vector<std::string_view> fields;
+      splitFields(line, table_.dialect.separator, fields);
+      const std::vector<TextColumn>& columns = table_.blocks.back().columns;
+      while (fields.size() > columns.size() && trimmedBlanks(fields.back()).empty())
+        fields.pop_back();
+      if (fields.size() != columns.size()) return false;
+      bool anyNumber = false;
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        const FieldKind kind = readField(fields[i], table_.dialect.decimal).kind;
+        if (kind == FieldKind::Text && !columns[i].isText) return false;
+        anyNumber = anyNumber || kind == FieldKind::Number;
+      }
+      return anyNumber;
+    }
+    return false;
+  }
+
+  /// A row that is wrong in one field, or has another width, is an error where the rows go on.
+  void refuseAmidRows(const Line& line) const {
+    const std::size_t columns = table_.blocks.back().columns.size();
+    const std::size_t numbers = countOf(FieldKind::Number);
+    const bool isEntry = keyEnd(line.text) != std::string_view::npos;
+    if (numbers == 0 || isEntry || !above_.empty() || !nextLineFits()) return;
+    if (fields_.size() != columns && countOf(FieldKind::Text) == 0)
+      fail(message("line {}: has {} fields where the lines before have {}", line.number,
+                   fields_.size(), columns));
+    for (std::size_t i = 0; i < std::min(columns, fields_.size()); ++i)
+      if (kinds_[i].kind == FieldKind::Text && !table_.blocks.back().columns[i].isText)
+        fail(message("line {}: column {} is not a number", line.number, i + 1));
+  }
+
+  void append(const Line& line) {
+    if (!above_.empty() && !goesOn()) return start(line);
+    const std::size_t columns = block().columns.size();
+    row_.assign(columns, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < columns; ++i) {
+      const bool isThere = i < fields_.size();
+      if (block().columns[i].isText)
+        block().texts[i].emplace_back(isThere ? trimmedField(fields_[i]) : std::string_view{});
+      else if (isThere)
+        row_[i] = kinds_[i].value;
+    }
+    addRow(line);
+  }
+
+  /// Whether the fields can be the first row of a block.
+  bool startsBlock(const Line& line) {
+    if (countOf(FieldKind::Number) == 0) return false;
+    if (countOf(FieldKind::Text) == 0) return true;
+    if (!options_.keepsTexts || keyEnd(line.text) != std::string_view::npos) return false;
+    const auto named = namedColumns(above_, table_.dialect, fields_.size());
+    return std::ranges::none_of(named,
+                                [](const TextColumn& column) { return column.name.empty(); });
+  }
+
+  void start(const Line& line) {
+    // Separators at the ends of all lines enclose nothing, unless the column has a name.
+    const auto isNamed = [this](std::size_t columns) {
+      return !above_.empty() &&
+             !splitNames(withoutMark(above_.back().text), table_.dialect, columns).empty();
+    };
+    while (fields_.size() > 1 && trimmedBlanks(fields_.back()).empty() &&
+           !isNamed(fields_.size())) {
+      fields_.pop_back();
+      kinds_.pop_back();
+    }
+    TextBlock fresh;
+    fresh.columns = namedColumns(above_, table_.dialect, fields_.size());
+    fresh.texts.resize(fields_.size());
+    hasTexts_ = false;
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      TextColumn& column = fresh.columns[i];
+      column.isText =
+          options_.keepsTexts && (kinds_[i].kind == FieldKind::Text ||
+                                  std::ranges::find(options_.textColumns, lowerCase(column.name)) !=
+                                      options_.textColumns.end());
+      hasTexts_ = hasTexts_ || column.isText;
+    }
+    for (const Line& kept : above_) addEntry(kept, fresh.header);
+    above_.clear();
+    if (!table_.blocks.empty()) block().values.shrink_to_fit();
+    // As many rows as there may be, so that large tables are not moved about.
+    const std::size_t rows = rest_.size() / (line.text.size() + 1) + 1;
+    fresh.values.reserve(std::min(rows * fields_.size(), kMostNumbers - count_));
+    table_.blocks.push_back(std::move(fresh));
+    isOpen_ = true;
+    append(line);
+  }
+
+  void addEntry(const Line& line, std::vector<TextEntry>& entries) const {
+    entries.push_back(entryOf(line.text, line.number, table_.dialect));
+  }
+
+  std::string_view whole_, rest_;
+  const std::string& name_;
+  const TextTableOptions& options_;
+  TextTable& table_;
+  std::size_t number_ = 0, count_ = 0;
+  std::size_t nextReport_ = kProgressStep;
+  bool isOpen_ = false;      // the last block may go on
+  bool hasTexts_ = false;    // of the last block
+  std::vector<Line> above_;  // lines since the last row
+  std::vector<std::string_view> fields_;
+  std::vector<Field> kinds_;
+  std::vector<double> row_;
+};
+
+}  // namespace
+
+std::vector<double> TextBlock::column(std::size_t number) const {
+  std::vector<double> found(rows);
+  for (std::size_t i = 0; i < rows; ++i) found[i] = at(i, number);
+  return found;
+}
+
+const TextBlock& TextTable::largest() const {
+  return *std::ranges::max_element(blocks, {},
+                                   [](const TextBlock& one) { return one.values.size(); });
+}
+
+std::string TextTable::entry(std::string_view key, const TextBlock& block) const {
+  const std::string wanted = lowerCase(key);
+  std::string found;
+  for (const TextBlock& one : blocks) {
+    for (const TextEntry& entry : one.header)
+      if (lowerCase(entry.key) == wanted) found = entry.value;
+    if (&one == &block) break;
+  }
+  return found;
+}
+
+TextTable readTextTable(std::string_view bytes, const std::string& name,
+                        const TextTableOptions& options) {
+  TextTable table;
+  DecodedText decoded;
+  decodeText(bytes, name, decoded);
+  table.encoding = decoded.encoding;
+  table.dialect = detectDialect(decoded.text);
+  TableReader(decoded.text, name, options, table).read();
+  return table;
+}
+
+bool countsRows(const TextBlock& block, std::size_t column) {
+  if (block.columns[column].isText || block.rows < 2) return false;
+  const double first = block.at(0, column);
+  if (std::isnan(first) || (first != 0 && first != 1)) return false;
+  for (std::size_t i = 1; i < block.rows; ++i) {
+    const double value = block.at(i, column);
+    if (std::isnan(value) || value != first + static_cast<double>(i)) return false;
+  }
+  return true;
+}
+
+}  // namespace asperity

@@ -1,0 +1,356 @@
+// Tables of numbers in text files. The writer below makes the same table in every dialect; the
+// reader must give the same values, names and units back.
+#include "core/base/text_table.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/base/input_error.h"
+#include "core/base/text_names.h"
+#include "core/base/text_number.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TextTable read(const std::string& text, const TextTableOptions& options = {}) {
+  return readTextTable(text, "table.txt", options);
+}
+
+std::vector<double> firstColumn(const std::string& text) {
+  return read(text).largest().column(0);
+}
+
+std::string errorOf(const std::string& text, const TextTableOptions& options = {}) {
+  try {
+    read(text, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+// ---- One table in many dialects ----------------------------------------------------------------
+
+constexpr double kPosition[] = {0, 0.25, 0.5, 0.75, 1, 1.25, 1.5};
+constexpr double kHeight[] = {-1.5, 0.05, 12.75, -0.5, 1e-6, 0, 300.125};
+
+std::string number(double value, char decimal, bool exponent) {
+  std::string text = exponent ? fmt::format("{:.6E}", value) : fmt::format("{:.9f}", value);
+  std::ranges::replace(text, '.', decimal);
+  return text;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+std::string table(const std::string& separator, char decimal, bool exponent,
+                  const std::string& header) {
+  std::string text = header;
+  for (int i = 0; i < 7; ++i)
+    text += number(kPosition[i], decimal, exponent) + separator +
+            number(kHeight[i], decimal, exponent) + "\n";
+  return text;
+}
+
+void expectTable(const std::string& text) {
+  const TextTable made = read(text);
+  const TextBlock& block = made.largest();
+  ASSERT_EQ(block.columns.size(), 2u) << text;
+  ASSERT_EQ(block.rows, 7u) << text;
+  for (int i = 0; i < 7; ++i) {
+    EXPECT_NEAR(block.at(i, 0), kPosition[i], 1e-9) << text;
+    EXPECT_NEAR(block.at(i, 1), kHeight[i], 1e-9) << text;
+  }
+}
+
+TEST(TextTable, ReadsEverySeparatorAndDecimalMark) {
+  for (const bool exponent : {false, true})
+    for (const std::string header : {"", "x;z\n", "# x z\n", "x\tz\n", "x,z\n", "A profile\n\n"}) {
+      for (const std::string separator :
+           {" ", "   ", "\t", ";", " ; ", ",", ", ", "|", " , ", ";\t"})
+        expectTable(table(separator, '.', exponent, header));
+      for (const std::string separator : {" ", "   ", "\t", ";", " ; ", ", ", "|", ";\t"})
+        expectTable(table(separator, ',', exponent, header));
+    }
+}
+
+TEST(TextTable, ReadsEveryLineEndAndEncoding) {
+  const std::string header = "L\u00E4nge (\u00B5m);H\u00F6he (\u00B5m)\n";
+  const std::string text = table(";", ',', false, header);
+  std::string little = "\xFF\xFE", big = "\xFE\xFF", latin;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned code = static_cast<unsigned char>(text[i]);
+    if (code >= 0x80) code = (code & 0x1F) << 6 | (static_cast<unsigned char>(text[++i]) & 0x3F);
+    const char low = static_cast<char>(code);
+    little += low;
+    little += '\0';
+    big += '\0';
+    big += low;
+    latin += low;
+  }
+  for (const std::string& encoded :
+       {text, "\xEF\xBB\xBF" + text, little, big, latin, little.substr(2), big.substr(2),
+        replaced(text, "\n", "\r\n"), replaced(text, "\n", "\r"), text + std::string("\x1A"),
+        text.substr(0, text.size() - 1), replaced(latin, "\n", "\r")}) {
+    expectTable(encoded);
+    const TextTable made = read(encoded);
+    EXPECT_EQ(made.largest().columns[0].name, "L\u00E4nge");
+    EXPECT_EQ(made.largest().columns[1].name, "H\u00F6he");
+    EXPECT_EQ(made.largest().columns[1].unit, "\u00B5m");
+  }
+  EXPECT_EQ(read(latin).encoding, "Latin-1");
+  EXPECT_EQ(read(little).encoding, "UTF-16");
+  EXPECT_EQ(read(text).encoding, "UTF-8");
+}
+
+// ---- Decimal commas that could be separators ---------------------------------------------------
+
+TEST(TextTable, TellsDecimalCommasFromSeparators) {
+  EXPECT_THAT(firstColumn("1,5, 2,5\n1,6, 2,7\n1,7, 2,9\n"), ElementsAre(1.5, 1.6, 1.7));
+  EXPECT_THAT(firstColumn("0, 2,5\n0,5, 2,7\n1, 2\n"), ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(firstColumn("1, 5\n2, 6\n3, -7\n"), ElementsAre(1, 2, 3));
+  EXPECT_THAT(firstColumn("1,-5\n2, 6\n3, 7\n"), ElementsAre(1, 2, 3));
+  EXPECT_EQ(read("1, 5\n2, 6\n3, -7\n").largest().columns.size(), 2u);
+  EXPECT_THAT(firstColumn("0,05\n0,10\n-0,15\n"), ElementsAre(0.05, 0.1, -0.15));
+  EXPECT_THAT(firstColumn("12,345\n12,350\n12,361\n"), ElementsAre(12.345, 12.35, 12.361));
+  EXPECT_THAT(firstColumn("1,5\n-0,7\n2,3\n"), ElementsAre(1.5, -0.7, 2.3));
+  EXPECT_THAT(firstColumn("z (mm)\n1,5\n2,7\n3,9\n"), ElementsAre(1.5, 2.7, 3.9));
+  EXPECT_THAT(firstColumn("x,z\n1,5\n2,7\n3,9\n"), ElementsAre(1, 2, 3));
+  EXPECT_THAT(firstColumn("0,5\n1,7\n2,9\n"), ElementsAre(0, 1, 2));
+  EXPECT_THAT(firstColumn("x,z\n1,5,2,5\n1,6,2,6\n1,7,2,1\n"), ElementsAre(1.5, 1.6, 1.7));
+  EXPECT_THAT(firstColumn("0,05,0,07\n0,06,0,08\n0,07,0,01\n"), ElementsAre(0.05, 0.06, 0.07));
+  EXPECT_THAT(firstColumn("\"1,5\",\"2,5\"\n\"1,6\",\"2,6\"\n"), ElementsAre(1.5, 1.6));
+  EXPECT_THAT(firstColumn("1,5E-3\n1,6E-3\n2,7E-4\n"), ElementsAre(1.5e-3, 1.6e-3, 2.7e-4));
+}
+
+// ---- Numbers and missing values ----------------------------------------------------------------
+
+TEST(TextTable, ReadsNumbersAsInstrumentsWriteThem) {
+  EXPECT_THAT(firstColumn("1.5D-3 1\n+1.5e-06 2\n\u22121.5 3\n.5 4\n5. 5\n-.25 6\n1E+02 7\n"),
+              ElementsAre(1.5e-3, 1.5e-6, -1.5, 0.5, 5, -0.25, 100));
+  EXPECT_THAT(firstColumn("1.5e\u22123;1\n2;2\n3;3\n"), ElementsAre(1.5e-3, 2, 3));
+  EXPECT_THAT(firstColumn("1e-400 1\n1 2\n"), ElementsAre(0, 1));
+  double value = 0;
+  for (const std::string wrong :
+       {"1.2.3", "1-2", "--1", "+-1", "1e", "e5", "0x10", "1,234.5", "1e999", "1 2", "inf", "nan",
+        "1e5.5", "", ".", "-", "1'000", "12mm"})
+    EXPECT_FALSE(readTextNumber(wrong, '.', value)) << wrong;
+  EXPECT_FALSE(readTextNumber("1.5", ',', value));
+}
+
+TEST(TextTable, TakesWordsForMissingValues) {
+  for (const std::string missing : {"", "NaN", "nan", "-nan", "BAD", "-", "--", "***", "inf",
+                                    "-INF", "n/a", "#N/A", "1.#QNAN", "null", "\u221E", "?"}) {
+    const TextTable made = read("x;z\n1;2\n2;" + missing + "\n3;4\n");
+    ASSERT_EQ(made.largest().rows, 3u) << missing;
+    EXPECT_TRUE(std::isnan(made.largest().at(1, 1))) << missing;
+    EXPECT_EQ(made.largest().at(1, 0), 2) << missing;
+    EXPECT_EQ(made.largest().at(2, 1), 4) << missing;
+  }
+  // A row of gaps amid the rows; separators at the end of a file are no row.
+  const TextTable gaps = read("1,2\n,\n3,4\n,\n,\n");
+  EXPECT_EQ(gaps.largest().rows, 3u);
+  EXPECT_TRUE(std::isnan(gaps.largest().at(1, 0)));
+  // The first row may begin with a gap; columns of validity are numbers.
+  const TextTable flags = read("z;valid\nBAD;FALSE\n2;TRUE\n3;OK\n");
+  EXPECT_TRUE(std::isnan(flags.largest().at(0, 0)) || flags.largest().rows == 2u);
+  EXPECT_THAT(read("z;valid\n1;FALSE\n2;TRUE\n3;OK\n").largest().column(1), ElementsAre(0, 1, 1));
+}
+
+// ---- Names, units, header ----------------------------------------------------------------------
+
+TEST(TextTable, FindsUnitsInNames) {
+  const auto expect = [](const std::string& text, const std::string& name,
+                         const std::string& unit) {
+    const ColumnName found = columnName(text);
+    EXPECT_EQ(found.name, name) << text;
+    EXPECT_EQ(found.unit, unit) << text;
+  };
+  expect("x (mm)", "x", "mm");
+  expect("x[mm]", "x", "mm");
+  expect("z/um", "z", "um");
+  expect("z / \u00B5m", "z", "\u00B5m");
+  expect("Height [\u03BCm]", "Height", "\u03BCm");
+  expect("freq_Hz", "freq", "Hz");
+  expect("x in mm", "x", "mm");
+  expect("x, mm", "x", "mm");
+  expect("x mm", "x", "mm");
+  expect("X_(microns)", "X", "microns");
+  expect("z_m", "z", "m");
+  expect("v / m/s", "v", "m/s");
+  expect("v_m/s", "v", "m/s");
+  expect("T [\u00B0C]", "T", "\u00B0C");
+  expect("omega (rad/s)", "omega", "rad/s");
+  expect("Height (1e-6 m)", "Height", "1e-6 m");
+  expect("E' (MPa)", "E'", "MPa");
+  expect("E_s", "E_s", "");
+  expect("Storage modulus (E')", "Storage modulus (E')", "");
+  expect("Storage modulus E' [MPa]", "Storage modulus E'", "MPa");
+  expect("z [furlong]", "z", "furlong");
+  expect("tan(delta)", "tan(delta)", "");
+  expect("w/o filter", "w/o filter", "");
+  expect("height_raw", "height_raw", "");
+  expect("\"x (mm)\"", "x", "mm");
+}
+
+TEST(TextTable, FindsNamesAndUnitsAboveTheNumbers) {
+  for (const std::string header :
+       {"x (mm);z (um)\n", "x;z\nmm;um\n", "x;z\n(mm);(um)\n", "# x [mm]   z [um]\n",
+        "x [mm] z [um]\n", "Title of it\n\nx/mm;z/um\n", "\"x (mm)\";\"z (um)\"\n",
+        "x\tz\nmm\tum\n", "mm;um\nx;z\n", "x;z\n[mm];[um]\nSample A;Sample A\n",
+        "key: value\nx, mm; z, um\n", "x / mm   z / um\n", "% x_mm z_um\n"}) {
+    const TextTable made = read(header + "0.5;1.5\n1.0;2.5\n1.5;3.5\n");
+    const TextBlock& block = made.largest();
+    ASSERT_EQ(block.rows, 3u) << header;
+    EXPECT_EQ(block.columns[0].name, "x") << header;
+    EXPECT_EQ(block.columns[1].name, "z") << header;
+    EXPECT_EQ(block.columns[0].unit, "mm") << header;
+    EXPECT_EQ(block.columns[1].unit, "um") << header;
+    EXPECT_EQ(block.lines[0], static_cast<unsigned>(std::ranges::count(header, '\n') + 1))
+        << header;
+  }
+}
+
+TEST(TextTable, FindsKeysAndValues) {
+  const TextTable made = read(
+      "# Channel: Raw\n# Width: 10 \u00B5m\nDate = 2020-01-01\nPoints;512;\nLong remark without a "
+      "key\n"
+      "Spacing X\t0,5 mm\n1,0;2,0\n1,5;2,5\n");
+  const TextBlock& block = made.largest();
+  ASSERT_EQ(block.header.size(), 6u);
+  EXPECT_EQ(made.entry("width", block), "10 \u00B5m");
+  EXPECT_EQ(made.entry("Channel", block), "Raw");
+  EXPECT_EQ(made.entry("Date", block), "2020-01-01");
+  EXPECT_EQ(made.entry("points", block), "512");
+  EXPECT_EQ(made.entry("Spacing X", block), "0,5 mm");
+  EXPECT_EQ(block.header[4].key, "");
+  EXPECT_EQ(block.header[4].line, 5u);
+  EXPECT_EQ(quantityIn(made.entry("spacing x", block))->number, 0.5);
+  EXPECT_EQ(quantityIn(made.entry("spacing x", block))->unit, "mm");
+  EXPECT_EQ(quantityIn("10 \u00B5m")->unit, "\u00B5m");
+  EXPECT_EQ(quantityIn("1.5e-3m")->number, 1.5e-3);
+  EXPECT_FALSE(quantityIn("mm").has_value());
+  const TextTable grid = read("ncols 4\nnrows 2\ncellsize 0.5\n1 2 3 4\n5 6 7 8\n");
+  EXPECT_EQ(grid.entry("ncols", grid.largest()), "4");
+  EXPECT_EQ(grid.largest().rows, 2u);
+}
+
+// ---- Several blocks ----------------------------------------------------------------------------
+
+TEST(TextTable, SeparatesBlocksWithTheirHeaders) {
+  const TextTable made = read(
+      "Operator: A\n\nTemperature: 20 C\nf;E\nHz;MPa\n1;2\n2;3\n\nTemperature: 30 C\nf;E\nHz;MPa\n"
+      "1;1.5\n2;2.5\n3;3.5\nend of data\n");
+  ASSERT_EQ(made.blocks.size(), 2u);
+  EXPECT_EQ(made.blocks[0].rows, 2u);
+  EXPECT_EQ(made.blocks[1].rows, 3u);
+  EXPECT_EQ(made.entry("temperature", made.blocks[0]), "20 C");
+  EXPECT_EQ(made.entry("temperature", made.blocks[1]), "30 C");
+  EXPECT_EQ(made.entry("operator", made.blocks[1]), "A");
+  EXPECT_EQ(made.blocks[1].columns[1].unit, "MPa");
+  ASSERT_EQ(made.trailer.size(), 1u);
+  EXPECT_EQ(made.trailer[0].value, "end of data");
+}
+
+TEST(TextTable, KeepsRowsTogetherAcrossBlankLinesAndComments) {
+  const TextTable made = read("1 2\n\n3 4\n# a comment\n5 6\n\n\n7 8\n");
+  ASSERT_EQ(made.blocks.size(), 1u);
+  EXPECT_THAT(made.blocks[0].column(1), ElementsAre(2, 4, 6, 8));
+  EXPECT_THAT(made.blocks[0].lines, ElementsAre(1u, 3u, 5u, 8u));
+}
+
+TEST(TextTable, TakesAnotherWidthForAnotherBlock) {
+  const TextTable made = read("4 3\n1 2 3\n4 5 6\n7 8 9\nMean 5\n");
+  ASSERT_EQ(made.blocks.size(), 2u);
+  EXPECT_EQ(made.largest().rows, 3u);
+  EXPECT_EQ(made.largest().columns.size(), 3u);
+}
+
+TEST(TextTable, NamesTheLineOfWhatIsWrong) {
+  EXPECT_THAT(errorOf("x;z\n1;2\n2;abc\n3;4\n"), "table.txt: line 3: column 2 is not a number");
+  EXPECT_THAT(errorOf("1 2\n2 3\n3\n4 5\n"),
+              "table.txt: line 3: has 1 fields where the lines before have 2");
+  EXPECT_THAT(errorOf("1;2\n2;3\n3;1.2.3\n4;5\n"), HasSubstr("line 3: column 2"));
+  EXPECT_THAT(errorOf("only\nwords\n"), "table.txt: has no rows of numbers");
+  EXPECT_THAT(errorOf(""), "table.txt: has no rows of numbers");
+  EXPECT_THAT(errorOf(std::string("\x89PNG\r\n", 6)), HasSubstr("is a PNG picture"));
+  EXPECT_THAT(errorOf(std::string("\x00\x01\x02\x03\x05\x07", 6)), HasSubstr("binary file"));
+}
+
+// ---- Texts and further columns -----------------------------------------------------------------
+
+TEST(TextTable, KeepsLabelsWhereACallerWantsThem) {
+  TextTableOptions options;
+  options.keepsTexts = true;
+  options.textColumns = {"label"};
+  const TextTable made = read(
+      "date: today\nvelocity (mm/s),mu,label\n0.1,0.5,dry\n1,0.6,\"wet, cold\"\n10,0.7\n", options);
+  const TextBlock& block = made.largest();
+  ASSERT_EQ(block.rows, 3u);
+  EXPECT_TRUE(block.columns[2].isText);
+  EXPECT_THAT(block.texts[2], ElementsAre("dry", "wet, cold", ""));
+  EXPECT_THAT(block.column(0), ElementsAre(0.1, 1, 10));
+  EXPECT_TRUE(read("v,label\n1,1\n2,2\n", options).largest().columns[1].isText);
+  EXPECT_FALSE(read("v,mu\n1,1\n2,2\n", options).largest().columns[1].isText);
+}
+
+TEST(TextTable, LeavesOutSeparatorsAtTheEnds) {
+  EXPECT_EQ(read("x;z;\n1;2;\n2;3;\n").largest().columns.size(), 2u);
+  EXPECT_EQ(read("1,2,\n2,3,\n").largest().columns.size(), 2u);
+  EXPECT_EQ(read("1\t2\t\n2\t3\t\n").largest().columns.size(), 2u);
+  const TextTable named = read("x;z;valid\n1;2;\n2;3;1\n");
+  EXPECT_EQ(named.largest().columns.size(), 3u);
+  EXPECT_EQ(named.largest().rows, 2u);
+}
+
+TEST(TextTable, TellsAnIndex) {
+  EXPECT_TRUE(countsRows(read("0 5\n1 6\n2 6\n").largest(), 0));
+  EXPECT_TRUE(countsRows(read(",x\n1,5\n2,6\n3,6\n").largest(), 0));
+  EXPECT_FALSE(countsRows(read("0 5\n2 6\n4 6\n").largest(), 0));
+  EXPECT_EQ(read(",x,z\n0,5,1\n1,6,2\n").largest().columns[1].name, "x");
+}
+
+// ---- Size --------------------------------------------------------------------------------------
+
+TEST(TextTable, ReadsAMillionRowsWithoutLosingAny) {
+  for (const char decimal : {'.', ','}) {
+    std::string text = "x (mm);z (um)\n";
+    constexpr int kRows = 1'000'000;
+    for (int i = 0; i < kRows; ++i) {
+      std::string row = fmt::format("{:.4f};{:.6e}\n", 1e-4 * i, 1e-3 * (i % 1000));
+      if (decimal == ',') std::ranges::replace(row, '.', ',');
+      text += row;
+    }
+    const auto before = std::chrono::steady_clock::now();
+    double last = 0;
+    TextTableOptions options;
+    options.progress = [&last](double part) {
+      EXPECT_GE(part, last);
+      last = part;
+    };
+    const TextTable made = read(text, options);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - before;
+    RecordProperty(decimal == '.' ? "point_seconds" : "comma_seconds",
+                   fmt::format("{}", seconds.count()));
+    ASSERT_EQ(made.largest().rows, static_cast<std::size_t>(kRows));
+    EXPECT_NEAR(made.largest().at(123456, 0), 12.3456, 1e-9);
+    EXPECT_NEAR(made.largest().at(kRows - 1, 1), 0.999, 1e-9);
+    EXPECT_GT(last, 0.9);
+  }
+}
+
+}  // namespace
+}  // namespace asperity
