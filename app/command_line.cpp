@@ -205,12 +205,12 @@ class CommandLine {
                    "Keep the frames of an interrupted run and make the missing ones");
   }
   void addSurface() {
-    CLI::App* verb = addVerb("surface", "The rigid line, its spectrum and its statistics",
+    CLI::App* verb = addVerb("surface", "A measured surface or the rigid line of a scene: values, spectrum, the line",
                              surface_.common, [this] { return runSurface(surface_); });
     addOutputs(
         verb, surface_.outputs,
-        "FILE.csv (a line # asperity: ..., then position, height), FILE.json or FILE.png; may "
-        "repeat");
+        "FILE.csv (a line # asperity: ..., then position, height of the rigid line), FILE.json, "
+        "FILE.png, .svg or .pdf; may repeat");
   }
   void addMaterial() {
     CLI::App* verb = app_.add_subcommand(

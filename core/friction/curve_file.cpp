@@ -37,7 +37,7 @@ struct ExtraColumn {
   ColumnName name;
   double (*value)(const CurvePoint& point);
 };
-constexpr std::array<ExtraColumn, 8> kExtraColumns{{
+constexpr std::array<ExtraColumn, 11> kExtraColumns{{
     {"mu_interface", [](const CurvePoint& point) { return point.muInterface; }},
     {"mu_total", [](const CurvePoint& point) { return point.mu + point.muInterface; }},
     {"mu_mean_of_ratios",
@@ -49,24 +49,12 @@ constexpr std::array<ExtraColumn, 8> kExtraColumns{{
     {"mu_high", [](const CurvePoint& point) { return point.muHigh; }},
     {"marginal_share", [](const CurvePoint& point) { return point.marginalShare; }},
     {"extrapolated", [](const CurvePoint& point) { return point.extrapolated; }},
+    {"normal_force", [](const CurvePoint& point) { return point.normalForce; }},
+    {"nominal_pressure", [](const CurvePoint& point) { return point.nominalPressure; }},
+    {"mean_pressure", [](const CurvePoint& point) { return point.meanPressure; }},
 }};
 
 constexpr ColumnName kNotes = "notes";
-
-/// Of the elements that carry the load there are too few.
-bool hasUnresolvedFriction(const CurvePoint& point) {
-  if (point.mu == 0)
-    return false;  // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the
-                   // contact, and that
-  // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part is never
-  // more than 0.45 of the first; where a contact has only a few elements it is their sum's error.
-  const double slope = point.mu / point.normalizedMu;  // rms, of the whole line
-  const double damping = 4 * std::sqrt(2.0) * point.dimensionlessVelocity / slope /
-                         point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
-                         point.contactFraction;
-  // Of what does not apply nothing is said.
-  return std::isgreater(std::abs(point.mu - damping), damping);
-}
 
 bool hasNotes(const std::vector<CurvePoint>& points) {
   return std::ranges::any_of(points,
@@ -96,15 +84,32 @@ std::string curveRow(const CurvePoint& point) {
   return text + (point.realizations > 0 ? fmt::format("{}\n", point.realizations) : "\n");
 }
 
-std::string notesOf(const CurvePoint& point) {
-  std::string notes;
-  const auto add = [&notes](bool holds, const char* note) {
-    if (holds) notes += (notes.empty() ? "" : " ") + std::string(note);
-  };
-  add(hasUnresolvedFriction(point), "unresolved_friction");
-  add(point.extrapolated == 1, "extrapolated_material");
-  add(point.isAtForeignTemperature, "extrapolated_temperature");
+namespace {
+
+/// Whether more than half of the friction by Eq. (4) is what the elastic pressure does.
+bool isUnresolved(const CurvePoint& point) {
+  if (point.mu == 0) return false;
+  // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, and that
+  // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part is never
+  // more than 0.45 of the first; where a contact has only a few elements it is their sum's error.
+  const double slope = point.mu / point.normalizedMu;  // rms, of the whole line
+  const double damping = 4 * std::sqrt(2.0) * point.dimensionlessVelocity / slope /
+                         point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
+                         point.contactFraction;
+  // Of what does not apply nothing is said.
+  return std::isgreater(std::abs(point.mu - damping), damping);
+}
+
+}  // namespace
+
+NoteSet noteSetOf(const CurvePoint& point) {
+  NoteSet notes = point.notes;
+  notes.add(Note::UnresolvedFriction, isUnresolved(point));
   return notes;
+}
+
+std::string notesOf(const CurvePoint& point) {
+  return noteSetOf(point).words();
 }
 
 CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves) {

@@ -36,6 +36,20 @@ bool isAtForeignTemperature(const Elastomer& elastomer) {
          elastomer.temperature > range.temperatureTo + kNear;
 }
 
+bool isExtrapolated(double shareNotMeasured) {
+  return !std::isnan(shareNotMeasured) && shareNotMeasured > kMostNotMeasured;
+}
+
+NoteSet notesOf(const Elastomer& elastomer, const LineSource& source, double shareNotMeasured) {
+  NoteSet notes;
+  notes.add(Note::ExtrapolatedMaterial, isExtrapolated(shareNotMeasured));
+  notes.add(Note::ExtrapolatedTemperature, isAtForeignTemperature(elastomer));
+  const double strain = elastomer.measured.strainAmplitude;
+  notes.add(Note::StrainBeyondMeasured, elastomer.rheology == Rheology::Prony && strain > 0 &&
+                                            source.statistics().rmsSlope > strain);
+  return notes;
+}
+
 Excitation::Excitation(const Scene& scene, const LineSource& source)
     : law_(lawOf(scene.elastomer)), measured_(measuredFrequencies(scene.elastomer)) {
   const FourierLine modes = modesOf(source);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/material/element_law.h"
+#include "core/scene/notes.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -34,6 +35,13 @@ std::optional<FrequencyRange> measuredFrequencies(const Elastomer& elastomer);
 
 /// Whether the elastomer is at a temperature at which it was not measured.
 bool isAtForeignTemperature(const Elastomer& elastomer);
+
+/// Whether so large a share of the weight rests on what was not measured; false for NaN.
+bool isExtrapolated(double shareNotMeasured);
+
+/// What to know of an elastomer on these lines: frequencies, temperature and strains at which it
+/// was not measured. Strains are about as large as the slopes.
+NoteSet notesOf(const Elastomer& elastomer, const LineSource& source, double shareNotMeasured);
 
 class Excitation {
  public:

@@ -1,20 +1,288 @@
 #include "core/measured/measured_file.h"
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
+#include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/regular_file.h"
+#include "core/measured/length_unit.h"
+#include "core/measured/surface_draft.h"
 
 namespace asperity {
+namespace {
 
-MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingChoices&,
-                              const std::stop_token&, const ReadingProgress&) {
-  throw InputError(file.string(), "", "cannot be read yet");
+constexpr std::size_t kLargestFile = std::size_t{1} << 31;  // bytes
+constexpr double kFarthest = 1e6;                           // m, of lengths and heights
+// Numbers without a unit that are beyond these are hardly metres.
+constexpr double kLongestAssumed = 1;    // m
+constexpr double kSteepestAssumed = 10;  // rms slope
+
+constexpr std::string_view kReadable =
+    "text (profiles, matrices, points), X3P, SDF, SUR, PRO, GSF and GWY files are read";
+
+// ---- Kinds -------------------------------------------------------------------------------------
+
+/// The kind by the first bytes; empty where it can only be text or unknown.
+std::string_view kindOf(std::string_view bytes) {
+  if (bytes.starts_with("PK\3\4") || bytes.starts_with("PK\5\6")) return "x3p";
+  if (bytes.starts_with("DIGITAL SURF") || bytes.starts_with("DSCOMPRESSED")) return "sur";
+  if (bytes.starts_with("Gwyddion Simple Field")) return "gsf";
+  if (bytes.starts_with("GWYP")) return "gwy";
+  constexpr std::size_t kSdfMagic = 5;
+  const std::string_view magic =
+      (bytes.starts_with("\xEF\xBB\xBF") ? bytes.substr(3) : bytes).substr(0, kSdfMagic);
+  if (magic == "aISO-" || magic == "bISO-" || magic == "aBCR-" || magic == "bBCR-") return "sdf";
+  const std::string_view foreign = foreignKindOf(bytes);
+  return foreign.empty() || foreign == "text in UTF-16" ? "text" : "";
 }
 
-MeasuredFile readMeasuredBytes(std::string_view, const std::string& name, const ReadingChoices&,
-                               const std::stop_token&, const ReadingProgress&) {
-  throw InputError(name, "", "cannot be read yet");
+bool isTextForm(std::string_view format) {
+  return format == "text" || format == "profile" || format == "matrix" || format == "points";
+}
+
+SurfaceDraft readDraft(const SurfaceSource& source, std::string_view kind) {
+  if (kind == "x3p") return readX3p(source);
+  if (kind == "sdf") return readSdf(source);
+  if (kind == "sur") return readSur(source);
+  if (kind == "gsf") return readGsf(source);
+  if (kind == "gwy") return readGwy(source, false);
+  return readTextSurface(source);
+}
+
+// ---- Units -------------------------------------------------------------------------------------
+
+UnitFact unitFact(const std::string& choice, const std::optional<StatedUnit>& stated) {
+  if (choice != "auto") return {choice, *metresPer(choice), UnitSource::Choice};
+  if (stated) return {stated->text, stated->metres, UnitSource::File};
+  return {"m", 1, UnitSource::Assumed};
+}
+
+void requireChoices(const SurfaceSource& source) {
+  const auto require = [&source](const char* key, const std::string& value, const auto& known) {
+    if (std::ranges::find(known, value) == known.end())
+      throw InputError(source.name, key, Message::name(notOneOf(value, known)));
+  };
+  require("surface.format", source.choices.format, kSurfaceFormats);
+  require("surface.position_unit", source.choices.positionUnit, kSurfaceUnits);
+  require("surface.height_unit", source.choices.heightUnit, kSurfaceUnits);
+}
+
+/// Root mean square of the steps between neighbours along x, over the spacing.
+double rmsSlope(const Topography& grid) {
+  double squares = 0, count = 0;
+  for (std::int64_t row = 0; row < grid.rows; ++row) {
+    const std::span<const double> heights = grid.row(row);
+    for (std::size_t i = 1; i < heights.size(); ++i) {
+      if (std::isnan(heights[i]) || std::isnan(heights[i - 1])) continue;
+      const double slope = (heights[i] - heights[i - 1]) / grid.columnSpacing;
+      squares += slope * slope;
+      count += 1;
+    }
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+/// What numbers without a unit would mean in metres must be possible.
+void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
+                      const ReadingFacts& facts) {
+  const Topography& grid = draft.grid;
+  const bool assumesX = facts.positionUnit.source == UnitSource::Assumed;
+  const bool assumesZ = facts.heightUnit.source == UnitSource::Assumed;
+  const double length = std::max(grid.length(), grid.width());
+  constexpr std::string_view kUnits = "m, mm, um, nm, in";
+  if (assumesX && length > kLongestAssumed) {
+    if (draft.hasPositions)
+      throw InputError(
+          source.name, "surface.position_unit",
+          message("is needed ({}): the file states no unit of positions, and in metres "
+                  "it would be {} long",
+                  kUnits, plain(length)));
+    throw InputError(source.name, "surface.position_unit",
+                     message("is needed ({}): the file does not say how far its points are apart, "
+                             "and they are taken as one unit apart",
+                             kUnits));
+  }
+  if (!assumesX && !assumesZ) return;
+  const double slope = rmsSlope(grid);
+  if (slope > kSteepestAssumed)
+    throw InputError(source.name, assumesZ ? "surface.height_unit" : "surface.position_unit",
+                     assumesZ
+                         ? message("is needed ({}): the file states no unit of heights, and in "
+                                   "metres the rms slope would be {:.3g}",
+                                   kUnits, slope)
+                         : message("is needed ({}): the file states no unit of positions, and "
+                                   "in metres the rms slope would be {:.3g}",
+                                   kUnits, slope));
+}
+
+void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {
+  ReadingFacts& facts = draft.facts;
+  facts.positionUnit = unitFact(source.choices.positionUnit, draft.positionUnit);
+  facts.heightUnit = unitFact(source.choices.heightUnit, draft.heightUnit);
+  Topography& grid = draft.grid;
+  grid.columnSpacing *= facts.positionUnit.metres;
+  grid.rowSpacing *= facts.positionUnit.metres;
+  if (facts.heightUnit.metres != 1)
+    for (double& height : grid.height)
+      if (!std::isnan(height)) height *= facts.heightUnit.metres;
+}
+
+void requireSound(const SurfaceSource& source, const Topography& grid, ReadingFacts& facts) {
+  constexpr std::int64_t kFewest = 3;
+  if (grid.columns < kFewest)
+    source.fail(message("has {} points along x; at least {} are needed", grid.columns, kFewest));
+  const auto isLength = [](double length) { return std::isfinite(length) && length > 0; };
+  if (!isLength(grid.columnSpacing) || (grid.rows > 1 && !isLength(grid.rowSpacing)))
+    source.fail("its points are no length above 0 apart");
+  facts.points = grid.columns * grid.rows;
+  facts.gaps = std::ranges::count_if(grid.height, [](double height) { return std::isnan(height); });
+  if (facts.gaps == facts.points) source.fail("has no heights, only gaps");
+}
+
+void requireNear(const SurfaceSource& source, const Topography& grid) {
+  const bool isFar = std::max(grid.length(), grid.width()) > kFarthest ||
+                     std::ranges::any_of(grid.height, [](double height) {
+                       return !std::isnan(height) && std::abs(height) > kFarthest;
+                     });
+  if (isFar) source.fail(message("has lengths or heights beyond {} m", kFarthest));
+}
+
+// ---- Sentences ---------------------------------------------------------------------------------
+
+Message formText(const ReadingFacts& facts) {
+  if (facts.format == "profile") return "a profile as text";
+  if (facts.format == "matrix") return "a matrix of heights as text";
+  if (facts.format == "points") return "points x, y, z as text";
+  if (facts.format == "gwyddion") return "a file that Gwyddion has converted";
+  std::string name = facts.format;
+  std::ranges::transform(name, name.begin(),
+                         [](char letter) { return static_cast<char>(letter - 'a' + 'A'); });
+  if (facts.format == "x3p") name = "X3P";
+  return message("a {} file", name);
+}
+
+/// What the reader took the file for comes first, what is special after it.
+void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
+  const Topography& grid = draft.grid;
+  std::vector<Message> notes;
+  const PrintedNumber spacing{printedQuantity(grid.columnSpacing, "m")};
+  if (grid.isProfile())
+    notes.push_back(
+        message("Read as {}: {} points, {} apart.", formText(facts), grid.columns, spacing));
+  else
+    notes.push_back(message("Read as {}: {} x {} points, {} and {} apart.", formText(facts),
+                            grid.columns, grid.rows, spacing,
+                            PrintedNumber{printedQuantity(grid.rowSpacing, "m")}));
+  if (!facts.positionColumn.empty())
+    notes.push_back(
+        message("Positions are {}, heights {}.", facts.positionColumn, facts.heightColumn));
+  const auto unitNote = [&notes](const Message& what, const UnitFact& unit) {
+    if (unit.source == UnitSource::File)
+      notes.push_back(message("{} are in {}, as the file states.", what, unit.unit));
+    else if (unit.source == UnitSource::Choice)
+      notes.push_back(message("{} are in {}, as the scene says.", what, unit.unit));
+    else
+      notes.push_back(message("The file states no unit: {} are taken as metres.", what));
+  };
+  unitNote("Positions", facts.positionUnit);
+  unitNote("Heights", facts.heightUnit);
+  if (!draft.hasPositions)
+    notes.emplace_back(
+        "The file does not say how far its points are apart: one unit of positions.");
+  if (facts.gaps > 0) notes.push_back(message("{} points have no height.", facts.gaps));
+  notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
+  facts.notes = std::move(notes);
+}
+
+MeasuredFile finished(const SurfaceSource& source, SurfaceDraft draft) {
+  applyUnits(source, draft);
+  requireSound(source, draft.grid, draft.facts);
+  requirePlausible(source, draft, draft.facts);
+  requireNear(source, draft.grid);
+  describe(draft, draft.facts);
+  source.report(1);
+  return {std::move(draft.grid), std::move(draft.facts)};
+}
+
+/// The bytes of the file, read in parts so that it can be stopped.
+std::string bytesOf(const std::filesystem::path& file, const std::stop_token& stop) {
+  const RegularFile regular(file);
+  if (regular.size() > kLargestFile)
+    throw InputError(file.string(), "",
+                     message("is larger than the {} bytes allowed", kLargestFile));
+  constexpr std::size_t kPart = std::size_t{1} << 24;
+  if (regular.size() <= kPart) return regular.read(0, kPart);
+  std::string bytes;
+  bytes.reserve(regular.size());
+  while (bytes.size() < regular.size()) {
+    if (stop.stop_requested()) throw ReadingStopped{};
+    const std::string part =
+        regular.read(bytes.size(), std::min<std::size_t>(kPart, regular.size() - bytes.size()));
+    if (part.empty()) break;  // it has become shorter
+    bytes += part;
+  }
+  return bytes;
+}
+
+[[noreturn]] void refuse(const SurfaceSource& source) {
+  const std::string_view kind = foreignKindOf(source.bytes);
+  source.fail(message("is {}; {}", Message(kind), Message(kReadable)));
+}
+
+}  // namespace
+
+void requireSize(const SurfaceSource& source, std::int64_t columns, std::int64_t rows,
+                 std::size_t bytesThere, std::size_t bytesPerPoint) {
+  if (columns < 1 || rows < 1 || columns > kMostPoints / rows)
+    source.fail(message("has {} x {} points; at most {} are read", columns, rows, kMostPoints));
+  const auto points = static_cast<std::size_t>(columns * rows);
+  if (bytesThere / std::max<std::size_t>(bytesPerPoint, 1) < points && bytesPerPoint > 0)
+    source.fail(message("ends too early: {} x {} points need {} bytes, and {} are there", columns,
+                        rows, points * bytesPerPoint, bytesThere));
+}
+
+std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_view axis,
+                                     std::string_view unit) {
+  if (unit.empty()) return {};
+  if (const auto metres = metresPer(unit)) return StatedUnit{std::string(unit), *metres};
+  const bool ofHeights = axis.starts_with('z') || axis.starts_with('Z');
+  if ((ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto") return {};
+  throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
+                   message("the axis {} is in '{}', which is no unit of length; the key can say "
+                           "another one",
+                           axis, unit));
+}
+
+MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
+                               const ReadingChoices& choices, const std::stop_token& stop,
+                               const ReadingProgress& progress) {
+  const SurfaceSource source{bytes, name, choices, stop, progress};
+  requireChoices(source);
+  source.report(0);
+  if (bytes.empty()) source.fail("is empty");
+  const std::string_view found = kindOf(bytes);
+  const std::string& format = choices.format;
+  const std::string_view kind = format == "auto" ? found : isTextForm(format) ? "text" : format;
+  if (kind.empty()) refuse(source);
+  return finished(source, readDraft(source, kind));
+}
+
+MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingChoices& choices,
+                              const std::stop_token& stop, const ReadingProgress& progress) {
+  const std::string name = file.string();
+  {
+    const std::string bytes = bytesOf(file, stop);
+    const bool isOther = choices.format == "auto" && !bytes.empty() && kindOf(bytes).empty();
+    if (choices.format != "gwyddion" && !isOther)
+      return readMeasuredBytes(bytes, name, choices, stop, progress);
+  }
+  const std::string converted = convertWithGwyddion(file, stop);
+  const SurfaceSource source{converted, name, choices, stop, progress};
+  requireChoices(source);
+  SurfaceDraft draft = readGwy(source, true);
+  draft.facts.format = "gwyddion";
+  return finished(source, std::move(draft));
 }
 
 }  // namespace asperity

@@ -168,11 +168,15 @@ SpectralDensity BandPowers::density() const {
       density.density.push_back(value);
     }
   }
+  // Between the centres of bands the density is a power law, whose sum is another one.
+  const double whole = density.empty() ? 0 : 2 * density.integralTo(density.waveNumber.back());
+  if (whole > 0)
+    for (double& value : density.density) value *= total() / whole;
   return density;
 }
 
 BandPowers inBands(std::span<const double> powers, double length) {
-  constexpr double kToDecade = 12;
+  constexpr double kToDecade = 8;
   const double ratio = std::pow(10.0, 1 / kToDecade);
   BandPowers bands{length, {1}, {}};
   for (std::size_t first = 1; first < powers.size();) {
@@ -220,17 +224,10 @@ ReliableBand reliableBand(std::span<const double> heights, double spacing, doubl
 
 double EquivalentSpectra::factor(double q) const {
   const std::size_t bands = profile.bands();
-  const auto logarithm = [&](std::size_t j) {
-    const double ratio = profile.power[j] > 0 ? line.power[j] / profile.power[j] : 1;
-    return 0.5 * std::log(std::max(ratio, 1e-12));
-  };
-  std::size_t above = 0;
-  while (above < bands && profile.centre(above) < q) ++above;
-  if (above == 0 || above == bands)
-    return bands == 0 ? 1 : std::exp(logarithm(above == 0 ? 0 : bands - 1));
-  const double low = std::log(profile.centre(above - 1)), high = std::log(profile.centre(above));
-  const double part = (std::log(q) - low) / (high - low);
-  return std::exp((1 - part) * logarithm(above - 1) + part * logarithm(above));
+  if (bands == 0) return 1;
+  std::size_t band = 0;
+  while (band + 1 < bands && profile.to(band) <= q) ++band;
+  return profile.power[band] > 0 ? std::sqrt(line.power[band] / profile.power[band]) : 1;
 }
 
 EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form) {
@@ -295,6 +292,27 @@ std::vector<double> sharesOf(const BandPowers& bands, std::size_t ring) {
   return shares;
 }
 
+/// Multiplies all powers by a power law of q, so that their sum and their rms slope become these.
+void tilt(BandPowers& bands, double total, double rmsSlope) {
+  constexpr double kSteepest = 4;
+  constexpr int kHalvings = 60;
+  if (!(total > 0)) return;
+  const auto tilted = [&](double exponent) {
+    BandPowers some = bands;
+    for (std::size_t j = 0; j < some.bands(); ++j)
+      some.power[j] *= std::pow(some.centre(j) / some.centre(0), exponent);
+    const double factor = total / some.total();
+    for (double& power : some.power) power *= factor;
+    return some;
+  };
+  double low = -kSteepest, high = kSteepest;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (tilted(middle).rmsSlope() < rmsSlope ? low : high) = middle;
+  }
+  bands = tilted(0.5 * (low + high));
+}
+
 }  // namespace
 
 EquivalentSpectra equivalentOf(const BandPowers& profile) {
@@ -317,6 +335,7 @@ EquivalentSpectra equivalentOf(const BandPowers& profile) {
     }
     power = next;
   }
+  tilt(spectra.line, profile.total(), std::numbers::sqrt2 * profile.rmsSlope());
   return spectra;
 }
 

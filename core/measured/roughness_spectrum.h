@@ -70,7 +70,7 @@ struct BandPowers {
   SpectralDensity density() const;
 };
 
-/// Powers of the waves 0, 1, ... gathered in bands, 12 to a decade where there are as many waves.
+/// Powers of the waves 0, 1, ... gathered in bands, 8 to a decade where there are as many waves.
 BandPowers inBands(std::span<const double> powers, double length);
 
 /// The spectra of an isotropic surface: of profiles cut from it, and of its equivalent line.
@@ -78,7 +78,7 @@ struct EquivalentSpectra {
   BandPowers profile, line;
 
   /// Factor of the amplitudes of a measured profile at q that makes it the equivalent line,
-  /// sqrt(C_line / C_prof), between the centres of bands by its logarithm.
+  /// sqrt(C_line / C_prof) of the band that q is in.
   double factor(double q) const;
 };
 
@@ -89,7 +89,10 @@ EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form);
 /// From one profile by the Abel relation C_prof(q) = 2 integral from q of C2(q') q' dq' /
 /// sqrt(q'^2 - q^2): a wave q' of an isotropic surface appears in a cut at q' cos(phi) with phi
 /// uniform. Solved in bands for powers that are not below 0 by expectation and maximisation (Lucy
-/// 1974; Richardson 1972), which keeps the sum of the powers.
+/// 1974; Richardson 1972), which keeps the sum of the powers. Where a spectrum scatters, powers
+/// that cannot be below 0 lean to long waves, so they are tilted by a power law until the mean
+/// square slope is what the relation says for certain: twice that of the profile, as cos^2(phi) is
+/// 1/2 on average.
 EquivalentSpectra equivalentOf(const BandPowers& profile);
 
 }  // namespace asperity

@@ -85,10 +85,19 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "share of q C1(q) G''(q v) dq", "curve, curves"},
     {"notes", "",
      "What to know before the row is used, separated by blanks; only where there is something. "
-     "unresolved_friction: the elements are too few in contact for the tangential force. "
-     "extrapolated_material, extrapolated_temperature: the elastomer was not measured at the "
-     "frequencies that friction rests on, or at this temperature.",
+     "unresolved_friction: the elements are too few in contact for the tangential force; "
+     "slope_above_0.3: the model takes slopes for small; few_contacts: single summits carry the "
+     "load; seam_jump: the period repeats with a step; extrapolated_material, "
+     "extrapolated_temperature, strain_beyond_measured: the elastomer was not measured at the "
+     "frequencies that friction rests on, at this temperature, at strains as large as the slopes.",
      "", "curve, curves"},
+    {"normal_force", "N",
+     "Normal force on one period that the nominal pressure means; only with such a load.",
+     "F_N = p_0 L width", "curve, curves"},
+    {"nominal_pressure", "Pa", "Normal force over the area of one period and the width.", "p_0",
+     "curve, curves"},
+    {"mean_pressure", "Pa", "Normal force over the area in contact: contact length times width.",
+     "p_0 L/L_c", "curve, curves"},
     {"series", "", "Which curve a row belongs to.", "", "curves"},
     {"relative_difference", "", "Difference from the present curve over that curve.",
      "mu_compared/mu - 1", "curves"},

@@ -301,6 +301,20 @@ Line LineSource::make(std::int64_t number) const {
   return line;
 }
 
+NoteSet notesOf(const LineSource& source) {
+  NoteSet notes;
+  notes.add(Note::SlopeAbove, source.statistics().rmsSlope > kSmallSlope);
+  const MeasuredLines* measured = source.measured();
+  if (!measured || !measured->mayHaveSeamJump()) return notes;
+  // A few rows, because a step is common to most of them.
+  constexpr std::int64_t kRows = 16;
+  const std::int64_t count = std::min(measured->rows(), kRows);
+  for (std::int64_t i = 0; i < count && !notes.has(Note::SeamJump); ++i)
+    notes.add(Note::SeamJump, measured->hasSeamJump(
+                                  measured->profile(rowOfRealization(i, count, measured->rows()))));
+  return notes;
+}
+
 FourierLine modesOf(const LineSource& source) {
   FourierLine modes = source.spectrum(0);
   if (!modes.coefficients.empty()) return modes;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "core/scene/notes.h"
 #include "core/scene/scene.h"
 #include "core/surface/line.h"
 #include "core/surface/measured_lines.h"
@@ -95,5 +96,8 @@ class LineSource {
 
 /// The modes of the first line; of one that is given by a formula from its points.
 FourierLine modesOf(const LineSource& source);
+
+/// What to know of the lines of a source: the rms slope, and steps at the seam of measured rows.
+NoteSet notesOf(const LineSource& source);
 
 }  // namespace asperity

@@ -130,7 +130,9 @@ MeasuredLines::MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredF
     shortWaves_.emplace(usedPoints_, spacing, processing.shortWaveCut);
   if (processing.longWaveCut > 0) longWaves_.emplace(usedPoints_, spacing, processing.longWaveCut);
   transform_.emplace(periodPoints_);
-  if (surface_.line == LineKind::IsotropicEquivalent) setEquivalent(stop);
+  // The form alone is removed: filters act on a row and on its equivalent line alike.
+  if (surface_.line == LineKind::IsotropicEquivalent && file_->topography.rows >= kFewestPoints)
+    equivalent_ = equivalentOf(stretches(), processing.form);
   if (stop.stop_requested()) throw ReadingStopped{};
   if (processing.seam == Seam::RandomPhases) setDensity();
 }
@@ -295,20 +297,6 @@ Topography MeasuredLines::stretches() const {
   return part;
 }
 
-void MeasuredLines::setEquivalent(const std::stop_token& stop) {
-  const Topography& topography = file_->topography;
-  if (topography.rows >= kFewestPoints && !stop.stop_requested()) {
-    equivalent_ = equivalentOf(stretches(), surface_.processing.form);
-  } else {
-    // The form alone: filters act on the profile and on the equivalent line alike.
-    std::vector<double> heights = stretch(0);
-    markOutliers(heights, surface_.processing.outliers, surface_.processing.form);
-    interpolateGaps(heights);
-    removeForm(heights, surface_.processing.form);
-    equivalent_ = equivalentOf(inBands(hannPowers(heights), usedLength_));
-  }
-}
-
 /// The mean spectrum of the rows, in bands, of which random lines are made.
 void MeasuredLines::setDensity() {
   constexpr std::int64_t kMostRows = 512;  // more of them change the mean little
@@ -328,16 +316,23 @@ void MeasuredLines::setDensity() {
   }
   BandPowers bands = inBands(powers, usedLength_);
   const double total = bands.total();
-  for (std::size_t j = 0; j < bands.bands(); ++j) {
-    const double factor = equivalent_ ? equivalent_->factor(bands.centre(j)) : 1;
-    bands.power[j] *= total > 0 ? height / total * factor * factor : 0;
+  for (double& power : bands.power) power *= total > 0 ? height / total : 0;
+  const double slope = bands.rmsSlope();
+  if (surface_.line == LineKind::IsotropicEquivalent) {
+    const EquivalentSpectra spectra = equivalent_ ? *equivalent_ : equivalentOf(bands);
+    for (std::size_t j = 0; j < bands.bands(); ++j) {
+      const double factor = spectra.factor(bands.centre(j));
+      bands.power[j] *= factor * factor;
+    }
   }
+  densitySlopeRatio_ = slope > 0 ? bands.rmsSlope() / slope : 1;
   density_ = bands.density();
 }
 
 FourierLine MeasuredLines::modes(std::int64_t number) const {
   FourierLine line;
   line.length = length_;
+  const double lowest = 2 * std::numbers::pi / length_;
   const std::size_t count = modeCount(periodPoints_);
   if (surface_.processing.seam == Seam::RandomPhases) {
     // A sum of random waves is as it is when it is turned over, so no side needs to be chosen.
@@ -347,13 +342,33 @@ FourierLine MeasuredLines::modes(std::int64_t number) const {
                 magnitudes, line.coefficients);
     return line;
   }
-  line = transform_->analyse(period(profile(number)), length_);
-  const double side = surface_.contactSide == ContactSide::Summits ? -1 : 1;
-  for (std::size_t j = 0; j < line.coefficients.size(); ++j) {
-    const double q = 2 * std::numbers::pi / length_ * static_cast<double>(j + 1);
-    line.coefficients[j] *= equivalent_ ? side * equivalent_->factor(q) : side;
+  line = measuredModes(number);
+  if (surface_.line == LineKind::AsMeasured) return line;
+  // Of one profile by the Abel relation, on the very waves that are then strengthened.
+  EquivalentSpectra ofProfile;
+  if (!equivalent_) {
+    std::vector<double> powers{0};
+    for (const std::complex<double>& c : line.coefficients) powers.push_back(2 * std::norm(c));
+    ofProfile = equivalentOf(inBands(powers, length_));
   }
+  const EquivalentSpectra& spectra = equivalent_ ? *equivalent_ : ofProfile;
+  for (std::size_t j = 0; j < line.coefficients.size(); ++j)
+    line.coefficients[j] *= spectra.factor(lowest * static_cast<double>(j + 1));
   return line;
+}
+
+FourierLine MeasuredLines::measuredModes(std::int64_t row) const {
+  FourierLine line = transform_->analyse(period(profile(row)), length_);
+  if (surface_.contactSide == ContactSide::Summits)
+    for (std::complex<double>& c : line.coefficients) c = -c;
+  return line;
+}
+
+double MeasuredLines::slopeRatio() const {
+  if (surface_.line == LineKind::AsMeasured) return 1;
+  if (surface_.processing.seam == Seam::RandomPhases) return densitySlopeRatio_;
+  const double slope = rmsSlope(measuredModes(0));
+  return slope > 0 ? rmsSlope(modes(0)) / slope : 1;
 }
 
 }  // namespace asperity

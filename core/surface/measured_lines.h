@@ -65,21 +65,23 @@ class MeasuredLines {
   /// Whether the ends of the profile meet in a step: it is larger than four times the root mean
   /// square step between neighbours. Only `periodic` makes one.
   bool hasSeamJump(const ProcessedProfile& profile) const;
+  bool mayHaveSeamJump() const { return surface_.processing.seam == Seam::Periodic; }
 
   /// The modes of the rigid line of a row, up to what the period's points carry. Of random phases:
   /// of a realization.
   FourierLine modes(std::int64_t number) const;
 
-  /// Spectra behind the isotropic equivalent; of a single profile by the Abel relation.
-  bool isEquivalent() const { return equivalent_.has_value(); }
-  const EquivalentSpectra& equivalent() const { return *equivalent_; }
+  /// The same as measured, whatever line the scene asks for. Not of random phases.
+  FourierLine measuredModes(std::int64_t row) const;
+  /// Rms slope of the isotropic equivalent over that of the line as measured; 1 where the line is
+  /// as measured.
+  double slopeRatio() const;
   /// Of random phases.
   const SpectralDensity& density() const { return density_; }
 
  private:
   void chooseRows(const Scene& scene);
   void chooseStretch(const Scene& scene);
-  void setEquivalent(const std::stop_token& stop);
   void setDensity();
   std::vector<double> stretch(std::int64_t row) const;
   Topography stretches() const;
@@ -91,8 +93,9 @@ class MeasuredLines {
   std::size_t firstPoint_ = 0, usedPoints_ = 0, blendPoints_ = 0, periodPoints_ = 0;
   double length_ = 0, usedLength_ = 0;
   std::optional<GaussianFilter> shortWaves_, longWaves_;
-  std::optional<EquivalentSpectra> equivalent_;
+  std::optional<EquivalentSpectra> equivalent_;  // of a topography
   SpectralDensity density_;
+  double densitySlopeRatio_ = 1;
   std::optional<FourierTransform> transform_;
 };
 

@@ -1,0 +1,84 @@
+// Gwyddion Simple Field: a header of "Name = value" lines, zero bytes up to a multiple of four, and
+// 32-bit numbers row by row (Gwyddion user guide, "Gwyddion Simple Field (.gsf)").
+#include <map>
+#include <string>
+
+#include "core/base/number_text.h"
+#include "core/base/text_number.h"
+#include "core/measured/byte_reader.h"
+#include "core/measured/surface_draft.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::string_view kMagic = "Gwyddion Simple Field 1.0\n";
+
+class Header {
+ public:
+  Header(const SurfaceSource& source, std::string_view text) : source_(source) {
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      const std::string_view line = text.substr(0, end);
+      text.remove_prefix(std::min(end + 1, text.size()));
+      if (const std::size_t at = line.find('='); at != std::string_view::npos)
+        values_[lowerCase(trimmedBlanks(line.substr(0, at)))] = trimmedBlanks(line.substr(at + 1));
+    }
+  }
+
+  std::string_view text(const std::string& key) const {
+    const auto found = values_.find(lowerCase(key));
+    return found == values_.end() ? std::string_view{} : found->second;
+  }
+  std::int64_t count(const std::string& key) const {
+    std::int64_t value = 0;
+    if (text(key).empty()) source_.fail(message("the header has no {}", key));
+    if (!readNumber(text(key), value) || value < 1) wrong(key);
+    return value;
+  }
+  double size(const std::string& key) const {
+    double value = 1;
+    if (!text(key).empty() && (!readTextNumber(text(key), '.', value) || !(value > 0))) wrong(key);
+    return value;
+  }
+
+ private:
+  [[noreturn]] void wrong(const std::string& key) const {
+    source_.fail(message("{} in the header is not a number above 0", key));
+  }
+
+  const SurfaceSource& source_;
+  std::map<std::string, std::string_view> values_;
+};
+
+}  // namespace
+
+SurfaceDraft readGsf(const SurfaceSource& source) {
+  if (!source.bytes.starts_with(kMagic)) source.fail(message("is not a {} file", "GSF"));
+  const std::size_t end = source.bytes.find('\0');
+  if (end == std::string_view::npos)
+    source.fail(message("the header of the {} file has no end", "GSF"));
+  const Header header(source, source.bytes.substr(kMagic.size(), end - kMagic.size()));
+
+  SurfaceDraft draft;
+  draft.facts.format = "gsf";
+  Topography& grid = draft.grid;
+  grid.columns = header.count("XRes");
+  grid.rows = header.count("YRes");
+  // One to four zero bytes, up to a multiple of four.
+  const std::size_t begin = std::min(end / 4 * 4 + 4, source.bytes.size());
+  const std::string_view data = source.bytes.substr(begin);
+  requireSize(source, grid.columns, grid.rows, data.size(), sizeof(float));
+  grid.columnSpacing = header.size("XReal") / static_cast<double>(grid.columns);
+  grid.rowSpacing = header.size("YReal") / static_cast<double>(grid.rows);
+  draft.hasPositions = !header.text("XReal").empty();
+  if (!draft.hasPositions) grid.columnSpacing = grid.rowSpacing = 1;
+  draft.positionUnit = statedUnit(source, "XYUnits", header.text("XYUnits"));
+  draft.heightUnit = statedUnit(source, "ZUnits", header.text("ZUnits"));
+  draft.facts.heightColumn = header.text("Title");
+  const auto bytes = static_cast<std::size_t>(grid.columns * grid.rows) * sizeof(float);
+  appendHeights<float>(source, data.substr(0, bytes), false, 1, grid.height,
+                       [](float) { return false; });
+  return draft;
+}
+
+}  // namespace asperity

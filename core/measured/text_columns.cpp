@@ -1,0 +1,228 @@
+// What the columns of a text table and the lines above it say about a surface.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/text_names.h"
+#include "core/base/text_number.h"
+#include "core/measured/length_unit.h"
+#include "core/measured/text_surface.h"
+
+namespace asperity {
+namespace {
+
+using namespace std::string_view_literals;
+
+/// Names in lower case; those of one letter must be all of the name.
+constexpr std::array kPositions{
+    "x"sv,          "position"sv, "pos"sv,         "distance"sv, "dist"sv,   "lateral"sv,
+    "abscissa"sv,   "abszisse"sv, "weg"sv,         "strecke"sv,  "travel"sv, "length"sv,
+    "l\u00E4nge"sv, "laenge"sv,   "s"sv,           "d"sv,        "l"sv,      "abstand"sv,
+    "messweg"sv,    "scan"sv,     "displacement"sv};
+constexpr std::array kHeights{
+    "z"sv,       "height"sv,    "heights"sv,   "h"sv,          "h\u00F6he"sv, "hoehe"sv,
+    "profile"sv, "profil"sv,    "elevation"sv, "topography"sv, "topo"sv,      "depth"sv,
+    "tiefe"sv,   "amplitude"sv, "ordinate"sv,  "hauteur"sv,    "altezza"sv,   "altura"sv,
+    "primary"sv, "zdata"sv,     "deviation"sv, "raw"sv,        "value"sv,     "signal"sv};
+constexpr std::array kCounts{"index"sv, "#"sv,         "i"sv,      "n"sv,      "no"sv,
+                             "no."sv,   "nr"sv,        "nr."sv,    "idx"sv,    "point"sv,
+                             "pt"sv,    "punkt"sv,     "row"sv,    "id"sv,     "sample"sv,
+                             "zeile"sv, "messpunkt"sv, "number"sv, "nummer"sv, "count"sv};
+constexpr std::array kGood{"valid"sv,       "validity"sv, "ok"sv,      "good"sv,
+                           "g\u00FCltig"sv, "gueltig"sv,  "isvalid"sv, "is_valid"sv};
+constexpr std::array kBad{"invalid"sv,       "bad"sv,     "error"sv,
+                          "ung\u00FCltig"sv, "missing"sv, "outlier"sv};
+constexpr std::array kEither{"flag"sv, "flags"sv, "status"sv, "mask"sv, "quality"sv, "qual"sv};
+
+template <std::size_t count>
+bool isOne(const std::array<std::string_view, count>& words, std::string_view name) {
+  return std::ranges::find(words, name) != words.end();
+}
+
+/// "x position", "x_axis", "height data": the first word, or all of the name.
+template <std::size_t count>
+bool begins(const std::array<std::string_view, count>& words, std::string_view name) {
+  if (isOne(words, name)) return true;
+  return isOne(words, name.substr(0, std::min(name.find_first_of(" _-.("), name.size())));
+}
+
+/// Whether the column never turns.
+bool isMonotone(const TextBlock& block, std::size_t column) {
+  bool rises = true, falls = true, changes = false;
+  double last = 0;
+  bool any = false;
+  for (std::size_t i = 0; i < block.rows; ++i) {
+    const double value = block.at(i, column);
+    if (std::isnan(value)) continue;
+    if (any) {
+      rises = rises && value >= last;
+      falls = falls && value <= last;
+      changes = changes || value != last;
+    }
+    last = value;
+    any = true;
+  }
+  return changes && (rises || falls);
+}
+
+/// Share of ones where there is nothing but 0 and 1; -1 else.
+double shareOfOnes(const TextBlock& block, std::size_t column) {
+  double ones = 0, all = 0;
+  for (std::size_t i = 0; i < block.rows; ++i) {
+    const double value = block.at(i, column);
+    if (std::isnan(value)) continue;
+    if (value != 0 && value != 1) return -1;
+    ones += value;
+    all += 1;
+  }
+  return all > 0 ? ones / all : -1;
+}
+
+void findValidity(const TextBlock& block, int column, std::string_view name, ColumnRoles& roles) {
+  const double ones = shareOfOnes(block, static_cast<std::size_t>(column));
+  if (ones < 0) return;
+  const bool named = isOne(kGood, name) || isOne(kBad, name) || isOne(kEither, name);
+  // Without a name only a last column that has both numbers.
+  const bool isLast = column + 1 == static_cast<int>(block.columns.size());
+  if (!named && !(name.empty() && isLast && column > 1 && ones > 0 && ones < 1)) return;
+  roles.validity = column;
+  roles.validIsOne = isOne(kGood, name) || (!isOne(kBad, name) && ones >= 0.5);
+}
+
+}  // namespace
+
+Message columnText(const TextBlock& block, int column) {
+  const std::string& name = block.columns[static_cast<std::size_t>(column)].name;
+  if (name.empty()) return message("column {}", column + 1);
+  return message("column {} '{}'", column + 1, name);
+}
+
+ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
+  ColumnRoles roles;
+  const int columns = static_cast<int>(block.columns.size());
+  const auto chosen = [&](int choice, const char* key) {
+    if (choice > columns)
+      throw InputError(source.name, key, message("the file has {} columns", columns));
+    return choice - 1;
+  };
+  const int positionChoice = chosen(source.choices.positionColumn, "surface.position_column");
+  const int heightChoice = chosen(source.choices.heightColumn, "surface.height_column");
+  if (positionChoice >= 0 && positionChoice == heightChoice)
+    throw InputError(source.name, "surface.height_column",
+                     "is the column of the positions, too; they need one each");
+
+  std::vector<int> open;  // columns whose meaning is not known by name
+  for (int i = 0; i < columns; ++i) {
+    const std::string name = lowerCase(block.columns[static_cast<std::size_t>(i)].name);
+    if (i == positionChoice || i == heightChoice) continue;
+    if (name == "y" || name.starts_with("y ") || name.starts_with("y_") || name.starts_with("y-"))
+      roles.y = i;
+    else if (roles.x < 0 && begins(kPositions, name))
+      roles.x = i;
+    else if (begins(kHeights, name))
+      roles.heights.push_back(i);
+    else if (!isOne(kCounts, name))
+      findValidity(block, i, name, roles);
+    if (roles.x != i && roles.y != i && roles.validity != i && !isOne(kCounts, name) &&
+        std::ranges::find(roles.heights, i) == roles.heights.end())
+      open.push_back(i);
+  }
+  roles.named = roles.x >= 0 || !roles.heights.empty();
+
+  // "x" and "y" without "z": y is the height, as a plot has it.
+  const bool yIsHeight = roles.y >= 0 && roles.heights.empty() && heightChoice < 0 && open.empty();
+  if (yIsHeight || (roles.y >= 0 && roles.x < 0 && positionChoice < 0)) {
+    roles.heights.insert(roles.heights.begin(), roles.y);
+    roles.y = -1;
+  }
+  // Unnamed counts in front of at least two further columns.
+  if (open.size() > 2 && countsRows(block, static_cast<std::size_t>(open.front())) &&
+      block.columns[static_cast<std::size_t>(open.front())].name.empty() && positionChoice < 0 &&
+      isMonotone(block, static_cast<std::size_t>(open[1])))
+    open.erase(open.begin());
+  if (positionChoice >= 0) {
+    roles.x = positionChoice;
+  } else if (roles.x < 0 && !open.empty() &&
+             (open.size() > 1 || !roles.heights.empty() || heightChoice >= 0) &&
+             isMonotone(block, static_cast<std::size_t>(open.front()))) {
+    roles.x = open.front();
+    open.erase(open.begin());
+  }
+  for (const int column : open) roles.heights.push_back(column);
+  std::erase(roles.heights, roles.x);
+  if (heightChoice >= 0)
+    roles.z = heightChoice;
+  else if (!roles.heights.empty())
+    roles.z = roles.heights.front();
+  else if (roles.x >= 0 && positionChoice < 0)
+    std::swap(roles.x, roles.z);  // one column alone holds heights, whatever its name
+  return roles;
+}
+
+std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
+                                         const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) {
+    const auto quantity = quantityIn(table.entry(key, block));
+    if (!quantity || !(quantity->number > 0)) continue;
+    HeaderLength length{quantity->number, {}};
+    std::string unit = quantity->unit;
+    // "Spacing (um) = 0.5": the unit stands in the key.
+    if (const auto metres = metresPer(unit))
+      length.unit = StatedUnit{unit, *metres};
+    else if (!unit.empty())
+      continue;
+    return length;
+  }
+  // Keys with a unit of their own.
+  for (const TextBlock& one : table.blocks) {
+    for (const TextEntry& entry : one.header) {
+      const ColumnName name = columnName(entry.key);
+      if (name.unit.empty() || std::ranges::find(keys, lowerCase(name.name)) == keys.end())
+        continue;
+      const auto quantity = quantityIn(entry.value);
+      const auto metres = metresPer(name.unit);
+      if (quantity && metres && quantity->number > 0)
+        return HeaderLength{quantity->number, StatedUnit{name.unit, *metres}};
+    }
+    if (&one == &block) break;
+  }
+  return {};
+}
+
+std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block,
+                                     bool ofHeights) {
+  const std::vector<std::string> heights{"value units",
+                                         "value unit",
+                                         "z unit",
+                                         "z units",
+                                         "z-unit",
+                                         "unit z",
+                                         "units z",
+                                         "height unit",
+                                         "height units",
+                                         "zunit",
+                                         "einheiten",
+                                         "werteinheit",
+                                         "einheit z",
+                                         "z-einheit",
+                                         "unit\u00E9s",
+                                         "jednotky hodnot",
+                                         "unit\u00E0 valore",
+                                         "h\u00F6heneinheit",
+                                         "\u5024\u306E\u5358\u4F4D",
+                                         "\u0415\u0434\u0438\u043D\u0438\u0446\u044B "
+                                         "\u0438\u0437\u043C\u0435\u0440\u0435\u043D\u0438\u044F"};
+  const std::vector<std::string> positions{"x unit",  "x units",  "x-unit",       "unit x",
+                                           "units x", "xunit",    "lateral unit", "position unit",
+                                           "xy unit", "xy units", "x-einheit",    "einheit x"};
+  const std::vector<std::string> both{"unit", "units", "einheit", "length unit"};
+  for (const auto& keys : {ofHeights ? heights : positions, both})
+    for (const std::string& key : keys) {
+      const std::string text = table.entry(key, block);
+      if (const auto metres = metresPer(text))
+        return StatedUnit{std::string(withoutBrackets(text)), *metres};
+    }
+  return {};
+}
+
+}  // namespace asperity

@@ -1,0 +1,273 @@
+// Topographies in text tables: a matrix of heights, or points x, y, z in any order.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/text_names.h"
+#include "core/base/text_number.h"
+#include "core/measured/length_unit.h"
+#include "core/measured/text_surface.h"
+#include "core/measured/uniform_positions.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// ---- Matrix ------------------------------------------------------------------------------------
+
+/// The width and height of the whole field, as Gwyddion writes them in each language; else the only
+/// two lengths above the numbers.
+struct Extent {
+  std::optional<HeaderLength> width, height;
+};
+
+Extent extentOf(const TextTable& table, const TextBlock& block) {
+  Extent extent;
+  extent.width = headerLength(
+      table, block,
+      {"width", "breite", "largeur", "\u0161\u00ED\u0159ka", "larghezza", "anchura", "ancho",
+       "largura", "\u0448\u0438\u0440\u0438\u043D\u0430", "\u0428\u0438\u0440\u0438\u043D\u0430",
+       "\u5E45", "x size", "x range", "x length", "size x", "xreal", "scan size", "scansize"});
+  extent.height =
+      headerLength(table, block,
+                   {"height", "h\u00F6he", "hauteur", "v\u00FD\u0161ka", "altezza", "altura",
+                    "\u0432\u044B\u0441\u043E\u0442\u0430", "\u0412\u044B\u0441\u043E\u0442\u0430",
+                    "\u9AD8\u3055", "y size", "y range", "y length", "size y", "yreal"});
+  if (extent.width || extent.height || block.header.size() > 5) return extent;
+  std::vector<HeaderLength> lengths;
+  for (const TextEntry& entry : block.header)
+    if (const auto quantity = quantityIn(entry.value); quantity && quantity->number > 0)
+      if (const auto metres = metresPer(quantity->unit))
+        lengths.push_back({quantity->number, StatedUnit{quantity->unit, *metres}});
+  if (lengths.size() == 2) {
+    extent.width = lengths[0];
+    extent.height = lengths[1];
+  }
+  return extent;
+}
+
+/// A matrix may have positions in its first row and first column; the corner is empty or a text.
+struct Frame {
+  bool hasColumn = false, hasRow = false;
+  std::vector<double> x, y;
+};
+
+Frame frameOf(const TextBlock& block) {
+  Frame frame;
+  const std::size_t columns = block.columns.size();
+  if (columns < 4 || block.rows < 3) return frame;
+  // Names that are numbers: all but the first.
+  std::vector<double> named;
+  for (std::size_t i = 1; i < columns; ++i) {
+    double number = 0;
+    if (readTextNumber(block.columns[i].name, '.', number) ||
+        readTextNumber(block.columns[i].name, ',', number))
+      named.push_back(number);
+  }
+  std::vector<double> first;
+  for (std::size_t i = 1; i < columns; ++i) first.push_back(block.at(0, i));
+  const bool inNames = named.size() + 1 == columns && uniformSpacing(named).has_value();
+  const bool inRow = !inNames && std::isnan(block.at(0, 0)) &&
+                     std::ranges::none_of(first, [](double x) { return std::isnan(x); }) &&
+                     uniformSpacing(first).has_value();
+  if (!inNames && !inRow) return frame;
+  std::vector<double> y;
+  for (std::size_t i = inRow ? 1 : 0; i < block.rows; ++i) y.push_back(block.at(i, 0));
+  if (y.size() < 2 || !uniformSpacing(y)) return frame;
+  frame.hasColumn = true;
+  frame.hasRow = inRow;
+  frame.x = inNames ? named : first;
+  frame.y = std::move(y);
+  return frame;
+}
+
+void flip(Topography& grid, bool columns, bool rows) {
+  const auto width = static_cast<std::ptrdiff_t>(grid.columns);
+  if (columns)
+    for (std::int64_t row = 0; row < grid.rows; ++row)
+      std::reverse(grid.height.begin() + row * width, grid.height.begin() + (row + 1) * width);
+  if (rows)
+    for (std::int64_t row = 0; row < grid.rows / 2; ++row)
+      std::swap_ranges(grid.height.begin() + row * width, grid.height.begin() + (row + 1) * width,
+                       grid.height.begin() + (grid.rows - 1 - row) * width);
+}
+
+void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& draft) {
+  Topography& grid = draft.grid;
+  const auto set = [&draft](const std::optional<HeaderLength>& length, double count,
+                            double& spacing) {
+    if (!length) return false;
+    double factor = 1;
+    // The unit of the first length is that of both.
+    if (length->unit && draft.positionUnit)
+      factor = length->unit->metres / draft.positionUnit->metres;
+    else if (length->unit)
+      draft.positionUnit = length->unit;
+    spacing = length->value / count * factor;
+    return true;
+  };
+  const Extent extent = extentOf(table, block);
+  const auto columnStep =
+      headerLength(table, block,
+                   {"cellsize", "dx", "x spacing", "spacing x", "x step", "pixel size x",
+                    "x pixel size", "pixel size", "pixelsize", "spacing", "lateral resolution"});
+  const auto rowStep = headerLength(
+      table, block,
+      {"cellsize", "dy", "y spacing", "spacing y", "y step", "pixel size y", "y pixel size"});
+  const bool hasX = set(extent.width, static_cast<double>(grid.columns), grid.columnSpacing) ||
+                    set(columnStep, 1, grid.columnSpacing);
+  const bool hasY = set(extent.height, static_cast<double>(grid.rows), grid.rowSpacing) ||
+                    set(rowStep, 1, grid.rowSpacing);
+  if (hasX && !hasY) grid.rowSpacing = grid.columnSpacing;
+  if (hasY && !hasX) grid.columnSpacing = grid.rowSpacing;
+  draft.hasPositions = hasX || hasY;
+  if (!draft.hasPositions) grid.columnSpacing = grid.rowSpacing = 1;
+}
+
+}  // namespace
+
+SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
+                            const SurfaceSource& source) {
+  SurfaceDraft draft;
+  draft.facts.format = "matrix";
+  Topography& grid = draft.grid;
+  const Frame frame = frameOf(block);
+  const std::size_t firstColumn = frame.hasColumn ? 1 : 0, firstRow = frame.hasRow ? 1 : 0;
+  grid.columns = static_cast<std::int64_t>(block.columns.size() - firstColumn);
+  grid.rows = static_cast<std::int64_t>(block.rows - firstRow);
+  requireSize(source, grid.columns, grid.rows, 0, 0);
+  if (firstColumn == 0 && firstRow == 0) {
+    grid.height = block.values;
+  } else {
+    for (std::size_t row = firstRow; row < block.rows; ++row)
+      for (std::size_t column = firstColumn; column < block.columns.size(); ++column)
+        grid.height.push_back(block.at(row, column));
+  }
+  draft.heightUnit = headerUnit(table, block, true);
+  if (frame.hasColumn) {
+    const double x = *uniformSpacing(frame.x), y = *uniformSpacing(frame.y);
+    grid.columnSpacing = std::abs(x);
+    grid.rowSpacing = std::abs(y);
+    flip(grid, x < 0, y < 0);
+    draft.positionUnit = headerUnit(table, block, false);
+    draft.facts.notes.emplace_back("The first row and the first column are positions.");
+  } else {
+    takeSpacings(table, block, draft);
+    if (!draft.positionUnit) draft.positionUnit = headerUnit(table, block, false);
+  }
+  // Numbers that stand for a missing value in ESRI's grids.
+  const auto none = quantityIn(table.entry("nodata_value", block));
+  if (none)
+    for (double& height : grid.height)
+      if (!std::isnan(height) && height == none->number) height = kNone;
+  if (grid.rows == 1) grid.rowSpacing = 0;
+  return draft;
+}
+
+// ---- Points ------------------------------------------------------------------------------------
+
+namespace {
+
+std::optional<StatedUnit> unitOfPoints(const SurfaceSource& source, const TextTable& table,
+                                       const TextBlock& block, int column, bool ofHeights) {
+  const std::string& unit = block.columns[static_cast<std::size_t>(column)].unit;
+  if (unit.empty()) return headerUnit(table, block, ofHeights);
+  if (const auto metres = metresPer(unit)) return StatedUnit{unit, *metres};
+  if ((ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto") return {};
+  throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
+                   message("{} is in '{}', which is no unit of length; the key can say another one",
+                           columnText(block, column), unit));
+}
+
+struct PointColumns {
+  int x = 0, y = 1, z = 2;
+};
+
+PointColumns pointColumns(const TextBlock& block, const ColumnRoles& roles) {
+  PointColumns columns;
+  // Row numbers in front.
+  if (block.columns.size() > 3 && countsRows(block, 0)) columns = {1, 2, 3};
+  if (roles.y >= 0 && roles.x >= 0 && roles.z >= 0) columns = {roles.x, roles.y, roles.z};
+  return columns;
+}
+
+std::vector<double> placesOf(const TextBlock& block, int column) {
+  std::vector<double> places;
+  places.reserve(block.rows);
+  for (std::size_t i = 0; i < block.rows; ++i)
+    if (const double value = block.at(i, static_cast<std::size_t>(column)); !std::isnan(value))
+      places.push_back(value);
+  return places;
+}
+
+}  // namespace
+
+bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles) {
+  if (block.columns.size() < 3 || block.rows < 4) return false;
+  const PointColumns columns = pointColumns(block, roles);
+  const std::vector<double> xs = placesOf(block, columns.x), ys = placesOf(block, columns.y);
+  if (xs.empty() || ys.empty()) return false;
+  const auto most = static_cast<std::int64_t>(block.rows);
+  const auto x = gridAxis(xs, most), y = gridAxis(ys, most);
+  if (!x || !y || x->places < 2 || y->places < 2) return false;
+  const double all = static_cast<double>(x->places) * static_cast<double>(y->places);
+  return all <= 2 * static_cast<double>(block.rows) && all >= static_cast<double>(block.rows);
+}
+
+SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
+                            const SurfaceSource& source) {
+  if (block.columns.size() < 3) source.fail("points need three columns: x, y and z");
+  const PointColumns columns = pointColumns(block, columnRoles(block, source));
+  SurfaceDraft draft;
+  draft.facts.format = "points";
+  draft.facts.positionColumn = columnText(block, columns.x).english();
+  draft.facts.heightColumn = columnText(block, columns.z).english();
+  draft.positionUnit = unitOfPoints(source, table, block, columns.x, false);
+  const auto rowUnit = unitOfPoints(source, table, block, columns.y, false);
+  draft.heightUnit = unitOfPoints(source, table, block, columns.z, true);
+  const double ofRows =
+      (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
+
+  const std::vector<double> xs = placesOf(block, columns.x), ys = placesOf(block, columns.y);
+  const auto most = static_cast<std::int64_t>(block.rows);
+  const auto x = xs.empty() ? std::nullopt : gridAxis(xs, most);
+  const auto y = ys.empty() ? std::nullopt : gridAxis(ys, most);
+  if (!x || !y) source.fail("the points do not lie on a grid of uniform rows and columns");
+  // A single row may run along y as well.
+  Topography& grid = draft.grid;
+  grid.columns = x->places;
+  grid.rows = y->places;
+  grid.columnSpacing = x->spacing;
+  grid.rowSpacing = y->spacing * ofRows;
+  const double all = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
+  if (all > 4 * static_cast<double>(block.rows))
+    source.fail("the points do not lie on a grid of uniform rows and columns");
+  requireSize(source, grid.columns, grid.rows, 0, 0);
+  grid.height.assign(static_cast<std::size_t>(grid.columns * grid.rows), kNone);
+  std::vector<bool> isTaken(grid.height.size());
+  const auto placeOf = [](double value, const GridAxis& axis) {
+    return axis.places > 1 ? std::llround((value - axis.first) / axis.spacing) : 0;
+  };
+  for (std::size_t i = 0; i < block.rows; ++i) {
+    const double px = block.at(i, static_cast<std::size_t>(columns.x));
+    const double py = block.at(i, static_cast<std::size_t>(columns.y));
+    if (std::isnan(px) || std::isnan(py))
+      source.fail(message("line {}: the position is missing", block.lines[i]));
+    const auto at = static_cast<std::size_t>(
+        std::clamp<std::int64_t>(placeOf(py, *y), 0, grid.rows - 1) * grid.columns +
+        std::clamp<std::int64_t>(placeOf(px, *x), 0, grid.columns - 1));
+    if (isTaken[at])
+      source.fail(message("line {}: there is a point at this position already", block.lines[i]));
+    isTaken[at] = true;
+    grid.height[at] = block.at(i, static_cast<std::size_t>(columns.z));
+  }
+  if (grid.columns == 1 && grid.rows > 1) {
+    std::swap(grid.columns, grid.rows);
+    grid.columnSpacing = grid.rowSpacing;
+  }
+  if (grid.rows == 1) grid.rowSpacing = 0;
+  return draft;
+}
+
+}  // namespace asperity

@@ -1,0 +1,68 @@
+// Which of the three forms a text table has.
+#include "core/measured/text_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text_number.h"
+#include "core/measured/uniform_positions.h"
+
+namespace asperity {
+namespace {
+
+enum class Form { Profile, Matrix, Points };
+
+/// Whether the first column is uniform and none of the next two is: positions of several profiles,
+/// and no matrix.
+bool beginsWithPositions(const TextBlock& block) {
+  if (!uniformSpacing(block.column(0))) return false;
+  for (std::size_t i = 1; i < std::min<std::size_t>(block.columns.size(), 3); ++i)
+    if (uniformSpacing(block.column(i))) return false;
+  return true;
+}
+
+Form formOf(const TextTable& table, const TextBlock& block, const SurfaceSource& source) {
+  const std::string& format = source.choices.format;
+  if (format == "profile") return Form::Profile;
+  if (format == "matrix") return Form::Matrix;
+  if (format == "points") return Form::Points;
+  const std::size_t columns = block.columns.size();
+  if (columns < 3) return Form::Profile;
+  const ColumnRoles roles = columnRoles(block, source);
+  if (roles.x >= 0 && roles.y >= 0 && roles.z >= 0) {
+    // A profile with a second lateral coordinate that does not change, or points.
+    return Form::Points;
+  }
+  if (source.choices.positionColumn > 0 || source.choices.heightColumn > 0) return Form::Profile;
+  if (columns <= 5 && !roles.named && isPointsOfGrid(block, roles)) return Form::Points;
+  if (roles.named || roles.validity >= 0) return Form::Profile;
+  const bool hasNames = std::ranges::any_of(block.columns, [&table](const TextColumn& column) {
+    double number = 0;
+    return !column.name.empty() && !readTextNumber(column.name, table.dialect.decimal, number);
+  });
+  if (hasNames && columns <= 8 && roles.x >= 0) return Form::Profile;
+  if (roles.x >= 0 && block.rows > columns && beginsWithPositions(block)) return Form::Profile;
+  // Row numbers, positions, heights.
+  if (columns == 3 && countsRows(block, 0) && roles.x == 1) return Form::Profile;
+  return Form::Matrix;
+}
+
+}  // namespace
+
+SurfaceDraft readTextSurface(const SurfaceSource& source) {
+  TextTableOptions options;
+  options.progress = [&source](double part) { source.report(0.9 * part); };
+  const TextTable table = readTextTable(source.bytes, source.name, options);
+  const TextBlock& block = table.largest();
+  const Form form = formOf(table, block, source);
+  SurfaceDraft draft = form == Form::Profile  ? readTextProfile(table, block, source)
+                       : form == Form::Matrix ? readTextMatrix(table, block, source)
+                                              : readTextPoints(table, block, source);
+  if (table.blocks.size() > 1)
+    draft.facts.notes.push_back(
+        message("The file has {} tables of numbers; the largest one, from line {} on, is read.",
+                table.blocks.size(), block.lines.front()));
+  return draft;
+}
+
+}  // namespace asperity

@@ -1,0 +1,50 @@
+// The three forms of surfaces in text tables: shared by the files text_*.cpp.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/text_table.h"
+#include "core/measured/surface_draft.h"
+
+namespace asperity {
+
+/// What the columns of a table are, as far as their names or their numbers say. -1: there is none.
+struct ColumnRoles {
+  int x = -1, y = -1, z = -1;
+  int validity = -1;
+  bool validIsOne = true;      // 1 in the column of validity is a good point
+  bool named = false;          // x or z were found by name
+  std::vector<int> heights{};  // all that are neither positions, nor counts, nor validity
+};
+
+/// Roles by names, by the user's choice, and by the numbers. Columns are counted from 0.
+ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source);
+
+/// "column 2 'z'", "column 2".
+Message columnText(const TextBlock& block, int column);
+
+/// A quantity of the header whose key is one of these, in lower case.
+struct HeaderLength {
+  double value = 0;
+  std::optional<StatedUnit> unit{};
+};
+std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
+                                         const std::vector<std::string>& keys);
+
+/// The unit that an entry of the header states for positions or for heights.
+std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block,
+                                     bool ofHeights);
+
+SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
+                             const SurfaceSource& source);
+SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
+                            const SurfaceSource& source);
+SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
+                            const SurfaceSource& source);
+
+/// Whether the first two of three columns are the places of a grid.
+bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles);
+
+}  // namespace asperity

@@ -1,0 +1,277 @@
+#include "core/measured/uniform_positions.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Deviations from uniform places that are nothing to a profile: this part of a step.
+constexpr double kNegligible = 1e-3;
+
+/// The decimals of a number in its shortest form: 0.0386 is 386e-4, of exponent -4 and three
+/// digits.
+struct Digits {
+  int exponent = 0;  // of the last digit
+  int count = 0;
+};
+
+Digits digitsOf(double value) {
+  std::array<char, 32> text{};
+  const char* end = std::to_chars(text.data(), text.data() + text.size(), std::abs(value),
+                                  std::chars_format::scientific)
+                        .ptr;
+  Digits digits;
+  const char* exponent = std::find(static_cast<const char*>(text.data()), end, 'e');
+  for (const char* at = text.data(); at != exponent; ++at) digits.count += *at != '.' ? 1 : 0;
+  int power = 0;
+  const char* number = exponent + 1;
+  if (number != end && *number == '+') ++number;
+  std::from_chars(number, end, power);
+  digits.exponent = power - (digits.count - 1);
+  return digits;
+}
+
+/// Half of the last printed digit: numbers are written with the same decimals, or with the same
+/// number of digits; trailing zeros are not known, so of several numbers the finest counts.
+class Rounding {
+ public:
+  explicit Rounding(std::span<const double> numbers) {
+    constexpr std::size_t kLooked = 2000;
+    const std::size_t step = numbers.size() / kLooked + 1;
+    for (std::size_t i = 0; i < numbers.size(); i += step) {
+      if (std::isnan(numbers[i]) || numbers[i] == 0) continue;
+      const Digits digits = digitsOf(numbers[i]);
+      finest_ = std::min(finest_, digits.exponent);
+      most_ = std::max(most_, digits.count);
+    }
+  }
+
+  double of(double value) const {
+    if (finest_ > 300) return 0;
+    const double magnitude = value == 0 ? 0 : std::abs(value);
+    const int leading =
+        magnitude > 0 ? static_cast<int>(std::floor(std::log10(magnitude))) : finest_;
+    return 0.5 * std::pow(10.0, std::max(finest_, leading - most_ + 1));
+  }
+
+ private:
+  int finest_ = 1000, most_ = 1;
+};
+
+struct Straight {
+  double first = 0, spacing = 0;
+};
+
+/// The straight line through (i, positions[i]) by least squares; NaN is passed over.
+Straight straightThrough(std::span<const double> positions) {
+  double count = 0, sumIndex = 0, sumPosition = 0;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (!std::isnan(positions[i])) {
+      count += 1;
+      sumIndex += static_cast<double>(i);
+      sumPosition += positions[i];
+    }
+  if (count < 2) return {};
+  const double meanIndex = sumIndex / count, meanPosition = sumPosition / count;
+  double product = 0, square = 0;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (!std::isnan(positions[i])) {
+      const double index = static_cast<double>(i) - meanIndex;
+      product += index * (positions[i] - meanPosition);
+      square += index * index;
+    }
+  const double spacing = product / square;
+  return {meanPosition - spacing * meanIndex, spacing};
+}
+
+/// Whether no position is further from the line than `most` of a step or its rounding.
+bool isStraight(std::span<const double> positions, const Straight& line, const Rounding* rounding) {
+  // Least squares follow rounded numbers to about half of their rounding.
+  constexpr double kSlack = 1.5;
+  const double step = std::abs(line.spacing);
+  if (!(step > 0)) return false;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (std::isnan(positions[i])) continue;
+    const double away =
+        std::abs(positions[i] - (line.first + line.spacing * static_cast<double>(i)));
+    if (away <= kNegligible * step) continue;
+    if (rounding == nullptr || away > kSlack * rounding->of(positions[i])) return false;
+  }
+  return true;
+}
+
+double variationOf(std::span<const double> positions, double spacing) {
+  double largest = 0;
+  for (std::size_t i = 1; i < positions.size(); ++i)
+    if (!std::isnan(positions[i]) && !std::isnan(positions[i - 1]))
+      largest = std::max(largest, std::abs(positions[i] - positions[i - 1] - spacing));
+  return largest / std::abs(spacing);
+}
+
+/// Places of a uniform grid that the file leaves out become gaps. False where the positions lie on
+/// no such grid of at most twice their number.
+bool fillGaps(std::span<const double> positions, std::span<const double> heights,
+              PlacedProfile& profile) {
+  const auto axis = gridAxis({positions.begin(), positions.end()},
+                             2 * static_cast<std::int64_t>(positions.size()));
+  if (!axis) return false;
+  profile.spacing = axis->spacing;
+  profile.height.assign(static_cast<std::size_t>(axis->places), kNone);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto place = std::llround((positions[i] - axis->first) / axis->spacing);
+    profile.height[static_cast<std::size_t>(place)] = heights[i];
+  }
+  profile.notes.push_back(message("{} places have no row in the file and are taken as gaps.",
+                                  static_cast<std::size_t>(axis->places) - positions.size()));
+  return true;
+}
+
+void interpolate(std::span<const double> positions, std::span<const double> heights,
+                 PlacedProfile& profile) {
+  const std::size_t count = positions.size();
+  profile.spacing = (positions.back() - positions.front()) / static_cast<double>(count - 1);
+  profile.resampled = true;
+  profile.height.resize(count);
+  std::size_t right = 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double place = positions.front() + profile.spacing * static_cast<double>(i);
+    while (right + 1 < count && positions[right] < place) ++right;
+    const double part = std::clamp(
+        (place - positions[right - 1]) / (positions[right] - positions[right - 1]), 0.0, 1.0);
+    const double before = heights[right - 1], after = heights[right];
+    if (part == 0)
+      profile.height[i] = before;
+    else if (part == 1)
+      profile.height[i] = after;
+    else if (std::isnan(before) || std::isnan(after))
+      profile.height[i] = kNone;
+    else
+      profile.height[i] = before + part * (after - before);
+  }
+  profile.notes.push_back(message(
+      "Positions are not uniform (steps differ by up to {:.3g} %): heights are interpolated "
+      "linearly onto {} uniform places.",
+      100 * profile.variation, count));
+}
+
+/// Heights at equal positions become their mean; the number of rows that go.
+std::size_t meanOfRepeats(std::vector<double>& positions, std::vector<double>& heights) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < positions.size();) {
+    std::size_t end = i;
+    double sum = 0, count = 0;
+    for (; end < positions.size() && positions[end] == positions[i]; ++end)
+      if (!std::isnan(heights[end])) {
+        sum += heights[end];
+        count += 1;
+      }
+    positions[kept] = positions[i];
+    heights[kept] = count > 0 ? sum / count : kNone;
+    ++kept;
+    i = end;
+  }
+  const std::size_t gone = positions.size() - kept;
+  positions.resize(kept);
+  heights.resize(kept);
+  return gone;
+}
+
+}  // namespace
+
+std::optional<double> uniformSpacing(std::span<const double> positions) {
+  const Straight line = straightThrough(positions);
+  if (isStraight(positions, line, nullptr)) {
+    // Exactly what the ends say, where nothing is rounded.
+    if (!std::isnan(positions.front()) && !std::isnan(positions.back()) && positions.size() > 1)
+      return (positions.back() - positions.front()) / static_cast<double>(positions.size() - 1);
+    return line.spacing;
+  }
+  const Rounding rounding(positions);
+  if (isStraight(positions, line, &rounding)) return line.spacing;
+  return {};
+}
+
+std::optional<GridAxis> gridAxis(std::vector<double> numbers, std::int64_t most) {
+  std::ranges::sort(numbers);
+  const Rounding rounding(numbers);
+  // Numbers that differ by no more than their rounding are one place.
+  std::vector<double> places;
+  for (const double number : numbers)
+    if (places.empty() || number - places.back() > 2.5 * rounding.of(number))
+      places.push_back(number);
+  if (places.size() < 2) return GridAxis{places.front(), 0, 1};
+  double step = places[1] - places[0];
+  for (std::size_t i = 2; i < places.size(); ++i) step = std::min(step, places[i] - places[i - 1]);
+  const double range = places.back() - places.front();
+  const double count = std::round(range / step);
+  if (!(count < static_cast<double>(most))) return {};
+  GridAxis axis{places.front(), range / count, static_cast<std::int64_t>(count) + 1};
+  // The straight line through the places refines what rounding blurs.
+  std::vector<double> lattice(static_cast<std::size_t>(axis.places), kNone);
+  for (const double place : places) {
+    const auto at = static_cast<std::size_t>(std::llround((place - axis.first) / axis.spacing));
+    if (at >= lattice.size() || !std::isnan(lattice[at])) return {};
+    lattice[at] = place;
+  }
+  const Straight line = straightThrough(lattice);
+  if (isStraight(lattice, line, nullptr)) return axis;
+  if (!isStraight(lattice, line, &rounding)) return {};
+  axis.first = line.first;
+  axis.spacing = line.spacing;
+  return axis;
+}
+
+PlacedProfile placeUniformly(std::vector<double> positions, std::vector<double> heights,
+                             std::span<const std::uint32_t> lines, const SurfaceSource& source) {
+  const auto lineOf = [&lines](std::size_t row) {
+    return row < lines.size() ? lines[row] : row + 1;
+  };
+  PlacedProfile profile;
+  if (const auto spacing = uniformSpacing(positions)) {
+    profile.spacing = std::abs(*spacing);
+    profile.variation = variationOf(positions, *spacing);
+    profile.height = std::move(heights);
+    if (*spacing < 0) {
+      std::ranges::reverse(profile.height);
+      profile.notes.emplace_back("Positions fall from row to row: the profile is turned round.");
+    }
+    return profile;
+  }
+  // Beyond this point every position is needed.
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (std::isnan(positions[i]))
+      source.fail(message("line {}: the position is missing", lineOf(i)));
+  const bool falls = positions.back() < positions.front();
+  for (std::size_t i = 1; i < positions.size(); ++i)
+    if (falls ? positions[i] > positions[i - 1] : positions[i] < positions[i - 1])
+      source.fail(message("line {}: the position goes back; positions must rise or fall all along",
+                          lineOf(i)));
+  if (falls) {
+    std::ranges::reverse(positions);
+    std::ranges::reverse(heights);
+    profile.notes.emplace_back("Positions fall from row to row: the profile is turned round.");
+  }
+  if (const std::size_t gone = meanOfRepeats(positions, heights); gone > 0)
+    profile.notes.push_back(
+        message("{} rows repeat a position: the mean of their heights is taken.", gone));
+  if (positions.size() < 2) source.fail("all positions are the same");
+  if (const auto spacing = uniformSpacing(positions)) {
+    profile.spacing = *spacing;
+    profile.variation = variationOf(positions, *spacing);
+    profile.height = std::move(heights);
+    return profile;
+  }
+  const double mean =
+      (positions.back() - positions.front()) / static_cast<double>(positions.size() - 1);
+  profile.variation = variationOf(positions, mean);
+  if (!fillGaps(positions, heights, profile)) interpolate(positions, heights, profile);
+  return profile;
+}
+
+}  // namespace asperity

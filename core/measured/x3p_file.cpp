@@ -1,0 +1,461 @@
+// X3P (ISO 25178-72, before it ISO 5436-2): a ZIP archive with `main.xml`, whose heights stand
+// there as a list or in a binary file beside it, in metres. Of the feature types profiles (PRF) and
+// surfaces (SUR) are read; a point cloud (PCL) has no grid.
+#include <nettle/md5.h>
+#include <zip.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/number_text.h"
+#include "core/base/text_number.h"
+#include "core/measured/byte_reader.h"
+#include "core/measured/surface_draft.h"
+#include "core/measured/uniform_positions.h"
+
+namespace asperity {
+namespace {
+
+// ---- The archive -------------------------------------------------------------------------------
+
+/// The files of a ZIP archive in memory.
+class Archive {
+ public:
+  explicit Archive(const SurfaceSource& source) : source_(source) {
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t* bytes =
+        zip_source_buffer_create(source.bytes.data(), source.bytes.size(), 0, &error);
+    if (bytes != nullptr) {
+      archive_.reset(zip_open_from_source(bytes, ZIP_RDONLY, &error));
+      if (!archive_) zip_source_free(bytes);
+    }
+    zip_error_fini(&error);
+    if (!archive_) source.fail(message("is not a whole {} archive", "ZIP"));
+  }
+
+  bool has(const std::string& file) const { return indexOf(file) >= 0; }
+
+  /// All bytes of a file in it, at most `limit` of them.
+  std::string read(const std::string& file, std::uint64_t limit) const {
+    const zip_int64_t index = indexOf(file);
+    if (index < 0) source_.fail(message("has no file '{}' in its archive", file));
+    zip_stat_t stat;
+    zip_stat_init(&stat);
+    const bool isKnown =
+        zip_stat_index(archive_.get(), static_cast<zip_uint64_t>(index), 0, &stat) == 0 &&
+        (stat.valid & ZIP_STAT_SIZE) != 0;
+    if (!isKnown) fail(file);
+    if (stat.size > limit)
+      source_.fail(message("'{}' in its archive is larger than the {} bytes allowed", file, limit));
+    const std::unique_ptr<zip_file_t, Close> open(
+        zip_fopen_index(archive_.get(), static_cast<zip_uint64_t>(index), 0));
+    if (!open) fail(file);
+    std::string bytes;
+    constexpr std::size_t kStep = std::size_t{1} << 22;
+    while (bytes.size() < stat.size) {
+      const std::size_t before = bytes.size();
+      // Grows with what is really there, whatever the directory of the archive says.
+      bytes.resize(before + std::min<std::size_t>(kStep, stat.size - before));
+      const zip_int64_t got = zip_fread(open.get(), bytes.data() + before, bytes.size() - before);
+      if (got <= 0) fail(file);
+      bytes.resize(before + static_cast<std::size_t>(got));
+      source_.report(0.5 * static_cast<double>(bytes.size()) / static_cast<double>(stat.size));
+    }
+    // Reading on at the end compares the checksum of the archive.
+    char more = 0;
+    if (zip_fread(open.get(), &more, 1) != 0) fail(file);
+    return bytes;
+  }
+
+ private:
+  struct Close {
+    void operator()(zip_t* archive) const { zip_discard(archive); }
+    void operator()(zip_file_t* file) const { zip_fclose(file); }
+  };
+
+  zip_int64_t indexOf(const std::string& file) const {
+    return zip_name_locate(archive_.get(), file.c_str(), ZIP_FL_NOCASE);
+  }
+  [[noreturn]] void fail(const std::string& file) const {
+    source_.fail(message("'{}' in its archive cannot be unpacked", file));
+  }
+
+  const SurfaceSource& source_;
+  std::unique_ptr<zip_t, Close> archive_;
+};
+
+std::string md5Of(std::string_view bytes) {
+  md5_ctx context;
+  md5_init(&context);
+  md5_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+  std::array<std::uint8_t, MD5_DIGEST_SIZE> digest{};
+  md5_digest(&context, digest.size(), digest.data());
+  std::string text;
+  for (const std::uint8_t byte : digest) {
+    text += "0123456789abcdef"[byte >> 4];
+    text += "0123456789abcdef"[byte & 0xF];
+  }
+  return text;
+}
+
+// ---- main.xml ----------------------------------------------------------------------------------
+
+/// The part of a name behind its namespace.
+std::string_view plainName(const pugi::xml_node& node) {
+  const std::string_view name = node.name();
+  const std::size_t colon = name.find(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+pugi::xml_node childOf(const pugi::xml_node& node, std::string_view name) {
+  for (const pugi::xml_node child : node.children())
+    if (plainName(child) == name) return child;
+  return {};
+}
+
+/// The node at "Record1/Axes/CX".
+pugi::xml_node nodeAt(pugi::xml_node node, std::string_view path) {
+  while (!path.empty()) {
+    const std::size_t end = std::min(path.find('/'), path.size());
+    node = childOf(node, path.substr(0, end));
+    path.remove_prefix(std::min(end + 1, path.size()));
+  }
+  return node;
+}
+
+std::string_view textAt(const pugi::xml_node& node, std::string_view path) {
+  return trimmedBlanks(nodeAt(node, path).child_value());
+}
+
+struct Axis {
+  bool isIncremental = false;
+  char type = 'D';  // of its numbers: I, L, F, D
+  double increment = 1, offset = 0;
+
+  std::size_t size() const { return type == 'I' ? 2 : type == 'D' ? 8 : 4; }
+  bool isWhole() const { return type == 'I' || type == 'L'; }
+};
+
+Axis axisOf(const SurfaceSource& source, const pugi::xml_node& root, const std::string& name) {
+  const pugi::xml_node node = nodeAt(root, "Record1/Axes/" + name);
+  if (!node) source.fail(message("main.xml has no {}", "Record1/Axes/" + name));
+  Axis axis;
+  const std::string_view kind = textAt(node, "AxisType");
+  if (kind != "I" && kind != "A")
+    source.fail(message("main.xml: {} is neither {}", name + "/AxisType", "I, A"));
+  axis.isIncremental = kind == "I";
+  const std::string_view type = textAt(node, "DataType");
+  if (type.size() > 1 ||
+      (!type.empty() && std::string_view("ILFD").find(type) == std::string_view::npos))
+    source.fail(message("main.xml: {} is neither {}", name + "/DataType", "I, L, F, D"));
+  if (!type.empty()) axis.type = type.front();
+  const auto number = [&](std::string_view key, double& value) {
+    const std::string_view text = textAt(node, key);
+    if (text.empty()) return;
+    const Field field = readField(text, '.');
+    // NaN stands for "none" in files of some programs.
+    if (field.kind == FieldKind::Missing) return;
+    if (field.kind != FieldKind::Number)
+      source.fail(message("main.xml: {} is not a number", name + "/" + std::string(key)));
+    value = field.value;
+  };
+  number("Increment", axis.increment);
+  number("Offset", axis.offset);
+  if (axis.isIncremental && axis.increment == 0)
+    source.fail(message("main.xml: {} is not a number above 0", name + "/Increment"));
+  // Whole numbers of an absolute axis are counts of its increment; of others it says nothing.
+  if (axis.increment == 0) axis.increment = 1;
+  return axis;
+}
+
+std::int64_t sizeAt(const SurfaceSource& source, const pugi::xml_node& root,
+                    const std::string& path) {
+  std::int64_t value = 0;
+  if (!readNumber(textAt(root, path), value) || value < 1)
+    source.fail(message("main.xml: {} is not a number above 0", path));
+  return value;
+}
+
+// ---- Points ------------------------------------------------------------------------------------
+
+/// All coordinates of all points. Those of an incremental axis are not stored.
+struct Points {
+  std::vector<double> x, y, z;
+};
+
+class Reader {
+ public:
+  explicit Reader(const SurfaceSource& source) : source_(source), archive_(source) {}
+
+  SurfaceDraft read() {
+    parse();
+    const std::string_view feature = textAt(root_, "Record1/FeatureType");
+    if (feature == "PCL")
+      source_.fail("is a cloud of points (PCL); only profiles and surfaces on a grid are read");
+    if (feature != "SUR" && feature != "PRF")
+      source_.fail(message("main.xml: {} is neither {}", "FeatureType", "PRF, SUR"));
+    axes_ = {axisOf(source_, root_, "CX"), axisOf(source_, root_, "CY"),
+             axisOf(source_, root_, "CZ")};
+    readSizes(feature == "PRF");
+    const auto count = static_cast<std::size_t>(columns_ * rows_);
+    if (nodeAt(root_, "Record3/DataLink"))
+      readBinary(count);
+    else if (nodeAt(root_, "Record3/DataList"))
+      readList(count);
+    else
+      source_.fail(message("main.xml has no {}", "Record3/DataLink"));
+    return draft();
+  }
+
+ private:
+  static constexpr std::uint64_t kSmall = std::uint64_t{1} << 24;
+  static constexpr std::uint64_t kMostPacking = 100;  // of a list of numbers as text
+
+  void parse() {
+    // Lists of numbers may be long; a text that packs better than they do is none.
+    const std::uint64_t limit = std::min<std::uint64_t>(
+        kSmall + kMostPacking * source_.bytes.size(), std::uint64_t{1} << 30);
+    if (!archive_.has("main.xml"))
+      source_.fail(message("has no file '{}' in its archive", "main.xml"));
+    xml_ = archive_.read("main.xml", limit);
+    checkMain();
+    const pugi::xml_parse_result parsed =
+        document_.load_buffer_inplace(xml_.data(), xml_.size(), pugi::parse_default);
+    if (!parsed) source_.fail(message("main.xml: byte {}: is not valid XML", parsed.offset));
+    root_ = document_.document_element();
+    if (plainName(root_) != "ISO5436_2") source_.fail(message("main.xml has no {}", "ISO5436_2"));
+  }
+
+  /// The checksum of main.xml stands in a file of its own, as "md5 *main.xml".
+  void checkMain() {
+    if (!archive_.has("md5checksum.hex")) return;
+    const std::string text = archive_.read("md5checksum.hex", kSmall);
+    requireMd5(trimmedBlanks(text), xml_, "main.xml");
+  }
+
+  void requireMd5(std::string_view stated, std::string_view bytes, const std::string& file) const {
+    constexpr std::size_t kDigits = 32;
+    stated = stated.substr(0, std::min(stated.find_first_of(" \t\r\n*"), stated.size()));
+    if (stated.empty()) return;
+    if (stated.size() != kDigits || lowerCase(stated) != md5Of(bytes))
+      source_.fail(message("'{}' in its archive does not have the MD5 that the file states", file));
+  }
+
+  void readSizes(bool isProfile) {
+    const pugi::xml_node matrix = nodeAt(root_, "Record3/MatrixDimension");
+    if (matrix) {
+      columns_ = sizeAt(source_, root_, "Record3/MatrixDimension/SizeX");
+      rows_ = sizeAt(source_, root_, "Record3/MatrixDimension/SizeY");
+      const std::int64_t layers = sizeAt(source_, root_, "Record3/MatrixDimension/SizeZ");
+      // Profiles in a row are N x 1 x M.
+      if (isProfile && rows_ == 1) rows_ = layers;
+      if (!isProfile && layers > 1) {
+        notes_.push_back(message("The first of {} layers is read.", layers));
+        layers_ = layers;
+      }
+    } else if (nodeAt(root_, "Record3/ListDimension")) {
+      if (!isProfile)
+        source_.fail(
+            "is a list of points without a grid; only profiles and surfaces on a grid are read");
+      columns_ = sizeAt(source_, root_, "Record3/ListDimension");
+      rows_ = 1;
+    } else {
+      source_.fail(message("main.xml has no {}", "Record3/MatrixDimension"));
+    }
+    requireSize(source_, columns_, rows_, 0, 0);
+  }
+
+  /// The bytes of one point: the numbers of its absolute axes.
+  std::size_t stride() const {
+    std::size_t bytes = 0;
+    for (const Axis& axis : axes_)
+      bytes += axis.isIncremental && &axis != &axes_[2] ? 0 : axis.size();
+    return bytes;
+  }
+
+  void readBinary(std::size_t count) {
+    const std::string file(textAt(root_, "Record3/DataLink/PointDataLink"));
+    const std::uint64_t all = static_cast<std::uint64_t>(count) * stride();
+    if (file.empty()) source_.fail(message("main.xml has no {}", "PointDataLink"));
+    // Layers behind the first are passed over.
+    const std::string bytes =
+        archive_.read(file, all * static_cast<std::uint64_t>(std::min<std::int64_t>(layers_, 64)));
+    if (bytes.size() < all)
+      source_.fail(message("ends too early: {} bytes are needed from byte {} on, and {} are there",
+                           all, 0, bytes.size()));
+    requireMd5(textAt(root_, "Record3/DataLink/MD5ChecksumPointData"), bytes, file);
+    const auto isFree = [](auto) { return false; };
+    if (stride() == axes_[2].size()) {
+      const std::string_view part = std::string_view(bytes).substr(0, all);
+      const double scale = axes_[2].isIncremental || axes_[2].isWhole() ? axes_[2].increment : 1;
+      if (axes_[2].type == 'I')
+        appendHeights<std::int16_t>(source_, part, false, scale, points_.z, isFree);
+      else if (axes_[2].type == 'L')
+        appendHeights<std::int32_t>(source_, part, false, scale, points_.z, isFree);
+      else if (axes_[2].type == 'F')
+        appendHeights<float>(source_, part, false, scale, points_.z, isFree);
+      else
+        appendHeights<double>(source_, part, false, scale, points_.z, isFree);
+    } else {
+      ByteReader reader(source_, bytes);
+      for (std::size_t i = 0; i < count; ++i) takePoint(reader);
+    }
+    takeMask(count);
+  }
+
+  static double number(ByteReader& reader, char type) {
+    switch (type) {
+      case 'I':
+        return static_cast<double>(reader.read<std::int16_t>());
+      case 'L':
+        return static_cast<double>(reader.read<std::int32_t>());
+      case 'F':
+        return static_cast<double>(reader.read<float>());
+      default:
+        return reader.read<double>();
+    }
+  }
+
+  void takePoint(ByteReader& reader) {
+    std::array<std::vector<double>*, 3> parts{&points_.x, &points_.y, &points_.z};
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!axes_[k].isIncremental || k == 2)
+        parts[k]->push_back(scaled(k, number(reader, axes_[k].type)));
+  }
+
+  /// A number of an axis in metres; NaN stays.
+  double scaled(std::size_t axis, double value) const {
+    if (std::isnan(value)) return value;
+    const bool counts = axes_[axis].isIncremental || axes_[axis].isWhole();
+    const double metres = counts ? value * axes_[axis].increment : value;
+    return std::isfinite(metres) ? metres : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// One bit for each point, the lowest bit of a byte first; 0 where it was not measured.
+  void takeMask(std::size_t count) {
+    const std::string file(textAt(root_, "Record3/DataLink/ValidPointsLink"));
+    if (file.empty()) return;
+    if (!archive_.has(file)) {
+      // Some programs name the file and write none where all points are valid.
+      if (textAt(root_, "Record3/DataLink/MD5ChecksumValidPoints").empty()) return;
+      source_.fail(message("has no file '{}' in its archive", file));
+    }
+    const std::string bits = archive_.read(file, count / 8 + 1024);
+    requireMd5(textAt(root_, "Record3/DataLink/MD5ChecksumValidPoints"), bits, file);
+    if (bits.size() < (count + 7) / 8)
+      source_.fail(message("ends too early: {} bytes are needed from byte {} on, and {} are there",
+                           (count + 7) / 8, 0, bits.size()));
+    for (std::size_t i = 0; i < count; ++i)
+      if ((static_cast<unsigned char>(bits[i / 8]) >> (i % 8) & 1) == 0)
+        points_.z[i] = std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// <Datum>z</Datum> or <Datum>x;y;z</Datum>; an empty one was not measured.
+  void readList(std::size_t count) {
+    const pugi::xml_node list = nodeAt(root_, "Record3/DataList");
+    std::vector<std::size_t> stored;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!axes_[k].isIncremental || k == 2) stored.push_back(k);
+    std::array<std::vector<double>*, 3> parts{&points_.x, &points_.y, &points_.z};
+    for (const pugi::xml_node datum : list.children()) {
+      if (plainName(datum) != "Datum") continue;
+      if (points_.z.size() == count) break;
+      std::string_view text = trimmedBlanks(datum.child_value());
+      const bool isEmpty = text.empty();
+      // Some programs write all three coordinates, whatever the axes are.
+      const auto fields = static_cast<std::size_t>(std::ranges::count(text, ';')) + 1;
+      const bool isWhole = fields == 3 && stored.size() < 3;
+      if (!isEmpty && fields != stored.size() && !isWhole)
+        source_.fail(message("main.xml: datum {} has {} numbers where {} are needed",
+                             points_.z.size() + 1, fields, stored.size()));
+      for (std::size_t i = 0, k = 0; i < (isEmpty ? stored.size() : fields); ++i) {
+        const std::size_t end = std::min(text.find(';'), text.size());
+        const Field field = readField(text.substr(0, end), '.');
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (field.kind == FieldKind::Text || field.kind == FieldKind::Flag)
+          source_.fail(message("main.xml: datum {} is not a number", points_.z.size() + 1));
+        const std::size_t axis = isWhole ? i : stored[i];
+        if (k < stored.size() && stored[k] == axis) {
+          parts[axis]->push_back(scaled(axis, field.value));
+          ++k;
+        }
+      }
+      if (points_.z.size() % 65536 == 0) source_.report(0.5);
+    }
+    if (points_.z.size() < count)
+      source_.fail(message("main.xml: has {} points where {} are needed", points_.z.size(), count));
+  }
+
+  SurfaceDraft draft() {
+    SurfaceDraft made;
+    made.facts.format = "x3p";
+    made.facts.notes = std::move(notes_);
+    made.positionUnit = made.heightUnit = StatedUnit{"m", 1};
+    Topography& grid = made.grid;
+    grid.columns = columns_;
+    grid.rows = rows_;
+    grid.columnSpacing = std::abs(axes_[0].increment);
+    grid.rowSpacing = std::abs(axes_[1].increment);
+    grid.height = std::move(points_.z);
+    if (rows_ == 1) {
+      if (!axes_[0].isIncremental) placeProfile(made);
+      return made;
+    }
+    const auto width = static_cast<std::size_t>(columns_);
+    if (!axes_[0].isIncremental) {
+      std::vector<double> x(points_.x.begin(),
+                            points_.x.begin() + static_cast<std::ptrdiff_t>(width));
+      grid.columnSpacing = requireUniform(x, "CX");
+    }
+    if (!axes_[1].isIncremental) {
+      std::vector<double> y;
+      for (std::size_t i = 0; i < points_.y.size(); i += width) y.push_back(points_.y[i]);
+      grid.rowSpacing = requireUniform(y, "CY");
+    } else if (textAt(root_, "Record1/Axes/CY/Increment").empty()) {
+      grid.rowSpacing = grid.columnSpacing;
+    }
+    return made;
+  }
+
+  /// A profile whose positions are stored: they may be anything.
+  void placeProfile(SurfaceDraft& made) const {
+    PlacedProfile profile = placeUniformly(points_.x, made.grid.height, {}, source_);
+    made.grid.height = std::move(profile.height);
+    made.grid.columns = static_cast<std::int64_t>(made.grid.height.size());
+    made.grid.columnSpacing = profile.spacing;
+    made.facts.spacingVariation = profile.variation;
+    made.facts.resampled = profile.resampled;
+    made.facts.notes.insert(made.facts.notes.end(), profile.notes.begin(), profile.notes.end());
+  }
+
+  double requireUniform(const std::vector<double>& positions, std::string_view axis) const {
+    const auto spacing = uniformSpacing(positions);
+    if (!spacing)
+      source_.fail(
+          message("the positions along {} are not uniform; surfaces need a uniform grid", axis));
+    return *spacing;
+  }
+
+  const SurfaceSource& source_;
+  Archive archive_;
+  std::string xml_;
+  pugi::xml_document document_;
+  pugi::xml_node root_;
+  std::array<Axis, 3> axes_{};
+  std::int64_t columns_ = 0, rows_ = 0, layers_ = 1;
+  Points points_;
+  std::vector<Message> notes_;
+};
+
+}  // namespace
+
+SurfaceDraft readX3p(const SurfaceSource& source) {
+  return Reader(source).read();
+}
+
+}  // namespace asperity
