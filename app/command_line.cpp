@@ -45,6 +45,7 @@ class CommandLine {
     addMotion();
     addRender();
     addSurface();
+    addMaterial();
     addFigure();
     addOpen();
     addBatch();
@@ -204,12 +205,85 @@ class CommandLine {
                    "Keep the frames of an interrupted run and make the missing ones");
   }
   void addSurface() {
-    CLI::App* verb = addVerb("surface", "The rigid line, its spectrum and its statistics",
+    CLI::App* verb = addVerb("surface", "A measured surface or the rigid line of a scene: values, spectrum, the line",
                              surface_.common, [this] { return runSurface(surface_); });
     addOutputs(
         verb, surface_.outputs,
-        "FILE.csv (a line # asperity: ..., then position, height), FILE.json or FILE.png; may "
-        "repeat");
+        "FILE.csv (a line # asperity: ..., then position, height of the rigid line), FILE.json, "
+        "FILE.png, .svg or .pdf; may repeat");
+  }
+  void addMaterial() {
+    CLI::App* verb = app_.add_subcommand(
+        "material", "A material for scenes from measured moduli or a ready Prony series");
+    MaterialCommand& material = material_;
+    verb->add_option("FILE", material.common.scene,
+                     "Table of moduli over frequency at one or more temperatures, or a Prony "
+                     "series as finite-element programs write them; of a scene it is shown where "
+                     "its rubber is used")
+        ->required();
+    verb->add_option("-o,--output", material.output, "Folder for material.json, tables, pictures")
+        ->required();
+    std::vector<CLI::Option*> fit;
+    const auto text = [&](const char* option, std::string& value, const char* sentence) {
+      fit.push_back(verb->add_option(option, value, sentence));
+      return fit.back();
+    };
+    text("--reference-temperature", material.referenceTemperature,
+         "Temperature of the master curve, such as 20C (default: 25C where it was measured)");
+    fit.push_back(verb->add_option("--terms", material.terms,
+                                   "Number of relaxation times (default: as few as reach the "
+                                   "smallest residual)"));
+    limitWhole(fit.back(), 1, 64);
+    fit.push_back(verb->add_flag("--vertical-shifts", material.isVertical,
+                                 "Shift the moduli as well, which a scene does not use"));
+    text("--shift", material.shift,
+         "Shift with temperature in material.json: auto, wlf, arrhenius or table")
+        ->capture_default_str();
+    text("--modulus", material.modulus, "What was measured: auto (by the columns), shear or tension")
+        ->capture_default_str();
+    fit.push_back(verb->add_option("--poisson-ratio", material.poissonRatio,
+                                   "Of moduli of tension: G = E / (2 (1 + nu))")
+                      ->capture_default_str());
+    limit(fit.back(), 0, 0.5);
+    text("--temperature", material.temperature,
+         "Temperature of a file that does not state one, such as 20C");
+    fit.push_back(verb->add_option("--temperature-tolerance", material.temperatureTolerance,
+                                   "Rows closer in temperature are one isotherm")
+                      ->capture_default_str());
+    limit(fit.back(), 0.001, 100, "K");
+    fit.push_back(verb->add_option("--leave-out", material.leftOut,
+                                   "Temperature of an isotherm that is not used; may be repeated")
+                      ->take_all()
+                      ->allow_extra_args(false));
+    text("--equilibrium-modulus", material.equilibriumModulus,
+         "Shear modulus in equilibrium, such as 2MPa, instead of the fitted one");
+    text("--instantaneous-modulus", material.instantaneousModulus,
+         "Shear modulus of a sudden deformation, of a series of relative moduli");
+    fit.push_back(verb->add_flag("--liquid", material.isLiquid,
+                                 "Allow an equilibrium modulus of 0, with which nothing slides "
+                                 "steadily"));
+    DmaChoices& columns = material.columns;
+    text("--frequency-column", columns.frequencyColumn, "Name or number of the column");
+    text("--temperature-column", columns.temperatureColumn, "Name or number of the column");
+    text("--storage-column", columns.storageColumn, "Name or number of the column");
+    text("--loss-column", columns.lossColumn, "Name or number of the column");
+    text("--tan-delta-column", columns.lossTangentColumn, "Name or number of the column");
+    text("--magnitude-column", columns.magnitudeColumn, "Name or number of the column");
+    text("--phase-column", columns.phaseColumn, "Name or number of the column");
+    text("--strain-column", columns.strainColumn, "Name or number of the column");
+    text("--frequency-unit", columns.frequencyUnit, "Hz or rad/s, instead of the file's");
+    text("--temperature-unit", columns.temperatureUnit, "C, K or F, instead of the file's");
+    text("--modulus-unit", columns.modulusUnit, "Pa, kPa, MPa or GPa, instead of the file's");
+    text("--name", material.name, "Name of the material (default: that of the file)");
+    text("--source", material.source, "Where the numbers come from, kept in material.json");
+    addPictureOptions(*verb, material.picture, "1200x800", "print");
+    addShared(*verb, material.common);
+    verb->callback([this, fit = std::move(fit)] {
+      for (const CLI::Option* option : fit)
+        for (const std::string& value : option->results())
+          material_.written.emplace_back(option->get_name(), value);
+      selected_ = [this] { return runMaterial(material_); };
+    });
   }
   void addFigure() {
     CLI::App* verb = app_.add_subcommand(
@@ -279,6 +353,7 @@ class CommandLine {
   MotionCommand motion_;
   RenderCommand render_;
   SurfaceCommand surface_;
+  MaterialCommand material_;
   FigureCommand figure_;
   OpenCommand open_;
   BatchCommand batch_;

@@ -11,6 +11,7 @@
 #include "app/frame_source.h"
 #include "app/picture_options.h"
 #include "core/base/input_error.h"
+#include "core/material/dma_file.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene.h"
 
@@ -62,6 +63,21 @@ struct SurfaceCommand {
   std::vector<std::string> outputs;
 };
 
+struct MaterialCommand {
+  CommonOptions common;  // its scene: a file of moduli, or a scene
+  std::string output;    // folder
+  PictureChoice picture;
+  DmaChoices columns;  // names and units
+  std::string temperature, referenceTemperature, equilibriumModulus, instantaneousModulus;
+  std::vector<std::string> leftOut;
+  std::string modulus = "auto", shift = "auto", name, source;
+  double poissonRatio = 0.5, temperatureTolerance = kIsothermTolerance;
+  int terms = 0;
+  bool isVertical = false, isLiquid = false;
+  /// Options of the fit and their values, as they were written.
+  std::vector<std::pair<std::string, std::string>> written;
+};
+
 struct FigureCommand {
   CommonOptions common;  // without a scene: the paper's parameters
   std::vector<std::string> names;
@@ -111,6 +127,7 @@ int runCheck(const CommonOptions& command);
 int runCurve(const CurveCommand& command);
 int runMotion(const MotionCommand& command);
 int runColumns(const CommonOptions& command);
+int runMaterial(const MaterialCommand& command);
 int runRender(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);
 int runExplain(const ExplainCommand& command);

@@ -66,8 +66,7 @@ CurveSetting settingFrom(const std::string& text, const Scene& scene) {
   if (isNodal) setting.oversampling = 1;
   if (parts.size() > 1)
     setting.oversampling = wholeFrom(parts[1], text, isNodal ? 1 : kMostOversampling);
-  setting.realizations =
-      scene.surface.kind == SurfaceKind::SelfAffine ? scene.ensemble.realizations : 1;
+  setting.realizations = mayHaveManyLines(scene.surface) ? scene.ensemble.realizations : 1;
   if (parts.size() > 2) setting.realizations = wholeFrom(parts[2], text, lines.maximum);
   return setting;
 }

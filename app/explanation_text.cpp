@@ -96,6 +96,20 @@ std::string explanationText(const Explanation& explanation) {
                          "h; the border belongs to the finite period and moves with it"),
                {quantity(explanation.fewSummitsVelocity, "m/s")}) +
         "\n";
+  if (!explanation.excitation.empty()) text += translated(explanation.excitation) + "\n";
+  const bool isMirrored =
+      scene.surface.kind == SurfaceKind::Measured && scene.surface.processing.seam == Seam::Mirror;
+  if (std::isfinite(explanation.normalForce) &&
+      (isMirrored || scene.load.kind == LoadKind::Pressure))
+    text +=
+        filled(isMirrored ? Words::tr("F_N = %1 on one period of %2, which is twice the file's; "
+                                      "F_N / L = %3")
+                          : Words::tr("F_N = %1 on one period of %2; F_N / L = %3"),
+               {quantity(explanation.normalForce, "N"), quantity(explanation.length, "m"),
+                quantity(explanation.normalForce / explanation.length, "N/m")}) +
+        "\n";
+  for (const Note note : explanation.notes.list())
+    text += std::string(wordOf(note)) + ": " + translated(sentenceOf(note)) + "\n";
   if (const auto& predicted = explanation.predicted)
     text += Words::tr("predicted") + "\n" +
             costLines(filled(Words::tr("%1 on %2 (%3)"),

@@ -19,9 +19,14 @@ namespace {
 
 LawInput lawInputOf(const Scene& scene, const LineSource& source) {
   const SlidingConditions conditions = slidingConditions(scene, scene.sliding.velocity);
-  return {conditions.shearModulus,       conditions.relaxationTime,    source.length(),
-          source.statistics().rmsHeight, source.statistics().rmsSlope, scene.surface.hurst,
-          scene.load.normalForce,        scene.sliding.velocity};
+  return {conditions.shearModulus,
+          conditions.relaxationTime,
+          source.length(),
+          source.statistics().rmsHeight,
+          source.statistics().rmsSlope,
+          scene.surface.hurst,
+          loadOn(scene.load, source.length()).normalForce,
+          scene.sliding.velocity};
 }
 
 std::string summaryOf(const Scene& scene, const LineSource& source, const LawInput& in) {
@@ -33,7 +38,7 @@ std::string summaryOf(const Scene& scene, const LineSource& source, const LawInp
   add(filled(Words::tr("line: L = %1 m, %2 elements of %3 m, rms height %4 m, rms slope %5"),
              {number(source.length()), std::to_string(source.elements()), number(spacing),
               number(in.rmsHeight), number(in.rmsSlope)}));
-  if (in.rmsHeight > 0 && scene.load.kind == LoadKind::Force)
+  if (in.rmsHeight > 0 && scene.load.kind != LoadKind::Indentation)
     add(filled(Words::tr("dimensionless force F_N / G h L = %1 (Eq. 14)"),
                {number(dimensionlessForce(in))}));
   // Eq. (13) knows one relaxation time.

@@ -64,8 +64,18 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
                        : Words::tr("relative error at most %1 at every velocity, target not met"),
                    {shortNumber(curve.achievedError, 2)}) +
             "\n";
-  const auto unresolved = std::ranges::count_if(
-      curve.points, [](const CurvePoint& point) { return !notesOf(point).empty(); });
+  const auto unresolved = std::ranges::count_if(curve.points, [](const CurvePoint& point) {
+    return noteSetOf(point).has(Note::UnresolvedFriction);
+  });
+  const CurvePoint& first = curve.points.front();
+  if (std::isfinite(first.normalForce))
+    text += filled(Words::tr("F_N = %1 N on one period; results depend on the width"),
+                   {shortNumber(first.normalForce, 6)}) +
+            "\n";
+  NoteSet notes;
+  for (const CurvePoint& point : curve.points) notes.add(point.notes);
+  for (const Note note : notes.list())
+    text += std::string(wordOf(note)) + ": " + translated(sentenceOf(note)) + "\n";
   if (unresolved > 0)
     text +=
         filled(Words::tr("at %1 velocities friction is below what the elements resolve, see the "

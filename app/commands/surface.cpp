@@ -1,14 +1,24 @@
 // asperity surface: the rigid line of a scene, its spectrum and its statistics.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
 #include "app/command_line.h"
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/regular_file.h"
+#include "core/base/text.h"
 #include "core/run/line_diagrams.h"
+#include "core/run/measured_sheet.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
 #include "core/surface/line_source.h"
+#include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/png_file.h"
@@ -29,10 +39,69 @@ std::string summaryOf(const Line& line, const std::vector<std::string>& outputs)
   return text;
 }
 
-void writePicture(const std::string& output, const Scene& scene, const Line& line) {
-  constexpr int kWidth = 1280, kHeight = 800;
+std::string valueText(double value, const std::string& unit) {
+  if (!std::isfinite(value)) return "\u2013";
+  return unit.empty() ? shortNumber(value, 4) : quantity(value, unit);
+}
+
+/// What the file was taken for, and the values before and after.
+std::string measuredText(const MeasuredSummary& summary) {
+  std::string text;
+  for (const Message& fact : factsOf(summary)) text += translated(fact) + "\n";
+  constexpr int kColumn = 14;
+  const auto cell = [](std::string word) {
+    // Code points, not bytes, stand beside each other.
+    const auto letters = std::ranges::count_if(word, [](char c) { return (c & 0xC0) != 0x80; });
+    word.append(static_cast<std::size_t>(std::max<std::ptrdiff_t>(kColumn - letters, 1)), ' ');
+    return word;
+  };
+  text += cell("") + cell(Words::tr("raw")) + Words::tr("used") + "\n";
+  for (const NamedValue& value : valuesOf(summary))
+    text += cell(value.name) + cell(valueText(value.raw, value.unit)) +
+            valueText(value.used, value.unit) + "\n";
+  return text;
+}
+
+std::string notesText(const NoteSet& notes) {
+  std::string text;
+  for (const Note note : notes.list())
+    text += std::string(wordOf(note)) + ": " + translated(sentenceOf(note)) + "\n";
+  return text;
+}
+
+/// Files that hold a scene begin with a brace; all else is taken for a measured surface.
+bool isSurfaceFile(const std::string& name) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(name, error)) return false;
+  constexpr std::size_t kBeginning = 4096;
+  std::string bytes = RegularFile(name).read(0, kBeginning);
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && bytes[first] != '{';
+}
+
+/// The scene of a measured file with everything else as usual.
+Scene sceneOfFile(const CommonOptions& options) {
+  const std::filesystem::path file(options.scene);
+  const nlohmann::json json = {
+      {"surface", {{"kind", "measured"}, {"file", file.filename().string()}}}};
+  return readScene(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
+                   options.scene, file.parent_path(), options.assignments);
+}
+
+DiagramSheet sheetOf(const Scene& scene, const LineSource& source, const Line& line) {
+  if (!source.measured()) return surfaceSheet(scene, line);
+  const std::string title =
+      scene.title.empty() ? printable(std::filesystem::path(scene.surface.file).filename().string())
+                          : scene.title;
+  return measuredSheet(measuredSummary(scene, source), title);
+}
+
+void writePicture(const std::string& output, const Scene& scene, const LineSource& source,
+                  const Line& line) {
+  const int width = 1280, height = source.measured() ? 1100 : 800;
   HeadlessPictures pictures;
-  pictures.write(output, composeDiagrams(surfaceSheet(scene, line), {kWidth, kHeight}),
+  pictures.write(output, composeDiagrams(sheetOf(scene, source, line), {width, height}),
                  {translated(scene.title), pictureOrigin("surface", scene)});
   pictures.finish();
 }
@@ -43,21 +112,29 @@ void writeSurface(const std::string& output, const Scene& scene, const LineSourc
   if (extension == ".csv")
     writeFileAtomically(output, provenanceComment("surface", scene) + lineCsv(line));
   if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
-  if (extension == ".png") writePicture(output, scene, line);
+  if (extension == ".png" || extension == ".svg" || extension == ".pdf")
+    writePicture(output, scene, source, line);
 }
 
 }  // namespace
 
 int runSurface(const SurfaceCommand& command) {
-  const Scene scene = sceneOf(command.common);
-  checkOutputs(command.outputs, {".csv", ".json", ".png"});
+  const Scene scene =
+      isSurfaceFile(command.common.scene) ? sceneOfFile(command.common) : sceneOf(command.common);
+  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   withSceneContext(command.common, [&] {
-    const LineSource source(scene, pointsPerElement(scene));
+    // A line from a file is written with its elements alone: read as a profile it is the same line.
+    const SurfaceKind kind = scene.surface.kind;
+    const bool isExact = kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum;
+    const LineSource source(scene, isExact ? 1 : pointsPerElement(scene));
     const Line line = source.make(0);
+    const std::string text =
+        (source.measured() ? measuredText(measuredSummary(scene, source)) : std::string()) +
+        notesText(notesOf(source)) + summaryOf(line, command.outputs);
     for (const std::string& output : command.outputs) writeSurface(output, scene, source, line);
-    printSummary(command.common.json, command.common.quiet, summaryOf(line, command.outputs));
+    printSummary(command.common.json, command.common.quiet, text);
     if (command.common.json) fmt::print("{}", surfaceJson(scene, source, line));
   });
   return kDone;

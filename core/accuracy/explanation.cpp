@@ -10,6 +10,7 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"
 #include "core/chart/curve_regions.h"
+#include "core/chart/material_sheets.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
@@ -41,14 +42,36 @@ Json budgetJson(const ErrorBudget& error) {
           {"model_difference", numberOrNull(error.modelDifference)}};
 }
 
+/// What the line and the load on it are. A long profile is not read for it, nor a long line made.
+void addLine(Explanation& explanation) {
+  constexpr std::int64_t kLongProfile = std::int64_t{1} << 16;  // rows
+  constexpr std::int64_t kLongLine = std::int64_t{1} << 22;     // elements
+  const Scene& scene = explanation.scene;
+  const LineExtent extent = lineExtent(scene);
+  explanation.length = extent.length;
+  if (scene.load.kind != LoadKind::Indentation)
+    explanation.normalForce = loadOn(scene.load, extent.length).normalForce;
+  if (extent.rows > kLongProfile || extent.elements > kLongLine) return;
+  const LineSource source(scene, 1);
+  explanation.notes = notesOf(source);
+  if (!measuredFrequencies(scene.elastomer)) return;
+  const Excitation excitation(scene, source);
+  explanation.excitation = excitationInWords(scene, excitation);
+  explanation.notes.add(
+      notesOf(scene.elastomer, source, excitation.shareNotMeasured(scene.sliding.velocity)));
+}
+
 }  // namespace
 
 Explanation explain(const Scene& scene, int threads) {
   const bool isSteady = scene.sliding.kind == SlidingKind::Steady;
   Explanation explanation{scene, isSteady ? "curve" : "render",
                           planOnLine(scene, isSteady ? Purpose::Curve : Purpose::Picture)};
+  addLine(explanation);
   if (!isSteady) return explanation;
-  explanation.fewSummitsVelocity = fewSummitsVelocity(scene, lineExtent(scene).rmsHeight);
+  Scene held = scene;
+  held.load = loadOn(scene.load, explanation.length);
+  explanation.fewSummitsVelocity = fewSummitsVelocity(held, lineExtent(scene).rmsHeight);
   explanation.predicted = predictCurve(scene, threads);
   return explanation;
 }
@@ -78,6 +101,13 @@ std::string explanationJson(const Explanation& explanation) {
         {{"name", stage.name}, {"runs", stage.runs}, {"reason", stage.reason.english()}});
   root["stages"] = std::move(stages);
   root["few_summits_above"] = numberOrNull(explanation.fewSummitsVelocity);
+  if (!explanation.excitation.empty()) root["excitation"] = explanation.excitation.english();
+  root["length"] = explanation.length;
+  root["normal_force"] = numberOrNull(explanation.normalForce);
+  root["force_per_length"] = numberOrNull(explanation.normalForce / explanation.length);
+  root["notes"] = Json::array();
+  for (const Note note : explanation.notes.list())
+    root["notes"].push_back({{"word", wordOf(note)}, {"meaning", sentenceOf(note).english()}});
   root["predicted"] = nullptr;
   root["measured"] = nullptr;
   if (const auto& predicted = explanation.predicted)

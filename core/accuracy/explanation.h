@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/accuracy/prediction.h"
 #include "core/friction/curve_point.h"
@@ -25,6 +26,12 @@ struct Explanation {
   std::vector<PlanStage> stages;
   /// m/s, above which few summits carry the load (core/chart/curve_regions.h); NaN: nowhere.
   double fewSummitsVelocity = kNotApplicable;
+  double length = 0;                    // m, of the line
+  double normalForce = kNotApplicable;  // N, on one period, where the load means one
+  NoteSet notes{};                      // of the line and the elastomer, at the scene's velocity
+  /// Which frequencies the line excites and how many of them were measured; empty where it is not
+  /// known what was measured.
+  Message excitation{};
   std::optional<Prediction> predicted{};
   std::optional<Measurement> measured{};
 };

@@ -64,9 +64,10 @@ constexpr Shape kShapes[] = {{24, 12, 9}, {16, 8, 9}, {8, 4, 9}, {8, 4, 5},
 }  // namespace
 
 PilotScene::PilotScene(const Scene& its, const LineExtent& extent)
-    : scene(its), rows(extent.rows), rowsOfFile(extent.rows) {
+    : scene(its), rows(extent.rows), rowsOfFile(extent.rows), lines(extent.lines) {
   scene.surface.length = extent.length;
   scene.surface.elements = extent.elements;
+  scene.load = loadOn(scene.load, extent.length);
 }
 
 double PilotScene::operations(double perPoint, double points) const {
@@ -122,12 +123,11 @@ PilotScene sampleWithin(const PilotScene& whole, double perPoint, double points,
 }
 
 PilotPlan planPilot(const Scene& scene, int threads) {
-  const bool isRandom = scene.surface.kind == SurfaceKind::SelfAffine;
-  const auto lines = static_cast<double>(isRandom ? scene.ensemble.realizations : 1);
+  const PilotScene whole(scene, lineExtent(scene));
+  const auto lines = static_cast<double>(whole.lines);
   const auto velocities = static_cast<double>(scene.sweep.points);
   const auto points = static_cast<double>(pointsPerElementOfCurve(scene));
   const double balance = operationsOfBalance(scene);
-  const PilotScene whole(scene, lineExtent(scene));
   PilotPlan plan{whole, whole};
   plan.runOperations = lines * whole.operations(1 + balance * velocities, points);
   const double wall = plan.runOperations / std::min(static_cast<double>(threads), lines);
@@ -162,8 +162,8 @@ PilotPlan planPilot(const Scene& scene, int threads) {
 
 double memoryOfCurve(const PilotScene& run, int threads, std::int64_t finest) {
   const Scene& scene = run.scene;
-  const bool isRandom = scene.surface.kind == SurfaceKind::SelfAffine;
-  const auto lines = static_cast<double>(isRandom ? scene.ensemble.realizations : 1);
+  const bool isRandom = mayHaveManyLines(scene.surface);
+  const auto lines = static_cast<double>(run.lines);
   const double parallel = std::min(static_cast<double>(threads), lines);
   const Scheme scheme = scene.accuracy.scheme;
   const double elements = run.elements(), nodes = elements * static_cast<double>(finest);
@@ -173,7 +173,7 @@ double memoryOfCurve(const PilotScene& run, int threads, std::int64_t finest) {
   const double ofTravel = scheme == Scheme::Cubic    ? 3 + 5 * 4.0 / 3
                           : scheme == Scheme::Linear ? 2 + 5 / 3.0
                                                      : 2 + 4 / 3.0;
-  const bool hasSpectrum = isRandom || scene.surface.kind == SurfaceKind::Profile;
+  const bool hasSpectrum = isRandom || hasSurfaceFile(scene.surface);
   const double ofTransform = hasSpectrum ? 2 : 0;
   double bytes = kOfProgram + (ofLine + ofTravel) * nodes * kNumber * parallel;
   bytes += ofTransform * nodes * kNumber * (isRandom ? parallel : 1);

@@ -25,6 +25,7 @@ struct PilotScene {
   Scene scene;            // with the length and the elements that a profile's file may leave open
   std::int64_t rows = 0;  // that are read from the beginning of a profile's file; 0: no profile
   std::int64_t rowsOfFile = 0;
+  std::int64_t lines = 1;  // that the scene's means are over
 
   /// The run's own line, with what `extent` says of it.
   PilotScene(const Scene& its, const LineExtent& extent);

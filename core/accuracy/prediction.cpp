@@ -58,7 +58,6 @@ class Pilot {
     return mu;
   }
 
-  bool isRandom() const { return source_.isRandom(); }
   double largestResidual() const { return residual_; }
   /// Processor time to make one line, and to slide it at one velocity: medians.
   double secondsOfLine() const { return median(making_); }
@@ -184,8 +183,7 @@ ErrorBudget errorOf(const PilotPlan& plan, const Profile* profile, Pilot& pilot,
 /// line that is given has no pilot but the run itself, of which a small part is tried.
 Prediction predictTarget(const Scene& scene, int threads, const std::stop_token& stop) {
   const PilotPlan pilot = planPilot(scene, threads);
-  const bool isAveraged =
-      scene.surface.kind == SurfaceKind::SelfAffine && scene.ensemble.realizations > 1;
+  const bool isAveraged = pilot.run.lines > 1;
   const auto points = static_cast<double>(pointsPerElementOfCurve(scene));
   PilotScene sample =
       isAveraged ? sampleWithin(pilot.run, kOperationsOfTarget, points, kMostPilot) : pilot.sample;
@@ -237,7 +235,7 @@ Prediction predictCurve(const Scene& scene, int threads, const std::stop_token& 
   const double planned = threadSeconds();
   Pilot pilot(plan.sample.scene, profile.get(), plan.velocities);
   const double planning = reading + threadSeconds() - planned;
-  const double lines = pilot.isRandom() ? static_cast<double>(scene.ensemble.realizations) : 1;
+  const auto lines = static_cast<double>(plan.run.lines);
   prediction.pilotLines = plan.lines;
   prediction.operations = plan.operations;
   prediction.runOperations = plan.runOperations;
@@ -249,7 +247,7 @@ Prediction predictCurve(const Scene& scene, int threads, const std::stop_token& 
   if (!plan.timedVelocities.empty()) {
     Pilot timed(plan.sample.scene, profile.get(), plan.timedVelocities);
     timed.slide(0);  // fills the memory that the next one uses
-    timed.slide(pilot.isRandom() ? 1 : 0);
+    timed.slide(lines > 1 ? 1 : 0);
     balance = timed.secondsOfLastBalance();
   }
   const double slower = 1 + kSlowdownOfDoubling * std::log2(plan.shortening);

@@ -33,7 +33,7 @@ class Targeting {
         options_(options),
         sampler_(scene_, options_, profile),
         columns_(scene_, sampler_.source(0)),
-        isRandom_(sampler_.source(0).isRandom() && scene_.ensemble.realizations > 1),
+        isRandom_(sampler_.source(0).isRandom() && sampler_.source(0).lines() > 1),
         isFrictionless_(isFrictionless(scene_)) {
     for (const double velocity : sweepVelocities(scene_.sweep))
       states_.emplace_back().velocity = velocity;

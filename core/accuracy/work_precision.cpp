@@ -101,7 +101,7 @@ class Comparison {
  public:
   Comparison(const Scene& scene, const WorkPrecisionOptions& options)
       : scene_(scene), options_(options), source_(scene, 1) {
-    const std::int64_t random = source_.isRandom() ? scene.ensemble.realizations : 1;
+    const std::int64_t random = source_.lines();
     lines_ = std::min(options.lines, random);
     if (source_.elements() * 2 * kReference > kMostNodes) lines_ = 1;
     for (const MethodChoice& choice : allMethods())
@@ -125,7 +125,7 @@ class Comparison {
     if (source_.elements() * choice.oversampling > kMostNodes) return false;
     if (lawOf(scene_.elastomer).kind() == ElementKind::Arms) return choice.method == Method::Cubic;
     if (choice.method == Method::Literal)
-      return scene_.load.kind == LoadKind::Force &&
+      return scene_.load.kind != LoadKind::Indentation &&
              lawOf(scene_.elastomer).kind() == ElementKind::Kelvin;
     return true;
   }
@@ -251,7 +251,7 @@ class Comparison {
         const double begin = threadSeconds();
         const LiteralResult result =
             literalMarch(line, slidingConditions(scene_, region.velocities[i]),
-                         scene_.load.normalForce, options);
+                         loadOn(scene_.load, source_.length()).normalForce, options);
         const double share = static_cast<double>(source_.elements()) /
                              static_cast<double>(std::max<std::int64_t>(1, result.steps));
         seconds.push_back((threadSeconds() - begin) * share);

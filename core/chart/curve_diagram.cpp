@@ -110,6 +110,27 @@ void addRegions(Diagram& diagram, const NamedCurve& curve, CurveAxes axes) {
   addFewSummits(diagram, few, factor);
 }
 
+/// Tints the velocities at which friction rests on frequencies that were not measured.
+void addExtrapolated(Diagram& diagram, const NamedCurve& curve, CurveAxes axes) {
+  const double factor = factorsOf(curve.points, axes).velocity;
+  if (!std::isfinite(factor)) return;
+  const std::vector<CurvePoint>& points = curve.points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].extrapolated != 1) continue;
+    std::size_t last = i;
+    while (last + 1 < points.size() && points[last + 1].extrapolated == 1) ++last;
+    // Up to the middle between the points at which it begins and ends.
+    const auto border = [&](std::size_t inside, std::size_t outside) {
+      return std::sqrt(points[inside].velocity * points[outside].velocity);
+    };
+    const double from = i > 0 ? border(i, i - 1) : points[i].velocity;
+    const double to = last + 1 < points.size() ? border(last, last + 1) : points[last].velocity;
+    diagram.shades.push_back(
+        {from * factor, to * factor, "beyond the measured frequencies", {}, {}});
+    i = last;
+  }
+}
+
 bool isOnLogarithmicAxes(const DiagramPoint& point) {
   return std::isfinite(point.x) && std::isfinite(point.y) && point.x > 0 && point.y > 0;
 }
@@ -152,6 +173,7 @@ Diagram curvesDiagram(const CurveSet& set) {
   mean.id = kPresentCurve;
   diagram.series.push_back(std::move(mean));
   addRegions(diagram, set.present, set.axes);
+  addExtrapolated(diagram, set.present, set.axes);
   diagram.blank = blankOf(set.present, set.axes);
   return diagram;
 }
@@ -241,7 +263,13 @@ DiagramSheet curveSheet(const CurveSet& set) {
     notes.emplace_back(
         "Regions as read from the curve: I ends 20 % below its line, III lies above 95 % of the "
         "maximum.");
-  if (!sheet.diagrams.front().shades.empty()) notes.emplace_back(kFewSummitsSentence);
+  if (!sheet.diagrams.front().shades.empty() && fewSummitsOf(set.present.scene, set.present.points))
+    notes.emplace_back(kFewSummitsSentence);
+  if (std::ranges::any_of(set.present.points,
+                          [](const CurvePoint& point) { return point.extrapolated == 1; }))
+    notes.emplace_back(
+        "Beyond the measured frequencies: more than a tenth of the loss rests on frequencies at "
+        "which the rubber was not measured.");
   sheet.note = sentences(notes);
   if (set.difference) {
     fixAlong(sheet.diagrams.front());

@@ -125,7 +125,7 @@ double climbedHeight(double normalForce, double viscosity, double velocity) {
 
 double fewSummitsVelocity(const Scene& scene, double rmsHeight) {
   const bool isRough =
-      scene.surface.kind == SurfaceKind::SelfAffine || scene.surface.kind == SurfaceKind::Profile;
+      scene.surface.kind == SurfaceKind::SelfAffine || hasSurfaceFile(scene.surface);
   const ElementLaw law = lawOf(scene.elastomer);
   if (!isRough || !(rmsHeight > 0) || scene.load.kind != LoadKind::Force ||
       law.kind() != ElementKind::Kelvin)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "core/material/element_law.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {
@@ -15,7 +16,7 @@ std::string printed(std::string_view symbol) {
   constexpr std::pair<std::string_view, std::string_view> letters[] = {
       {"tau", "\u03C4"},    {"eta", "\u03B7"},  {"kappa", "\u03BA"}, {"lambda_r", "\u03BB\u1D63"},
       {"G_inf", "G\u221E"}, {"F_N", "F\u2099"}, {"C_1", "C\u2081"},  {"C_2", "C\u2082"},
-      {"T_r", "T\u1D63"}};
+      {"T_r", "T\u1D63"},   {"p_0", "p\u2080"}};
   for (const auto& [word, letter] : letters)
     if (symbol == word) return std::string(letter);
   return std::string(symbol);
@@ -38,7 +39,7 @@ Message inWords(const Parameter& row, const Scene& scene) {
 /// Of the temperature nothing is said where it shifts nothing.
 bool isShiftIdle(const Parameter& row, const Scene& scene) {
   const bool shifts = row.key == "elastomer.temperature" || row.key.starts_with("elastomer.shift");
-  return shifts && scene.elastomer.temperature == scene.elastomer.shift.referenceTemperature;
+  return shifts && !shiftsTimes(scene.elastomer);
 }
 
 /// The value, or what is chosen where it is left open.
@@ -79,7 +80,7 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
 
 Message parameterInWords(std::string_view key, const Scene& scene) {
   const Parameter* row = findParameter(key);
-  if (!row || std::holds_alternative<ArmsField>(row->field)) return {};
+  if (!row || isList(*row)) return {};
   const Message words = inWords(*row, scene);
   return words.empty() ? inPlainWords(*row, scene) : words;
 }
@@ -98,7 +99,9 @@ Message differencesInWords(const Scene& scene, const Scene& from) {
   for (const Parameter& row : parameters()) {
     if (!differs(row, scene, from)) continue;
     Message words = parameterInWords(row.key, scene);
-    parts.push_back(words.empty() ? Message("other arms") : std::move(words));
+    if (words.empty())
+      words = row.key == "elastomer.arms" ? Message("other arms") : Message("another shift table");
+    parts.push_back(std::move(words));
   }
   return listed(parts);
 }

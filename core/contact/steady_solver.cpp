@@ -58,24 +58,26 @@ bool SteadySolver::sweepArms(const PreparedProfile& line, const Load& load,
 bool SteadySolver::sweep(const PreparedProfile& line, const Load& load,
                          std::span<const double> velocities, std::span<SteadyResult> results,
                          const std::stop_token& stop, std::span<const SteadyResult> others) const {
-  countSteady(load);
+  const Load held = loadOn(load, line.length);
+  countSteady(held);
   if (velocities.size() > 1) countStage(Stage::Sweep);
   const bool done = hasArms_
-                        ? sweepArms(line, load, velocities, results, stop)
-                        : slideSweep(line, conditions(0), load, velocities, results, stop, others);
+                        ? sweepArms(line, held, velocities, results, stop)
+                        : slideSweep(line, conditions(0), held, velocities, results, stop, others);
   if (done)
     for (SteadyResult& result : results) addInterface(line, result);
   return done;
 }
 
 SteadyState SteadySolver::at(const PreparedProfile& line, double velocity) const {
-  countSteady(load_);
+  const Load held = loadOn(load_, line.length);
+  countSteady(held);
   SteadyState state;
   if (hasArmsAt(velocity)) {
-    ArmState found = slideWithArms(line, law_, modes_, load_, velocity);
+    ArmState found = slideWithArms(line, law_, modes_, held, velocity);
     state = {found.result, std::move(found.balance)};
   } else {
-    state.result = slideAtLoad(line, conditions(velocity), load_);
+    state.result = slideAtLoad(line, conditions(velocity), held);
   }
   addInterface(line, state.result);
   return state;

@@ -1,6 +1,334 @@
 #include "core/fit/friction_data.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <functional>
+#include <optional>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/regular_file.h"
+#include "core/base/text_table.h"
+#include "core/material/dma_columns.h"
+
 namespace asperity {
+namespace {
+
+enum class Quantity { Velocity, Mu, MuError, VelocityError, Force, Pressure, Temperature, Label };
+
+struct QuantityNames {
+  Quantity quantity;
+  const char* meaning;
+  std::initializer_list<std::string_view> names;  // letters and digits alone, in lower case
+};
+
+const std::array<QuantityNames, 8>& knownNames() {
+  static const std::array<QuantityNames, 8> known{{
+      {Quantity::Velocity,
+       "velocity",
+       {"velocity", "v", "speed", "slidingvelocity", "slidingspeed", "vslide", "vs",
+        "geschwindigkeit", "gleitgeschwindigkeit"}},
+      {Quantity::Mu,
+       "coefficient of friction",
+       {"mu", "\u00B5", "\u03BC", "cof", "friction", "frictioncoefficient",
+        "coefficientoffriction", "coefficient", "reibwert", "reibungszahl", "reibbeiwert",
+        "reibungskoeffizient"}},
+      {Quantity::Force,
+       "normal force",
+       {"normalforce", "fn", "force", "load", "normalload", "w", "n", "normalkraft", "last"}},
+      {Quantity::Pressure,
+       "nominal pressure",
+       {"nominalpressure", "pressure", "contactpressure", "p", "p0", "sigma0", "\u03C30", "druck",
+        "fl\u00E4chenpressung", "nenndruck"}},
+      {Quantity::Temperature,
+       "temperature",
+       {"temperature", "temp", "t", "temperatur"}},
+      {Quantity::Label,
+       "label",
+       {"label", "sample", "name", "set", "series", "specimen", "probe", "bezeichnung", "comment"}},
+      {Quantity::MuError, "error of the coefficient of friction", {}},
+      {Quantity::VelocityError, "error of the velocity", {}},
+  }};
+  return known;
+}
+
+/// Letters and digits in lower case; signs and blanks go.
+std::string plainWord(std::string_view text) {
+  std::string word;
+  for (const unsigned char letter : text)
+    if (std::isalnum(letter) || letter >= 0x80) word += static_cast<char>(std::tolower(letter));
+  return word;
+}
+
+/// What is left of a word without one of the ways to say that it is an error; nothing where there
+/// is none.
+std::optional<std::string> withoutError(std::string word) {
+  for (const std::string_view sign :
+       {"standarderror", "standarddeviation", "uncertainty", "error", "stdev", "stddev", "sigma",
+        "unsicherheit", "abweichung", "fehler", "err", "std", "dev", "sd", "se", "\u00B1",
+        "\u03C3", "delta", "\u0394"}) {
+    const std::size_t place = word.find(sign);
+    // Two letters at the end of a word mean it only there: "sets" has no error.
+    if (place == std::string::npos) continue;
+    if (sign.size() == 2 && sign[0] < 'z' && place != 0 && place + 2 != word.size()) continue;
+    word.erase(place, sign.size());
+    if (word.ends_with("of")) word.resize(word.size() - 2);
+    if (word.starts_with("of")) word.erase(0, 2);
+    if (word.starts_with("in")) word.erase(0, 2);
+    return word;
+  }
+  return {};
+}
+
+std::optional<Quantity> quantityOf(const std::string& name) {
+  const std::string word = plainWord(name);
+  for (const QuantityNames& known : knownNames())
+    if (std::ranges::find(known.names, word) != known.names.end()) return known.quantity;
+  const std::optional<std::string> subject = withoutError(word);
+  if (!subject) return {};
+  if (subject->empty()) return Quantity::MuError;
+  for (const QuantityNames& known : knownNames()) {
+    if (std::ranges::find(known.names, *subject) == known.names.end()) continue;
+    if (known.quantity == Quantity::Mu) return Quantity::MuError;
+    if (known.quantity == Quantity::Velocity) return Quantity::VelocityError;
+  }
+  return {};
+}
+
+std::optional<double> velocityUnit(const std::string& unit) {
+  if (unit.empty() || unit == "m/s" || unit == "m s-1" || unit == "m s^-1" || unit == "m*s^-1")
+    return 1;
+  if (unit == "mm/s") return 1e-3;
+  if (unit == "cm/s") return 1e-2;
+  if (unit == "um/s" || unit == "\u00B5m/s" || unit == "\u03BCm/s") return 1e-6;
+  if (unit == "nm/s") return 1e-9;
+  if (unit == "km/h" || unit == "kph" || unit == "kmh") return 1 / 3.6;
+  if (unit == "m/min") return 1.0 / 60;
+  if (unit == "mm/min") return 1e-3 / 60;
+  if (unit == "in/s") return 0.0254;
+  if (unit == "mph") return 0.44704;
+  return {};
+}
+
+std::optional<double> forceUnit(const std::string& unit) {
+  if (unit.empty() || unit == "N") return 1;
+  if (unit == "mN") return 1e-3;
+  if (unit == "uN" || unit == "\u00B5N" || unit == "\u03BCN") return 1e-6;
+  if (unit == "kN") return 1e3;
+  if (unit == "MN") return 1e6;
+  if (unit == "kgf" || unit == "kp") return 9.80665;
+  if (unit == "lbf") return 4.4482216152605;
+  return {};
+}
+
+/// How the numbers of a column become those of SI.
+struct Conversion {
+  double offset = 0, size = 1;
+  bool isShare = false;  // of the quantity that it is the error of
+};
+
+class Reader {
+ public:
+  Reader(const TextBlock& block, std::string name) : block_(block), name_(std::move(name)) {}
+
+  FrictionData read() {
+    findColumns();
+    FrictionData data;
+    data.name = name_;
+    for (const Column& column : columns_) data.notes.push_back(column.note);
+    for (std::size_t row = 0; row < block_.rows; ++row) data.points.push_back(pointAt(row));
+    check(data.points);
+    return data;
+  }
+
+ private:
+  struct Column {
+    Quantity quantity;
+    std::size_t place;
+    Conversion conversion;
+    Message note;
+  };
+
+  [[noreturn]] void refuse(const Message& what) const { throw InputError(name_, "", what); }
+  [[noreturn]] void refuseRow(int row, const Message& what) const {
+    throw InputError(name_, "", message("row {}: {}", row, what));
+  }
+
+  void findColumns() {
+    const std::size_t count = block_.columns.size();
+    const bool hasNames = std::ranges::any_of(
+        block_.columns, [](const TextColumn& column) { return !column.name.empty(); });
+    if (!hasNames) {
+      if (count != 2 && count != 3)
+        refuse(message("has {} columns without names; name them: velocity, mu, and where there are "
+                       "some mu_error, normal_force, nominal_pressure, temperature, label",
+                       count));
+      add(Quantity::Velocity, 0);
+      add(Quantity::Mu, 1);
+      if (count == 3) add(Quantity::MuError, 2);
+      return;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      if (const auto quantity = quantityOf(block_.columns[i].name)) add(*quantity, i);
+    for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
+      if (!find(needed))
+        refuse(message("has no column of the {}; its columns are {}",
+                       Message(meaningOf(needed)), Message::name(namesOfColumns())));
+    if (find(Quantity::Force) && find(Quantity::Pressure))
+      refuse("has both a normal force and a nominal pressure; one of them says the load");
+  }
+
+  std::string namesOfColumns() const {
+    std::string names;
+    for (const TextColumn& column : block_.columns)
+      names += (names.empty() ? "" : ", ") + shortened(column.name);
+    return names;
+  }
+
+  static const char* meaningOf(Quantity quantity) {
+    return std::ranges::find(knownNames(), quantity, &QuantityNames::quantity)->meaning;
+  }
+
+  const Column* find(Quantity quantity) const {
+    const auto found = std::ranges::find(columns_, quantity, &Column::quantity);
+    return found == columns_.end() ? nullptr : &*found;
+  }
+
+  void add(Quantity quantity, std::size_t place) {
+    const TextColumn& column = block_.columns[place];
+    if (const Column* other = find(quantity))
+      refuse(message("has two columns of the {}: {} and {}", Message(meaningOf(quantity)),
+                     shortened(block_.columns[other->place].name), shortened(column.name)));
+    if (column.isText && quantity != Quantity::Label)
+      refuse(message("column {} has texts where numbers are expected", shortened(column.name)));
+    if (!column.isText && quantity == Quantity::Label) return;  // numbers of samples
+    const Conversion conversion = conversionOf(quantity, column);
+    const std::string unit = column.unit.empty() ? "SI" : column.unit;
+    columns_.push_back({quantity, place, conversion,
+                        message("column {}: {} ({})", static_cast<int>(place) + 1,
+                                Message(meaningOf(quantity)), Message::name(unit))});
+  }
+
+  Conversion conversionOf(Quantity quantity, const TextColumn& column) const {
+    const auto need = [&](std::optional<double> size, const char* known) {
+      if (!size)
+        refuse(message("column {}: the unit {} is unknown; known are {}", shortened(column.name),
+                       shortened(column.unit), std::string_view(known)));
+      return Conversion{0, *size, false};
+    };
+    switch (quantity) {
+      case Quantity::Velocity:
+        return need(velocityUnit(column.unit), "m/s, mm/s, um/s, cm/s, km/h, m/min");
+      case Quantity::VelocityError:
+        if (column.unit == "%") return {0, 0.01, true};
+        return need(velocityUnit(column.unit), "m/s, mm/s, um/s, cm/s, km/h, m/min, %");
+      case Quantity::Force:
+        return need(forceUnit(column.unit), "N, mN, uN, kN");
+      case Quantity::Pressure:
+        return need(column.unit.empty() ? 1 : pressureUnit(column.unit), "Pa, kPa, MPa, bar");
+      case Quantity::MuError:
+        return column.unit == "%" ? Conversion{0, 0.01, true} : Conversion{};
+      case Quantity::Temperature: {
+        if (column.unit.empty()) return {};
+        const auto unit = temperatureUnit(column.unit);
+        if (!unit) need({}, "K, C, F");
+        return {unit->offset, unit->size, false};
+      }
+      default:
+        return {};
+    }
+  }
+
+  /// NaN where the column or the value is missing.
+  double valueAt(std::size_t row, Quantity quantity, double whole = 1) const {
+    const Column* column = find(quantity);
+    if (!column) return kNotApplicable;
+    const double number = block_.at(row, column->place);
+    if (std::isnan(number)) return kNotApplicable;
+    const Conversion& in = column->conversion;
+    return (in.offset + in.size * number) * (in.isShare ? whole : 1);
+  }
+
+  MeasuredPoint pointAt(std::size_t row) const {
+    MeasuredPoint point;
+    point.row = static_cast<int>(block_.lines[row]);
+    point.velocity = valueAt(row, Quantity::Velocity);
+    point.mu = valueAt(row, Quantity::Mu);
+    needPositive(point, point.velocity, Quantity::Velocity);
+    needPositive(point, point.mu, Quantity::Mu);
+    point.muError = valueAt(row, Quantity::MuError, point.mu);
+    point.velocityError = valueAt(row, Quantity::VelocityError, point.velocity);
+    point.normalForce = valueAt(row, Quantity::Force);
+    point.nominalPressure = valueAt(row, Quantity::Pressure);
+    point.temperature = valueAt(row, Quantity::Temperature);
+    for (const auto& [quantity, value] :
+         {std::pair{Quantity::MuError, point.muError}, {Quantity::Force, point.normalForce},
+          {Quantity::Pressure, point.nominalPressure},
+          {Quantity::Temperature, point.temperature}})
+      if (find(quantity)) needPositive(point, value, quantity);
+    if (find(Quantity::VelocityError) && !std::isnan(point.velocityError) &&
+        !(point.velocityError >= 0))
+      refuseRow(point.row, "the error of the velocity is below 0");
+    if (const Column* temperature = find(Quantity::Temperature)) {
+      constexpr double kColdest = 120;  // K; no elastomer is one any more
+      if (block_.columns[temperature->place].unit.empty() && point.temperature < kColdest)
+        refuseRow(point.row,
+                  message("a temperature of {} K is too cold for rubber; name the unit, as in "
+                          "\"temperature (C)\"",
+                          plain(point.temperature)));
+    }
+    if (const Column* label = find(Quantity::Label)) point.label = block_.texts[label->place][row];
+    return point;
+  }
+
+  void needPositive(const MeasuredPoint& point, double value, Quantity quantity) const {
+    const Message meaning = meaningOf(quantity);
+    if (std::isnan(value))
+      refuseRow(point.row, message("the {} is missing", meaning));
+    else if (!(value > 0))
+      refuseRow(point.row, message("the {} is {}, which is not above 0", meaning, plain(value)));
+  }
+
+  void check(const std::vector<MeasuredPoint>& points) const {
+    if (points.size() < 2)
+      refuse(message("has {} row of numbers; at least 2 are needed", points.size()));
+    const auto areEqual = [](double a, double b) {
+      return (std::isnan(a) && std::isnan(b)) || a == b;
+    };
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (points[i].velocity == points[j].velocity && points[i].label == points[j].label &&
+            areEqual(points[i].normalForce, points[j].normalForce) &&
+            areEqual(points[i].nominalPressure, points[j].nominalPressure) &&
+            areEqual(points[i].temperature, points[j].temperature))
+          refuseRow(points[i].row,
+                    message("has the velocity of row {}, {} m/s; average repeated measurements and "
+                            "give their error as mu_error, or tell them apart by a label",
+                            points[j].row, plain(points[i].velocity)));
+  }
+
+  const TextBlock& block_;
+  std::string name_;
+  std::vector<Column> columns_;
+};
+
+}  // namespace
+
+FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
+  TextTableOptions options;
+  options.keepsTexts = true;
+  options.textColumns = {"label", "sample", "name", "set", "series", "specimen"};
+  const TextTable table = readTextTable(bytes, name, options);
+  return Reader(table.largest(), name).read();
+}
+
+FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label) {
+  constexpr std::size_t kLargest = std::size_t{1} << 26;  // bytes
+  FrictionData data = parseFrictionData(readRegularFile(file, kLargest), file.string());
+  data.name = label.empty() ? file.stem().string() : label;
+  return data;
+}
 
 Scene sceneOf(const MeasuredPoint& point, const Scene& scene) {
   Scene at = scene;

@@ -1,8 +1,12 @@
-// Measured coefficients of friction, as a person brings them in a table. Plain values.
+// Measured coefficients of friction, as a person brings them in a table: columns of velocity and mu,
+// and where there are some of their errors, the normal force or the nominal pressure, the
+// temperature and a label, recognized by name and unit.
+// Pure; any thread. Failure: InputError that names the file and the row.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/message.h"
@@ -14,26 +18,32 @@ namespace asperity {
 /// One row. What the table does not give is NaN, and the scene's own value is meant.
 struct MeasuredPoint {
   double velocity = 0;  // m/s, above 0
-  double mu = 0;        // above 0
+  double mu = 0;        // above 0; of deformation and interface together
   double muError = kNotApplicable;
   double velocityError = kNotApplicable;    // m/s
   double normalForce = kNotApplicable;      // N
   double nominalPressure = kNotApplicable;  // Pa
   double temperature = kNotApplicable;      // K
-  std::string label;
-  int row = 0;  // of the file, counted from 1
+  std::string label{};
+  int row = 0;  // the line of the file, counted from 1
 };
 
 struct FrictionData {
-  std::string name;  // of its legend: given, or the file's
-  std::vector<MeasuredPoint> points;
-  std::vector<Message> notes;  // what the columns were taken for
+  std::string name{};  // for legends: as it was given, or the file's
+  std::vector<MeasuredPoint> points{};
+  std::vector<Message> notes{};  // what the columns were taken for
 
   bool hasErrors() const { return !points.empty() && !std::isnan(points.front().muError); }
 };
 
-/// The scene as it was when the point was measured: its velocity, and force, pressure and
-/// temperature where the table gives them.
+/// At least two rows. The columns need names unless there are two (velocity and mu) or three (with
+/// the error of mu). Units: those of SI and their usual multiples; km/h; % for errors; degrees
+/// Celsius or Fahrenheit with their unit. `label` replaces the file's name.
+FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label = {});
+FrictionData parseFrictionData(std::string_view bytes, const std::string& name);
+
+/// The scene as it was when the point was measured: steady, at its velocity, and with the force,
+/// pressure and temperature that the table gives.
 Scene sceneOf(const MeasuredPoint& point, const Scene& scene);
 
 }  // namespace asperity

@@ -23,7 +23,7 @@ class Side {
       : scene_(std::move(scene)),
         source_(scene_, pointsPerElementOfCurve(scene_)),
         sweep_{scene_.load, std::move(velocities)},
-        total_(source_.isRandom() ? scene_.ensemble.realizations : 1) {}
+        total_(source_.lines()) {}
 
   std::int64_t total() const { return total_; }
   std::int64_t done() const { return done_; }

@@ -37,7 +37,7 @@ struct ExtraColumn {
   ColumnName name;
   double (*value)(const CurvePoint& point);
 };
-constexpr std::array<ExtraColumn, 7> kExtraColumns{{
+constexpr std::array<ExtraColumn, 11> kExtraColumns{{
     {"mu_interface", [](const CurvePoint& point) { return point.muInterface; }},
     {"mu_total", [](const CurvePoint& point) { return point.mu + point.muInterface; }},
     {"mu_mean_of_ratios",
@@ -48,6 +48,10 @@ constexpr std::array<ExtraColumn, 7> kExtraColumns{{
     {"mu_low", [](const CurvePoint& point) { return point.muLow; }},
     {"mu_high", [](const CurvePoint& point) { return point.muHigh; }},
     {"marginal_share", [](const CurvePoint& point) { return point.marginalShare; }},
+    {"extrapolated", [](const CurvePoint& point) { return point.extrapolated; }},
+    {"normal_force", [](const CurvePoint& point) { return point.normalForce; }},
+    {"nominal_pressure", [](const CurvePoint& point) { return point.nominalPressure; }},
+    {"mean_pressure", [](const CurvePoint& point) { return point.meanPressure; }},
 }};
 
 constexpr ColumnName kNotes = "notes";
@@ -80,8 +84,11 @@ std::string curveRow(const CurvePoint& point) {
   return text + (point.realizations > 0 ? fmt::format("{}\n", point.realizations) : "\n");
 }
 
-std::string notesOf(const CurvePoint& point) {
-  if (point.mu == 0) return {};
+namespace {
+
+/// Whether more than half of the friction by Eq. (4) is what the elastic pressure does.
+bool isUnresolved(const CurvePoint& point) {
+  if (point.mu == 0) return false;
   // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, and that
   // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part is never
   // more than 0.45 of the first; where a contact has only a few elements it is their sum's error.
@@ -90,7 +97,19 @@ std::string notesOf(const CurvePoint& point) {
                          point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
                          point.contactFraction;
   // Of what does not apply nothing is said.
-  return std::isgreater(std::abs(point.mu - damping), damping) ? "unresolved_friction" : "";
+  return std::isgreater(std::abs(point.mu - damping), damping);
+}
+
+}  // namespace
+
+NoteSet noteSetOf(const CurvePoint& point) {
+  NoteSet notes = point.notes;
+  notes.add(Note::UnresolvedFriction, isUnresolved(point));
+  return notes;
+}
+
+std::string notesOf(const CurvePoint& point) {
+  return noteSetOf(point).words();
 }
 
 CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves) {

@@ -20,11 +20,14 @@ std::string csvNumber(double value);
 std::string curveHeader();
 std::string curveRow(const CurvePoint& point);
 
-/// What a reader of a point has to know, in words of the column `notes`; empty for most.
+/// What a reader of a point has to know, in words of the column `notes` (core/scene/notes.h),
+/// separated by blanks; empty for most.
 /// `unresolved_friction`: of the friction by Eq. (4) more than half is what the elastic pressure
 /// does, which gives back what it takes: too few of the paper's elements carry the load, and mu is
-/// the error of their sum, with either sign.
+/// the error of their sum, with either sign. `extrapolated_material`: it rests on frequencies at
+/// which the elastomer was not measured; `extrapolated_temperature`: on such a temperature.
 std::string notesOf(const CurvePoint& point);
+NoteSet noteSetOf(const CurvePoint& point);
 
 /// The columns of a table that may hold several curves: those of every curve, and further ones
 /// (local friction, an interval, notes, ...) where one of them needs them.

@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "core/contact/steady_sliding.h"
+#include "core/friction/excitation.h"
 #include "core/friction/law.h"
+#include "core/material/element_law.h"
 #include "core/scene/plan.h"
 #include "core/surface/line_source.h"
 
@@ -44,13 +46,19 @@ LawColumns::LawColumns(const Scene& scene, const LineSource& source)
 LawColumns::LawColumns(const Scene& scene, const LineStatistics& statistics,
                        const LineSource& source)
     : scene_(scene),
+      excitation_(measuredFrequencies(scene.elastomer)
+                      ? std::make_shared<const Excitation>(scene, source)
+                      : nullptr),
       rmsHeight_(statistics.rmsHeight),
       length_(source.length()),
       rmsSlope_(statistics.rmsSlope),
-      isRandom_(source.isRandom()),
+      hasLaw_(scene.surface.kind == SurfaceKind::SelfAffine),
       hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
       hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
-      slopesDiffer_(callsFor(scene, Purpose::Curve, Stage::SummitCorrelation)) {}
+      slopesDiffer_(source.slopesDiffer()),
+      notes_(notesOf(source)) {
+  notes_.add(notesOf(scene.elastomer, source, kNotApplicable));
+}
 
 /// The mean of the lines' own ratios, for a mean `mu` that may come from other lines as well.
 double LawColumns::normalized(double mu, const CurveAverages& averages) const {
@@ -59,16 +67,42 @@ double LawColumns::normalized(double mu, const CurveAverages& averages) const {
   return mu * (averages.normalizedMu.mean() / sampled);
 }
 
+/// Of measured lines under a force on Kelvin elements: whether what a free element climbs while a
+/// period passes is small against the roughness (region IV; core/chart/curve_regions.h).
+bool LawColumns::hasFewContacts(double velocity) const {
+  constexpr double kFew = 0.1;  // rms heights
+  const ElementLaw law = lawOf(scene_.elastomer);
+  if (!hasSurfaceFile(scene_.surface) || scene_.surface.kind == SurfaceKind::Profile ||
+      scene_.load.kind == LoadKind::Indentation || law.kind() != ElementKind::Kelvin)
+    return false;
+  return loadOn(scene_.load, length_).normalForce <
+         4 * law.viscosity * velocity * kFew * rmsHeight_;
+}
+
 void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   if (!hasInterface_) point.muInterface = kNotApplicable;
-  if (scene_.load.kind == LoadKind::Force) point.muRatioOfMeans = kNotApplicable;
+  if (scene_.load.kind != LoadKind::Indentation) point.muRatioOfMeans = kNotApplicable;
+  if (excitation_) {
+    const double share = excitation_->shareNotMeasured(point.velocity);
+    point.extrapolated = isExtrapolated(share) ? 1 : 0;
+    point.notes.add(Note::ExtrapolatedMaterial, isExtrapolated(share));
+  }
   const Accuracy& accuracy = scene_.accuracy;
   if (accuracy.scheme != Scheme::Nodal || accuracy.targetRelativeError > 0)
     point.marginalShare = kNotApplicable;
+  point.notes.add(notes_);
+  if (scene_.load.kind == LoadKind::Pressure) {
+    point.normalForce = loadOn(scene_.load, length_).normalForce;
+    point.nominalPressure = scene_.load.nominalPressure;
+    if (point.contactFraction > 0)
+      point.meanPressure = point.nominalPressure / point.contactFraction;
+  }
   if (!(rmsHeight_ > 0)) return;
+  point.notes.add(Note::FewContacts, hasFewContacts(point.velocity));
   const SlidingConditions conditions = slidingConditions(scene_, point.velocity);
-  const double force =
-      scene_.load.kind == LoadKind::Force ? scene_.load.normalForce : averages.normalForce.mean();
+  const double force = scene_.load.kind == LoadKind::Indentation
+                           ? averages.normalForce.mean()
+                           : loadOn(scene_.load, length_).normalForce;
   const double slope = slopesDiffer_ ? averages.rmsSlope.mean() : rmsSlope_;
   const LawInput in{conditions.shearModulus,
                     conditions.relaxationTime,
@@ -82,7 +116,7 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   point.dimensionlessForce = dimensionlessForce(in);
   if (hasArms_) return;  // Eqs. (5) to (14) know one relaxation time
   point.dimensionlessVelocity = dimensionlessVelocity(in);
-  if (isRandom_) point.muLaw = frictionLaw(in);
+  if (hasLaw_) point.muLaw = frictionLaw(in);
 }
 
 }  // namespace asperity

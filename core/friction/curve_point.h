@@ -6,11 +6,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
+#include "core/scene/notes.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
 
+class Excitation;
 class LineSource;
 struct LineStatistics;
 struct SteadyResult;
@@ -40,6 +43,14 @@ struct CurvePoint {
   /// Of `nodal`: mean over realizations of the share of its load that the element on the edge of
   /// contact bears, where F_N(d) jumps past the force; 1 where it does not jump.
   double marginalShare = kNotApplicable;
+  /// Where the scene gives the nominal pressure: the force on one period that it means (N), the
+  /// pressure (Pa), and the force over the true area of contact, contact length times width (Pa).
+  double normalForce = kNotApplicable, nominalPressure = kNotApplicable,
+         meanPressure = kNotApplicable;
+  /// 1 where friction rests on frequencies at which the elastomer was not measured, else 0; not
+  /// applicable where these are not known (core/friction/excitation.h).
+  double extrapolated = kNotApplicable;
+  NoteSet notes{};  // of the line and the scene; more in core/friction/curve_file.h
 };
 
 /// Mean and spread of a stream of numbers (Welford's recurrence).
@@ -96,17 +107,21 @@ class LawColumns {
 
   /// Adds muLaw, normalizedMu and the dimensionless numbers; takes away muInterface where the scene
   /// has no local friction, muRatioOfMeans where it gives the force, and marginalShare where the
-  /// scheme is not nodal. Lines that differ in their slope are normalized each by its own.
+  /// scheme is not nodal. Adds the columns of a nominal pressure and the notes. Lines that differ
+  /// in their slope are normalized each by its own.
   void addTo(CurvePoint& point, const CurveAverages& averages) const;
 
  private:
   double normalized(double mu, const CurveAverages& averages) const;
+  bool hasFewContacts(double velocity) const;
 
   Scene scene_;
-  double rmsHeight_, length_;  // m, of the lines
+  std::shared_ptr<const Excitation> excitation_;  // null where nothing is known to be measured
+  double rmsHeight_, length_;                     // m, of the lines
   double rmsSlope_;
-  bool isRandom_, hasArms_, hasInterface_;
+  bool hasLaw_, hasArms_, hasInterface_;
   bool slopesDiffer_;  // from line to line
+  NoteSet notes_;      // of the lines
 };
 
 }  // namespace asperity

@@ -18,7 +18,7 @@ class Averaging {
         options_(options),
         source_(scene, pointsPerElementOfCurve(scene)),
         velocities_(sweepVelocities(scene.sweep)),
-        total_(source_.isRandom() ? scene.ensemble.realizations : 1),
+        total_(source_.lines()),
         columns_(scene, source_),
         averages_(velocities_.size()) {}
 
@@ -113,10 +113,11 @@ std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose) {
   if (std::max(extent.rows, extent.elements * points) > kLongLine) return stages;
   const PreparedProfile line =
       prepareProfile(LineSource(scene, points).make(0), scene.accuracy.scheme);
-  const double depth = scene.load.kind == LoadKind::Indentation
-                           ? scene.load.depth
-                           : completeContactDepth(line, scene.load.normalForce /
-                                                            (4 * sliding.law().equilibriumModulus));
+  const double depth =
+      scene.load.kind == LoadKind::Indentation
+          ? scene.load.depth
+          : completeContactDepth(line, loadOn(scene.load, line.length).normalForce /
+                                           (4 * sliding.law().equilibriumModulus));
   const std::vector<double> velocities = velocitiesOf(scene, purpose);
   // The faster, the deeper it has to be pressed.
   const auto complete = static_cast<std::size_t>(

@@ -27,9 +27,9 @@ Study::Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions
     : scene_(scene), cases_(std::move(cases)) {
   const LineSource source(scene_, pointsPerElementOfCurve(scene_));
   line_ = source.statistics();
-  slopesDiffer_ = callsFor(scene_, Purpose::Curve, Stage::SummitCorrelation);
+  slopesDiffer_ = source.slopesDiffer();
   length_ = source.length();
-  realizations_ = source.isRandom() ? scene_.ensemble.realizations : 1;
+  realizations_ = source.lines();
   groups_ = static_cast<int>(std::min<std::int64_t>(kGroups, realizations_));
   groupSizes_.assign(static_cast<std::size_t>(groups_), 0);
   sums_.assign(groupSizes_.size() * cellOf(cases_.size(), 0), Sums{});

@@ -36,12 +36,23 @@ struct ElementLaw {
 /// Decades beyond which a shift says nothing any more.
 inline constexpr double kMostDecades = 30;
 
-/// The factor a_T > 0 by which temperature multiplies every relaxation time and the viscosity:
-/// log10 a_T = -c1 (T - T_r) / (c2 + T - T_r), Williams, Landel and Ferry, J. Am. Chem. Soc. 77,
-/// 3701 (1955). Valid from the glass transition to about 100 K above it; the moduli stay as they
-/// are, so mu(v, T) = mu(v a_T, T_r). Exactly 1 at the reference temperature. Throws InputError
-/// (elastomer.temperature) at or below T_r - c2, where there is no shift, and beyond kMostDecades.
+/// J/(mol K), the molar gas constant (exact since the SI of 2019).
+inline constexpr double kGasConstant = 8.31446261815324;
+
+/// log10 of the factor a_T by which temperature multiplies every relaxation time and the viscosity.
+/// Wlf: log10 a_T = -c1 (T - T_r) / (c2 + T - T_r), Williams, Landel and Ferry, J. Am. Chem. Soc.
+/// 77, 3701 (1955), valid from the glass transition to about 100 K above it. Arrhenius: ln a_T =
+/// E/R (1/T - 1/T_r). Table: linear in T between the rows. The moduli stay as they are, so mu(v, T)
+/// = mu(v a_T, T_r). Exactly 0 at the reference temperature. Throws InputError
+/// (elastomer.temperature) at or below T_r - c2, where there is no shift, outside of a table, and
+/// beyond kMostDecades.
+double log10ShiftFactor(const TemperatureShift& shift, double temperature);
+
+/// a_T itself.
 double shiftFactor(const TemperatureShift& shift, double temperature);
+
+/// Whether temperature changes any time, or could not.
+bool shiftsTimes(const Elastomer& elastomer);
 
 /// Throws InputError where the elastomer cannot be: nothing in it, a standard solid without its
 /// one arm, a temperature without a shift.

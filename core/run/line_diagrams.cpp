@@ -52,14 +52,6 @@ Spectrum gathered(const FourierLine& modes) {
   return spectrum;
 }
 
-/// Of a line given by a formula from its points.
-FourierLine modesOf(const LineSource& source) {
-  FourierLine modes = source.spectrum(0);
-  if (!modes.coefficients.empty()) return modes;
-  const Line line = source.make(0);
-  return FourierTransform(line.nodes()).analyse(line.height, line.length);
-}
-
 /// As the scene asks for it, before phases and summits.
 Spectrum wanted(const Scene& scene, const LineSource& source) {
   const Surface& surface = scene.surface;

@@ -74,9 +74,11 @@ March marchThrough(const Piece& piece, const std::shared_ptr<const RigidLine>& r
     const TransientSample sample =
         transient.marchTo(piece.scene.sliding.duration * i / piece.windows);
     march.mu.push_back(sample.mu);
-    if (piece.scene.load.kind == LoadKind::Force)
-      march.forceError = std::max(march.forceError,
-                                  std::abs(sample.normalForce / piece.scene.load.normalForce - 1));
+    if (piece.scene.load.kind != LoadKind::Indentation)
+      march.forceError = std::max(
+          march.forceError,
+          std::abs(sample.normalForce / loadOn(piece.scene.load, rigid->line->length).normalForce -
+                   1));
   }
   march.seconds = threadSeconds() - begin;
   march.steps = static_cast<double>(transient.steps());
@@ -143,7 +145,7 @@ Measured measure(const Scene& scene, const std::shared_ptr<const RigidLine>& rig
   Measured measured;
   measured.march = marchThrough(piece, rigid, 1, stop);
   ErrorBudget& error = measured.error;
-  if (scene.load.kind == LoadKind::Force) error.forceBalance = measured.march.forceError;
+  if (scene.load.kind != LoadKind::Indentation) error.forceBalance = measured.march.forceError;
   const std::vector<double>& mu = measured.march.mu;
   error.timeStep = relativeDifference(mu, marchThrough(piece, rigid, 2, stop).mu);
   Piece fine = piece;

@@ -73,7 +73,7 @@ TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene, double distan
   needEquilibrium(scene);
   TimeMarch march(rigid.line, rigid.travel.lowestHeight, lawOf(scene.elastomer));
   march.setDistance(distance);
-  march.settleAtRest(marchLoadOf(scene.load));
+  march.settleAtRest(marchLoadOf(loadOn(scene.load, rigid.line->length)));
   return march;
 }
 

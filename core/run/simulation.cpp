@@ -207,7 +207,8 @@ double Simulation::restingStep() const {
 }
 
 void Simulation::stepOnce(double dt, double distance) {
-  last_ = march_->step(marchLoadOf(ready_->scene->load), dt, distance);
+  last_ =
+      march_->step(marchLoadOf(loadOn(ready_->scene->load, ready_->line().length)), dt, distance);
   lineWork_ += last_.lineWork;
   normalWork_ += last_.normalForce * distance;
   const RetardationModes& modes = march_->modes();
@@ -223,7 +224,7 @@ void Simulation::stepOnce(double dt, double distance) {
 
 bool Simulation::resolvesContacts() const {
   const SurfaceKind kind = ready_->scene->surface.kind;
-  const bool isRough = kind == SurfaceKind::SelfAffine || kind == SurfaceKind::Profile;
+  const bool isRough = kind == SurfaceKind::SelfAffine || hasSurfaceFile(ready_->scene->surface);
   if (isRough && pointsPerElement(*ready_->scene) < 2) return false;
   return touching_ >= kLeastElements * stretches_;
 }
@@ -425,7 +426,7 @@ void Simulation::watchSettling() {
 /// less what it is to become, relative to that.
 double Simulation::awayFromSteady() const {
   const SteadyResult& steady = ready_->steady.result;
-  if (ready_->scene->load.kind == LoadKind::Force)
+  if (ready_->scene->load.kind != LoadKind::Indentation)
     return march_->indentation() / steady.indentation - 1;
   double force = 0;
   for (const double pressure : march_->pressure()) force += pressure * ready_->line().spacing;

@@ -71,7 +71,7 @@ class Transient::Means {
 
 Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
                      std::int64_t leastSteps, int division)
-    : load_(scene.load),
+    : load_(loadOn(scene.load, rigid->line->length)),
       interface_(scene.interface),
       hasInterface_(callsFor(scene, Purpose::Picture, Stage::Interface)),
       startsAtRest_(callsFor(scene, Purpose::Picture, Stage::StartFromRest)),

@@ -8,7 +8,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/scene/arms_text.h"
+#include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {
@@ -110,18 +110,42 @@ void setArms(const Parameter& parameter, const ArmsField& field, Scene& scene,
   field.member(scene) = armsFrom(*text, std::string(parameter.key));
 }
 
+void setShiftTable(const Parameter& parameter, const ShiftTableField& field, Scene& scene,
+                   const ParameterValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text) refuse(parameter, message("a number is not {}", allowedText(parameter)));
+  field.member(scene) = shiftTableFrom(*text, std::string(parameter.key));
+}
+
 }  // namespace
 
+bool isList(const Parameter& parameter) {
+  return std::holds_alternative<ArmsField>(parameter.field) ||
+         std::holds_alternative<ShiftTableField>(parameter.field);
+}
+
 bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number) {
-  return number == 0 && scene.surface.kind == SurfaceKind::Profile &&
+  if (number != 0) return false;
+  if (parameter.key == "ensemble.realizations")
+    return scene.surface.kind == SurfaceKind::Measured && !hasRandomPhases(scene.surface);
+  return hasSurfaceFile(scene.surface) &&
          (parameter.key == "surface.length" || parameter.key == "surface.elements");
 }
 
+namespace {
+
+bool holds(const Applicability& applies, const Scene& scene) {
+  const Parameter* choice = findParameter(applies.choiceKey);
+  return isApplicable(*choice, scene) &&
+         containsWord(applies.words, std::get<std::string>(valueOf(*choice, scene)));
+}
+
+}  // namespace
+
 bool isApplicable(const Parameter& parameter, const Scene& scene) {
   if (parameter.key == "accuracy.oversampling" && choosesAccuracy(scene)) return false;
-  if (parameter.applies.choiceKey.empty()) return true;
-  const Parameter* choice = findParameter(parameter.applies.choiceKey);
-  return containsWord(parameter.applies.words, std::get<std::string>(valueOf(*choice, scene)));
+  if (parameter.applies.choiceKey.empty() || holds(parameter.applies, scene)) return true;
+  return !parameter.alsoApplies.choiceKey.empty() && holds(parameter.alsoApplies, scene);
 }
 
 ParameterValue valueOf(const Parameter& parameter, const Scene& scene) {
@@ -137,6 +161,9 @@ ParameterValue valueOf(const Parameter& parameter, const Scene& scene) {
           [&](const TextField& field) -> ParameterValue { return field.member(readable(scene)); },
           [&](const ArmsField& field) -> ParameterValue {
             return textOf(field.member(readable(scene)));
+          },
+          [&](const ShiftTableField& field) -> ParameterValue {
+            return textOf(field.member(readable(scene)));
           }},
       parameter.field);
 }
@@ -147,11 +174,13 @@ ParameterValue defaultOf(const Parameter& parameter) {
 
 void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& value) {
   std::visit(
-      Overloaded{[&](const RealField& field) { setReal(parameter, field, scene, value); },
-                 [&](const IntegerField& field) { setInteger(parameter, field, scene, value); },
-                 [&](const ChoiceField& field) { setChoice(parameter, field, scene, value); },
-                 [&](const TextField& field) { setText(parameter, field, scene, value); },
-                 [&](const ArmsField& field) { setArms(parameter, field, scene, value); }},
+      Overloaded{
+          [&](const RealField& field) { setReal(parameter, field, scene, value); },
+          [&](const IntegerField& field) { setInteger(parameter, field, scene, value); },
+          [&](const ChoiceField& field) { setChoice(parameter, field, scene, value); },
+          [&](const TextField& field) { setText(parameter, field, scene, value); },
+          [&](const ArmsField& field) { setArms(parameter, field, scene, value); },
+          [&](const ShiftTableField& field) { setShiftTable(parameter, field, scene, value); }},
       parameter.field);
 }
 
@@ -190,7 +219,8 @@ Message allowedText(const Parameter& parameter) {
                                                                  : Message::name(words);
                                },
                                [](const TextField&) { return Message("text"); },
-                               [](const ArmsField&) { return allowedArms(); }},
+                               [](const ArmsField&) { return allowedArms(); },
+                               [](const ShiftTableField&) { return allowedShiftTable(); }},
                     parameter.field);
 }
 

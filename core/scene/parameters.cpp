@@ -5,15 +5,25 @@
 #include <vector>
 
 #include "core/base/text.h"
+#include "core/measured/measured_file.h"
 
 namespace asperity {
 namespace {
 
-constexpr std::array<std::string_view, 5> kSurfaceKinds{"self_affine", "sine", "wedge", "parabola",
-                                                        "profile"};
+constexpr std::array<std::string_view, 7> kSurfaceKinds{
+    "self_affine", "sine", "wedge", "parabola", "profile", "measured", "spectrum"};
+constexpr std::array<std::string_view, 2> kDirections{"along_x", "along_y"};
+constexpr std::array<std::string_view, 2> kGaps{"refuse", "interpolate"};
+constexpr std::array<std::string_view, 4> kForms{"line", "none", "mean", "parabola"};
+constexpr std::array<std::string_view, 4> kSeams{"mirror", "blend", "random_phases", "periodic"};
+constexpr std::array<std::string_view, 2> kLineKinds{"as_measured", "isotropic_equivalent"};
+constexpr std::array<std::string_view, 2> kContactSides{"summits", "valleys"};
+constexpr std::array<std::string_view, 4> kSpectrumKinds{"unstated", "c1_two_sided", "c1_one_sided",
+                                                         "c2"};
 constexpr std::array<std::string_view, 4> kRheologies{"elastic", "kelvin", "standard_solid",
                                                       "prony"};
-constexpr std::array<std::string_view, 2> kLoadKinds{"force", "indentation"};
+constexpr std::array<std::string_view, 3> kShiftKinds{"wlf", "arrhenius", "table"};
+constexpr std::array<std::string_view, 3> kLoadKinds{"force", "indentation", "pressure"};
 constexpr std::array<std::string_view, 5> kSlidingKinds{"steady", "start", "step", "oscillation",
                                                         "reversal"};
 constexpr std::array<std::string_view, 3> kSchemes{"nodal", "linear", "cubic"};
@@ -23,6 +33,9 @@ constexpr Scale kLin = Scale::Linear;
 constexpr Scale kNoneOrLog = Scale::LogarithmicFromNone;
 constexpr Change kLive = Change::Live;
 constexpr Change kRebuild = Change::Rebuild;
+constexpr FileRule kOfMaterial{true, false};
+constexpr FileRule kNewOfMaterial{true, true};  // scene files from before it do not state it
+constexpr FileRule kUnlessDefault{false, true};
 constexpr std::int64_t kLargestInteger = (std::int64_t{1} << 53) - 1;  // exact in JSON
 
 /// A field that reads and writes `scene.section.member`.
@@ -38,6 +51,18 @@ constexpr std::int64_t kLargestInteger = (std::int64_t{1} << 53) - 1;  // exact 
         },                                                                           \
         words                                                                        \
   }
+/// A choice that the scene holds as its word.
+#define ASPERITY_WORD(section, member, words)                                         \
+  ChoiceField {                                                                       \
+    [](const Scene& scene) {                                                          \
+      return static_cast<int>(std::ranges::find(words, scene.section.member) -        \
+                              std::ranges::begin(words));                             \
+    },                                                                                \
+        [](Scene& scene, int index) {                                                 \
+          scene.section.member = std::string(words[static_cast<std::size_t>(index)]); \
+        },                                                                            \
+        words                                                                         \
+  }
 
 // clang-format off
 const std::array kTable{
@@ -50,9 +75,9 @@ const std::array kTable{
 
     Parameter{"surface.kind", "kind of line", "", "", "The shape of the rigid line.", kRebuild, {},
               ASPERITY_CHOICE(surface, kind, kSurfaceKinds)},
-    Parameter{"surface.length", "length", "L", "m", "The period of the line; a profile without it is as long as its file says.", kRebuild, {},
+    Parameter{"surface.length", "length", "L", "m", "The period of the line; where the line has a file it may be left out and is as long as the file says.", kRebuild, {},
               RealField{ASPERITY_MEMBER(surface, length), 1e-9, 1e3, 1e-4, 1, kLog}},
-    Parameter{"surface.elements", "elements", "N", "", "Elements per period: the shortest wave of a random line is two of them long; a profile without it has one for each row.", kRebuild, {},
+    Parameter{"surface.elements", "elements", "N", "", "Elements per period: the shortest wave of a random line is two of them long; where the line has a file they may be left out and are as many as the file has.", kRebuild, {},
               IntegerField{ASPERITY_MEMBER(surface, elements), 3, std::int64_t{1} << 24, 50, 200000, kLog}},
     Parameter{"surface.hurst", "Hurst exponent", "H", "", "How the roughness grows with length: 0 is rough at every scale alike, 1 is smooth at short ones.", kRebuild, {"surface.kind", "self_affine"},
               RealField{ASPERITY_MEMBER(surface, hurst), 0, 1, 0, 1, kLin}},
@@ -62,8 +87,8 @@ const std::array kTable{
               RealField{ASPERITY_MEMBER(surface, rollOffWavelength), 0, 1e3, 2e-5, 0.05, kNoneOrLog}},
     Parameter{"surface.summit_correlation", "summit correlation", "kappa", "", "Short waves stronger on the summits, which touch first (above 0), or in the valleys (below 0); 0: everywhere alike.", kRebuild, {"surface.kind", "self_affine"},
               RealField{ASPERITY_MEMBER(surface, summitCorrelation), -10, 10, -1, 1, kLin}},
-    Parameter{"surface.seed", "seed", "", "", "Picks the random phases of the line.", kRebuild, {"surface.kind", "self_affine"},
-              IntegerField{ASPERITY_MEMBER(surface, seed), 0, kLargestInteger, 1, 100, kLin}},
+    Parameter{"surface.seed", "seed", "", "", "Picks the random phases of the line.", kRebuild, {"surface.kind", "self_affine spectrum"},
+              IntegerField{ASPERITY_MEMBER(surface, seed), 0, kLargestInteger, 1, 100, kLin}, {"surface.seam", "random_phases"}},
     Parameter{"surface.amplitude", "amplitude", "A", "m", "Height of the sine's crests above its mean.", kRebuild, {"surface.kind", "sine"},
               RealField{ASPERITY_MEMBER(surface, amplitude), 0, 1, 1e-9, 1e-4, kLog}},
     Parameter{"surface.waves", "waves", "", "", "Sine waves in one period of the line.", kRebuild, {"surface.kind", "sine"},
@@ -72,36 +97,93 @@ const std::array kTable{
               RealField{ASPERITY_MEMBER(surface, slope), 1e-12, 1e3, 1e-5, 1, kLog}},
     Parameter{"surface.radius", "radius", "R", "m", "Radius of curvature at the parabola's vertex.", kRebuild, {"surface.kind", "parabola"},
               RealField{ASPERITY_MEMBER(surface, radius), 1e-12, 1e9, 1e-4, 1e2, kLog}},
-    Parameter{"surface.file", "profile", "", "", "CSV file of position and height, or of heights alone; its path is relative to the scene.", kRebuild, {"surface.kind", "profile"},
+    Parameter{"surface.file", "file", "", "", "File of the line, relative to the scene: a CSV profile of position and height in metres, a measured surface of any kind, or a table of a spectrum.", kRebuild, {"surface.kind", "profile measured spectrum"},
               TextField{ASPERITY_MEMBER(surface, file)}},
+    Parameter{"surface.format", "format", "", "", "What the file is taken for; auto: the program finds out and says what it found.", kRebuild, {"surface.kind", "measured"},
+              ASPERITY_WORD(surface.reading, format, kSurfaceFormats)},
+    Parameter{"surface.position_unit", "position unit", "", "", "Unit of positions along the surface; auto: as the file states.", kRebuild, {"surface.kind", "measured"},
+              ASPERITY_WORD(surface.reading, positionUnit, kSurfaceUnits)},
+    Parameter{"surface.height_unit", "height unit", "", "", "Unit of heights; auto: as the file states.", kRebuild, {"surface.kind", "measured"},
+              ASPERITY_WORD(surface.reading, heightUnit, kSurfaceUnits)},
+    Parameter{"surface.position_column", "position column", "", "", "Column of positions, counted from 1; 0: the program finds it.", kRebuild, {"surface.kind", "measured"},
+              IntegerField{ASPERITY_MEMBER(surface.reading, positionColumn), 0, 10000, 0, 10, kLin}},
+    Parameter{"surface.height_column", "height column", "", "", "Column or channel of heights, counted from 1; 0: the program finds it.", kRebuild, {"surface.kind", "measured"},
+              IntegerField{ASPERITY_MEMBER(surface.reading, heightColumn), 0, 10000, 0, 10, kLin}},
+    Parameter{"surface.row", "row", "", "", "Row of a topography that is the line, counted from 1; 0: all rows, each a realization.", kRebuild, {"surface.kind", "measured"},
+              IntegerField{ASPERITY_MEMBER(surface.reading, row), 0, 1000000000, 0, 1000, kLin}},
+    Parameter{"surface.direction", "direction", "", "", "Direction of sliding on a topography: along its rows (x) or across them (y).", kRebuild, {"surface.kind", "measured"},
+              ASPERITY_CHOICE(surface.reading, direction, kDirections)},
+    Parameter{"surface.gaps", "gaps", "", "", "Points that were not measured: refused, or interpolated along the row.", kRebuild, {"surface.kind", "measured"},
+              ASPERITY_CHOICE(surface.processing, gaps, kGaps)},
+    Parameter{"surface.outliers", "outliers", "", "", "Heights farther from the form than so many median deviations are replaced by interpolation; 0: all are kept.", kRebuild, {"surface.kind", "measured"},
+              RealField{ASPERITY_MEMBER(surface.processing, outliers), 0, 1e6, 0, 30, kLin}},
+    Parameter{"surface.form", "form", "", "", "What is subtracted from each row by least squares: a straight line, nothing, the mean or a parabola.", kRebuild, {"surface.kind", "measured"},
+              ASPERITY_CHOICE(surface.processing, form, kForms)},
+    Parameter{"surface.short_wave_cut", "short-wave cut", "", "m", "Cut-off wavelength below which waves are removed: by the Gaussian filter of ISO 16610-21 from a measured surface, sharply from a spectrum; 0: none.", kRebuild, {"surface.kind", "measured spectrum"},
+              RealField{ASPERITY_MEMBER(surface.processing, shortWaveCut), 0, 1e3, 1e-8, 0.01, kNoneOrLog}},
+    Parameter{"surface.long_wave_cut", "long-wave cut", "", "m", "Cut-off wavelength above which waves are removed, likewise; long waves decide where the load is carried, so for friction there is usually none; 0: none.", kRebuild, {"surface.kind", "measured spectrum"},
+              RealField{ASPERITY_MEMBER(surface.processing, longWaveCut), 0, 1e3, 1e-6, 0.1, kNoneOrLog}},
+    Parameter{"surface.seam", "seam", "", "", "How the ends of the profile meet where its period repeats: mirrored (the period is twice the profile), blended, with random phases, or as they are, which may be a step.", kRebuild, {"surface.kind", "measured"},
+              ASPERITY_CHOICE(surface.processing, seam, kSeams)},
+    Parameter{"surface.blend_length", "blend length", "", "m", "Stretch over which the end of the profile is blended into its beginning, and by which the period is shorter; 0: a tenth of the profile.", kRebuild, {"surface.seam", "blend"},
+              RealField{ASPERITY_MEMBER(surface.processing, blendLength), 0, 1e3, 1e-6, 0.1, kNoneOrLog}},
+    Parameter{"surface.line", "line", "", "", "The line that slides: as measured, right for grooves across the sliding; or the isotropic equivalent, C_line = pi q C2, which an isotropic surface needs and which is steeper by about sqrt 2.", kRebuild, {"surface.kind", "measured"},
+              ASPERITY_CHOICE(surface, line, kLineKinds)},
+    Parameter{"surface.contact_side", "contact side", "", "", "Which side of the measured surface touches the rubber: its summits (the line is the heights turned over, because the lowest points of a line touch first) or its valleys (the heights as they stand).", kRebuild, {"surface.kind", "measured"},
+              ASPERITY_CHOICE(surface, contactSide, kContactSides)},
+    Parameter{"surface.spectrum_kind", "kind of spectrum", "", "", "What the spectrum's numbers are: c1_two_sided (<h^2> = 2 integral C1 dq), c1_one_sided (<h^2> = integral C1 dq) or c2 of an isotropic surface (<h^2> = 2 pi integral C2 q dq); per wave number where the table has that column, else per spatial frequency. It must be stated.", kRebuild, {"surface.kind", "spectrum"},
+              ASPERITY_CHOICE(surface, spectrumKind, kSpectrumKinds)},
 
     Parameter{"elastomer.rheology", "rheology", "", "", "How the elastomer answers to deformation.", kLive, {},
               ASPERITY_CHOICE(elastomer, rheology, kRheologies)},
+    Parameter{"elastomer.material", "material", "", "", "A shipped material or a material file, relative to the scene; it gives moduli, relaxation times and shift, and a key beside it replaces that one value.", kLive, {"elastomer.rheology", "prony"},
+              TextField{ASPERITY_MEMBER(elastomer, material)}, {}, kUnlessDefault},
     Parameter{"elastomer.shear_modulus", "shear modulus", "G", "Pa", "Static shear modulus of the elastomer.", kLive, {"elastomer.rheology", "elastic kelvin"},
               RealField{ASPERITY_MEMBER(elastomer, shearModulus), 1e-6, 1e15, 1e3, 1e9, kLog}},
     Parameter{"elastomer.relaxation_time", "relaxation time", "tau", "s", "Viscosity over shear modulus: how long the free surface takes to come back.", kLive, {"elastomer.rheology", "kelvin"},
               RealField{ASPERITY_MEMBER(elastomer, relaxationTime), 0, 1e12, 1e-7, 10, kLog}},
     Parameter{"elastomer.equilibrium_modulus", "equilibrium modulus", "G_inf", "Pa", "Shear modulus that is left when all arms have relaxed; steady sliding needs more than 0.", kLive, {"elastomer.rheology", "standard_solid prony"},
-              RealField{ASPERITY_MEMBER(elastomer, equilibriumModulus), 0, 1e15, 1e3, 1e9, kLog}},
+              RealField{ASPERITY_MEMBER(elastomer, equilibriumModulus), 0, 1e15, 1e3, 1e9, kLog}, {}, kOfMaterial},
     Parameter{"elastomer.viscosity", "viscosity", "eta", "Pa s", "Viscosity of a dashpot beside the arms; 0: none.", kLive, {"elastomer.rheology", "prony"},
-              RealField{ASPERITY_MEMBER(elastomer, viscosity), 0, 1e27, 10, 1e7, kNoneOrLog}},
+              RealField{ASPERITY_MEMBER(elastomer, viscosity), 0, 1e27, 10, 1e7, kNoneOrLog}, {}, kOfMaterial},
     Parameter{"elastomer.arms", "arms", "", "", "Springs and dashpots in series: modulus in Pa and relaxation time in s of each; a standard solid has one.", kLive, {"elastomer.rheology", "standard_solid prony"},
-              ArmsField{ASPERITY_MEMBER(elastomer, arms)}},
+              ArmsField{ASPERITY_MEMBER(elastomer, arms)}, {}, kOfMaterial},
     Parameter{"elastomer.temperature", "temperature", "T", "K", "Temperature of the elastomer; it shifts all relaxation times together.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
               RealField{ASPERITY_MEMBER(elastomer, temperature), 1, 2000, 200, 450, kLin}},
-    Parameter{"elastomer.shift.c1", "shift C1", "C_1", "", "First constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
-              RealField{ASPERITY_MEMBER(elastomer.shift, c1), 0, 1e3, 1, 30, kLin}},
-    Parameter{"elastomer.shift.c2", "shift C2", "C_2", "K", "Second constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
-              RealField{ASPERITY_MEMBER(elastomer.shift, c2), 1e-3, 1e4, 10, 300, kLin}},
-    Parameter{"elastomer.shift.reference_temperature", "reference", "T_r", "K", "Temperature at which the relaxation times are as given.", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
-              RealField{ASPERITY_MEMBER(elastomer.shift, referenceTemperature), 1, 2000, 200, 450, kLin}},
+    Parameter{"elastomer.shift.kind", "shift", "", "", "How temperature shifts the relaxation times: by Williams, Landel and Ferry (wlf), by an activation energy (arrhenius), or as measured (table).", kLive, {"elastomer.rheology", "kelvin standard_solid prony"},
+              ASPERITY_CHOICE(elastomer.shift, kind, kShiftKinds), {}, kNewOfMaterial},
+    Parameter{"elastomer.shift.c1", "shift C1", "C_1", "", "First constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.shift.kind", "wlf"},
+              RealField{ASPERITY_MEMBER(elastomer.shift, c1), 0, 1e3, 1, 30, kLin}, {}, kOfMaterial},
+    Parameter{"elastomer.shift.c2", "shift C2", "C_2", "K", "Second constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.shift.kind", "wlf"},
+              RealField{ASPERITY_MEMBER(elastomer.shift, c2), 1e-3, 1e4, 10, 300, kLin}, {}, kOfMaterial},
+    Parameter{"elastomer.shift.reference_temperature", "reference", "T_r", "K", "Temperature at which the relaxation times are as given.", kLive, {"elastomer.shift.kind", "wlf arrhenius"},
+              RealField{ASPERITY_MEMBER(elastomer.shift, referenceTemperature), 1, 2000, 200, 450, kLin}, {}, kOfMaterial},
+    Parameter{"elastomer.shift.activation_energy", "activation energy", "E_a", "J/mol", "Activation energy of the shift with temperature (Arrhenius).", kLive, {"elastomer.shift.kind", "arrhenius"},
+              RealField{ASPERITY_MEMBER(elastomer.shift, activationEnergy), 0, 1e7, 1e4, 1e6, kLog}, {}, kOfMaterial},
+    Parameter{"elastomer.shift.table", "shift table", "", "", "Measured shifts: temperature in K and log10 of the factor on all relaxation times, linear in between; there is none outside.", kLive, {"elastomer.shift.kind", "table"},
+              ShiftTableField{ASPERITY_MEMBER(elastomer.shift, table)}, {}, kOfMaterial},
+    Parameter{"elastomer.measured.frequency_from", "measured from", "", "Hz", "Lowest frequency at which the elastomer was measured, at the temperature of no shift; friction that rests on others is marked. 0: not known.", kLive, {"elastomer.rheology", "prony"},
+              RealField{ASPERITY_MEMBER(elastomer.measured, frequencyFrom), 0, 1e15, 1e-6, 1e12, kNoneOrLog}, {}, kNewOfMaterial},
+    Parameter{"elastomer.measured.frequency_to", "measured to", "", "Hz", "Highest frequency at which the elastomer was measured, at the temperature of no shift. 0: not known.", kLive, {"elastomer.rheology", "prony"},
+              RealField{ASPERITY_MEMBER(elastomer.measured, frequencyTo), 0, 1e15, 1e-6, 1e12, kNoneOrLog}, {}, kNewOfMaterial},
+    Parameter{"elastomer.measured.temperature_from", "measured above", "", "K", "Lowest temperature at which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},
+              RealField{ASPERITY_MEMBER(elastomer.measured, temperatureFrom), 0, 2000, 0, 500, kLin}, {}, kNewOfMaterial},
+    Parameter{"elastomer.measured.temperature_to", "measured below", "", "K", "Highest temperature at which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},
+              RealField{ASPERITY_MEMBER(elastomer.measured, temperatureTo), 0, 2000, 0, 500, kLin}, {}, kNewOfMaterial},
+    Parameter{"elastomer.measured.strain_amplitude", "measured strain", "", "", "Amplitude of the strain with which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},
+              RealField{ASPERITY_MEMBER(elastomer.measured, strainAmplitude), 0, 100, 1e-5, 1, kNoneOrLog}, {}, kNewOfMaterial},
 
-    Parameter{"load.kind", "load", "", "", "What is held constant: the normal force or the indentation.", kLive, {},
+    Parameter{"load.kind", "load", "", "", "What is held constant: the normal force, the indentation or the nominal pressure.", kLive, {},
               ASPERITY_CHOICE(load, kind, kLoadKinds)},
     Parameter{"load.normal_force", "normal force", "F_N", "N", "Force that presses one period of the line into the elastomer.", kLive, {"load.kind", "force"},
               RealField{ASPERITY_MEMBER(load, normalForce), 1e-30, 1e30, 1e-4, 1e3, kLog}},
     Parameter{"load.depth", "indentation", "d", "m", "Indentation, measured from the lowest point of the line.", kLive, {"load.kind", "indentation"},
               RealField{ASPERITY_MEMBER(load, depth), 1e-30, 1e6, 1e-9, 1e-3, kLog}},
+
+    Parameter{"load.nominal_pressure", "nominal pressure", "p_0", "Pa", "Normal force over the area of one period and the width: F_N = p_0 L width.", kLive, {"load.kind", "pressure"},
+              RealField{ASPERITY_MEMBER(load, nominalPressure), 1e-30, 1e30, 1e3, 1e7, kLog}},
+    Parameter{"load.width", "width", "", "m", "Width that turns the nominal pressure into the force on the line; results depend on it; 0: the period, the square of the reduction method.", kLive, {"load.kind", "pressure"},
+              RealField{ASPERITY_MEMBER(load, width), 0, 1e3, 1e-6, 1, kNoneOrLog}},
 
     Parameter{"sliding.kind", "motion", "", "", "How the line moves.", kLive, {},
               ASPERITY_CHOICE(sliding, kind, kSlidingKinds)},
@@ -128,7 +210,7 @@ const std::array kTable{
     Parameter{"sweep.points", "points", "", "", "Velocities of the friction curve, evenly spaced in their logarithm.", kLive, {},
               IntegerField{ASPERITY_MEMBER(sweep, points), 1, 100000, 5, 201, kLin}},
 
-    Parameter{"ensemble.realizations", "realizations", "", "", "Random lines that the friction curve is averaged over.", kLive, {},
+    Parameter{"ensemble.realizations", "realizations", "", "", "Lines that the friction curve is averaged over: random ones, or rows of a measured surface; 0, of rows alone: every row.", kLive, {},
               IntegerField{ASPERITY_MEMBER(ensemble, realizations), 1, 1000000, 1, 1000, kLog}},
 
     Parameter{"accuracy.scheme", "scheme", "", "", "How the line is resolved: the paper's single elements (nodal), straight segments (linear) or smooth ones (cubic).", kLive, {},

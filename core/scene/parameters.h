@@ -53,14 +53,27 @@ struct ArmsField {
 };
 inline constexpr std::size_t kMostArms = 64;
 
+/// A table of temperature shifts; as a value: a JSON list of {"temperature", "log10_shift"}.
+struct ShiftTableField {
+  std::vector<ShiftPoint>& (*member)(Scene&);
+};
+inline constexpr std::size_t kMostShiftPoints = 1000;
+
 /// What a change asks of a running simulation: go on with the new value, or a new line.
 enum class Change { Live, Rebuild };
 
-/// Row applies only where the choice of key `choiceKey` is one of `words` (separated by spaces).
-/// An empty choiceKey: it always applies.
+/// Row applies only where the choice of key `choiceKey` applies and is one of `words` (separated by
+/// spaces). An empty choiceKey: it always applies.
 struct Applicability {
   std::string_view choiceKey;
   std::string_view words;
+};
+
+/// How a row stands in scene files.
+struct FileRule {
+  bool isOfMaterial = false;        // a material gives the value where the scene does not state it
+  bool isLeftOutAtDefault = false;  // not written where it has its default, unless a material is
+                                    // named that would give it another value
 };
 
 struct Parameter {
@@ -71,7 +84,10 @@ struct Parameter {
   std::string_view sentence;  // one sentence for a user
   Change change;
   Applicability applies;
-  std::variant<RealField, IntegerField, ChoiceField, TextField, ArmsField> field;
+  std::variant<RealField, IntegerField, ChoiceField, TextField, ArmsField, ShiftTableField> field;
+  /// It applies where this holds as well. An empty choiceKey: nowhere else.
+  Applicability alsoApplies{};
+  FileRule rule{};
 };
 
 using ParameterValue = std::variant<double, std::int64_t, std::string>;
@@ -88,7 +104,10 @@ std::string_view nearestKey(std::string_view key);
 /// Whether the row has a meaning in this scene (a wedge has no Hurst exponent).
 bool isApplicable(const Parameter& parameter, const Scene& scene);
 
-/// The value in the scene; choices as their word, arms as JSON text.
+/// Whether its value is a list in JSON: arms, a table of shifts.
+bool isList(const Parameter& parameter);
+
+/// The value in the scene; choices as their word, lists as JSON text.
 ParameterValue valueOf(const Parameter& parameter, const Scene& scene);
 
 /// The value that a new scene has.
@@ -110,8 +129,8 @@ std::optional<AllowedRange> allowedRange(const Parameter& parameter);
 /// "0 to 1", "1e-6 to 1e15 Pa", "one of nodal, linear, cubic", "text".
 Message allowedText(const Parameter& parameter);
 
-/// Whether this number of the parameter stands for "as the profile's file says": a 0 of its length
-/// or its elements.
+/// Whether this number of the parameter stands for "as the surface's file says": a 0 of the length
+/// or the elements of a line that has a file, or of the realizations of a measured surface.
 bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number);
 
 }  // namespace asperity

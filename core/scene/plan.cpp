@@ -23,8 +23,14 @@ bool isSteady(const Scene& scene, Purpose purpose) {
   return purpose == Purpose::Curve || scene.sliding.kind == SlidingKind::Steady;
 }
 
-bool isRandom(const Scene& scene) {
+/// Whether the scene states the spectrum that its waves have.
+bool isSelfAffine(const Scene& scene) {
   return scene.surface.kind == SurfaceKind::SelfAffine;
+}
+
+/// One number of lines is known from the scene; that of rows stands in their file.
+bool isAveraged(const Scene& scene) {
+  return mayHaveManyLines(scene.surface) && scene.ensemble.realizations != 1;
 }
 
 /// Steady sliding needs the answer as it begins, other motions but from rest start from it.
@@ -33,10 +39,36 @@ bool hasSteadyState(const Scene& scene, Purpose purpose) {
          (scene.sliding.kind != SlidingKind::Start && scene.sliding.velocity > 0);
 }
 
+/// How a measured surface becomes a line.
+Message whyMeasured(const Surface& surface) {
+  const bool isEquivalent = surface.line == LineKind::IsotropicEquivalent;
+  const Message line = isEquivalent
+                           ? Message(
+                                 "the isotropic equivalent, C_line = pi q C2, of the measured "
+                                 "surface")
+                           : Message("the measured surface as it is along the sliding");
+  const Message side = surface.contactSide == ContactSide::Summits ? Message("its summits touch")
+                                                                   : Message("its valleys touch");
+  switch (surface.processing.seam) {
+    case Seam::Mirror:
+      return message("{}; {}; mirrored, so that the period is twice the file's", line, side);
+    case Seam::Blend:
+      return message("{}; {}; its end is blended into its beginning", line, side);
+    case Seam::RandomPhases:
+      return message("{}; its spectrum with random phases", line);
+    default:
+      return message("{}; {}; repeated as it is", line, side);
+  }
+}
+
 Message whyLine(const Scene& scene, bool) {
   switch (scene.surface.kind) {
     case SurfaceKind::SelfAffine:
       return "waves of a self-affine spectrum with random phases are summed";
+    case SurfaceKind::Measured:
+      return whyMeasured(scene.surface);
+    case SurfaceKind::Spectrum:
+      return "waves of the file's spectrum with random phases are summed";
     case SurfaceKind::Profile:
       return "the profile is read and taken as one period of a band-limited line";
     default:
@@ -48,7 +80,7 @@ Message whyRollOff(const Scene& scene, bool runs) {
   if (runs)
     return message("waves longer than {} m are all equally strong",
                    scene.surface.rollOffWavelength);
-  if (!isRandom(scene)) return "the line has no spectrum of its own";
+  if (!isSelfAffine(scene)) return "the line has no spectrum of its own";
   return scene.surface.rollOffWavelength > 0 ? "no wave of the line is longer than the roll-off"
                                              : "the spectrum is self-affine up to the whole length";
 }
@@ -58,8 +90,8 @@ Message whySummits(const Scene& scene, bool runs) {
   if (runs)
     return kappa > 0 ? message("short waves are stronger on the summits, kappa = {}", kappa)
                      : message("short waves are stronger in the valleys, kappa = {}", kappa);
-  return isRandom(scene) ? "phases alone are random: summits are as rough as valleys"
-                         : "the line is not random";
+  return isSelfAffine(scene) ? "phases alone are random: summits are as rough as valleys"
+                             : "the line is not random";
 }
 
 Message whyShift(const Scene& scene, bool runs) {
@@ -119,8 +151,18 @@ Message whyPeriodicity(const Scene& scene, bool runs) {
 }
 
 Message whyBalance(const Scene& scene, bool runs) {
-  return runs ? message("the indentation that carries {} N is sought", scene.load.normalForce)
-              : Message("the indentation is given");
+  if (!runs) return "the indentation is given";
+  if (scene.load.kind == LoadKind::Force)
+    return message("the indentation that carries {} N is sought", scene.load.normalForce);
+  return scene.load.width > 0
+             ? message(
+                   "the indentation that carries {} Pa on a width of {} m is sought; results "
+                   "depend on the width",
+                   scene.load.nominalPressure, scene.load.width)
+             : message(
+                   "the indentation that carries {} Pa on the square of the period is sought; "
+                   "results depend on the width",
+                   scene.load.nominalPressure);
 }
 
 Message whyMarch(const Scene& scene, bool runs) {
@@ -144,8 +186,11 @@ Message whySweep(const Scene& scene, bool runs) {
 
 Message whyAveraging(const Scene& scene, bool runs) {
   if (runs && choosesAccuracy(scene)) return "as many random lines as the target accuracy needs";
-  if (runs) return message("{} random lines", scene.ensemble.realizations);
-  return isRandom(scene) ? "one line is enough" : "the line is not random";
+  if (runs && hasRandomPhases(scene.surface))
+    return message("{} random lines", scene.ensemble.realizations);
+  if (runs && scene.ensemble.realizations == 0) return "every row of the measured surface";
+  if (runs) return message("{} rows of the measured surface", scene.ensemble.realizations);
+  return mayHaveManyLines(scene.surface) ? "one line is enough" : "the line is not random";
 }
 
 Message whyShape(const Scene&, bool runs) {
@@ -165,18 +210,17 @@ std::array<std::atomic<std::uint64_t>, kStages> counts{};
 bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
   if (stage == Stage::Line) return true;
   if (stage == Stage::RollOff)
-    return isRandom(scene) && scene.surface.rollOffWavelength > 0 &&
+    return isSelfAffine(scene) && scene.surface.rollOffWavelength > 0 &&
            scene.surface.rollOffWavelength < scene.surface.length;
   if (stage == Stage::SummitCorrelation)
-    return isRandom(scene) && scene.surface.summitCorrelation != 0;
+    return isSelfAffine(scene) && scene.surface.summitCorrelation != 0;
   if (!hasElastomer(purpose)) return false;
   if (purpose == Purpose::Window && stage != Stage::TimeMarch)
     return callsFor(scene, Purpose::Curve, stage) || callsFor(scene, Purpose::Picture, stage);
   const bool steady = isSteady(scene, purpose);
   switch (stage) {
     case Stage::TemperatureShift:
-      return lawOf(scene.elastomer).kind() != ElementKind::Elastic &&
-             scene.elastomer.temperature != scene.elastomer.shift.referenceTemperature;
+      return lawOf(scene.elastomer).kind() != ElementKind::Elastic && shiftsTimes(scene.elastomer);
     case Stage::FreeSurface:
       return lawOf(scene.elastomer).kind() != ElementKind::Elastic;
     case Stage::Arms:
@@ -189,7 +233,7 @@ bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
     case Stage::Periodicity:
       return hasSteadyState(scene, purpose) && lawOf(scene.elastomer).kind() == ElementKind::Arms;
     case Stage::ForceBalance:
-      return scene.load.kind == LoadKind::Force;
+      return scene.load.kind != LoadKind::Indentation;
     case Stage::TimeMarch:
       return !steady || purpose == Purpose::Window;
     case Stage::Interface:
@@ -197,7 +241,7 @@ bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
     case Stage::Sweep:
       return purpose == Purpose::Curve && scene.sweep.points > 1;
     case Stage::Averaging:
-      return purpose == Purpose::Curve && isRandom(scene) && scene.ensemble.realizations > 1;
+      return purpose == Purpose::Curve && isAveraged(scene);
     default:
       return purpose != Purpose::Curve;
   }

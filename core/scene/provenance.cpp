@@ -5,9 +5,11 @@
 #include <system_error>
 
 #include "core/base/carried_text.h"
+#include "core/base/file_digest.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/regular_file.h"
+#include "core/material/material_library.h"
 #include "core/scene/scene_file.h"
 
 namespace asperity {
@@ -59,6 +61,33 @@ Json oversamplingOf(std::string_view verb, const Scene& scene) {
   return isOfCurve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
 }
 
+/// The digest of a file's content; null where the file is not there any more.
+template <class Digest>
+Json digestOrNull(const Digest& digest) {
+  try {
+    return digest();
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// The files that a scene names, each with the SHA-256 of its content.
+Json filesOf(const Scene& scene) {
+  Json files = Json::array();
+  const auto add = [&](const char* key, const std::string& name, const auto& digest) {
+    if (!name.empty())
+      files.push_back({{"key", key}, {"name", name}, {"sha256", digestOrNull(digest)}});
+  };
+  const std::string& material = scene.elastomer.material;
+  if (hasSurfaceFile(scene.surface))
+    add("surface.file", scene.surface.file,
+        [&] { return sha256OfFile(scene.folder / scene.surface.file); });
+  if (scene.elastomer.rheology == Rheology::Prony)
+    add("elastomer.material", material,
+        [&] { return sha256(readMaterialText(material, scene.folder).json); });
+  return files;
+}
+
 }  // namespace
 
 void addCurveOversampling(Json& provenance, const Scene& scene) {
@@ -71,9 +100,10 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["schema"] = "asperity-" + verb + "/1";
   root["verb"] = verb;
   root["version"] = ASPERITY_VERSION;
-  root["seed"] = scene.surface.kind == SurfaceKind::SelfAffine ? Json(scene.surface.seed) : Json();
+  root["seed"] = hasRandomPhases(scene.surface) ? Json(scene.surface.seed) : Json();
   root["oversampling_used"] = oversamplingOf(verb, scene);
   if (verb == "batch") addCurveOversampling(root, scene);
+  if (Json files = filesOf(scene); !files.empty()) root["files"] = std::move(files);
   root["scene"] = Json::parse(writeScene(scene));
   return root;
 }
@@ -150,12 +180,15 @@ double nodesOf(const Scene& scene, const fs::path& file) {
 SceneDemands demandsOf(const Scene& scene) {
   SceneDemands demands;
   const fs::path file =
-      scene.surface.kind == SurfaceKind::Profile ? scene.folder / scene.surface.file : fs::path();
+      hasSurfaceFile(scene.surface) ? scene.folder / scene.surface.file : fs::path();
   if (!file.empty() && !liesBelow(file, scene.folder)) demands.file = file;
+  const std::string& material = scene.elastomer.material;
+  const fs::path materials = material.empty() ? fs::path() : materialFile(material, scene.folder);
+  if (demands.file.empty() && !materials.empty() && !liesBelow(materials, scene.folder))
+    demands.file = materials;
   const double nodes = nodesOf(scene, file);
-  const double lines = scene.surface.kind == SurfaceKind::SelfAffine
-                           ? static_cast<double>(scene.ensemble.realizations)
-                           : 1;
+  const double lines =
+      mayHaveManyLines(scene.surface) ? static_cast<double>(scene.ensemble.realizations) : 1;
   const double passes = kPassesOfLine + kPasses * static_cast<double>(scene.sweep.points);
   const double memory = nodes * kBytesPerNode, seconds = nodes * lines * passes * kSecondsPerNode;
   if (memory > kMemoryUnasked) demands.memory = memory;

@@ -16,7 +16,8 @@
 namespace asperity {
 
 /// {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random),
-/// "oversampling_used", "scene"}. The number used is that of a friction curve for the verbs that
+/// "oversampling_used", "files" (a list of {"key", "name", "sha256"}, where the scene names some),
+/// "scene"}. The number used is that of a friction curve for the verbs that
 /// compute one, else that of a single line; null where a curve to a target accuracy chooses at each
 /// velocity.
 nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);

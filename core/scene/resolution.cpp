@@ -51,7 +51,8 @@ double depthOverHeight(const Scene& scene) {
       elastomer.rheology == Rheology::StandardSolid || elastomer.rheology == Rheology::Prony;
   const double modulus = hasArms ? elastomer.equilibriumModulus : elastomer.shearModulus;
   const double carried = 4 * modulus * scene.surface.length * height;  // N
-  return scene.load.normalForce < kDeep * carried ? scene.load.normalForce / carried : kDeep;
+  const double force = loadOn(scene.load, scene.surface.length).normalForce;
+  return force < kDeep * carried ? force / carried : kDeep;
 }
 
 /// Relative standard deviation of the friction of one line at the velocity where it is smallest,
@@ -87,6 +88,7 @@ std::int64_t pointsPerElement(const Scene& scene) {
 std::int64_t pointsPerElementOfCurve(const Scene& scene) {
   if (const std::int64_t stated = statedPoints(scene); stated > 0) return stated;
   if (scene.accuracy.scheme == Scheme::Linear) return withinMemory(scene, kStraightPoints);
+  // Of measured rows and of spectra neither height nor Hurst exponent stands in the scene.
   const bool isOneLine =
       scene.surface.kind != SurfaceKind::SelfAffine || scene.ensemble.realizations == 1;
   if (isOneLine) return withinMemory(scene, kPointsOfOneLine);

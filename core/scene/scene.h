@@ -10,19 +10,35 @@
 #include <vector>
 
 #include "core/material/elastomer.h"
+#include "core/measured/processing_choices.h"
 
 namespace asperity {
 
-enum class SurfaceKind { SelfAffine, Sine, Wedge, Parabola, Profile };
-enum class LoadKind { Force, Indentation };
+enum class SurfaceKind { SelfAffine, Sine, Wedge, Parabola, Profile, Measured, Spectrum };
+enum class LoadKind { Force, Indentation, Pressure };
 enum class SlidingKind { Steady, Start, Step, Oscillation, Reversal };
 enum class Scheme { Nodal, Linear, Cubic };
+
+/// What the numbers of a measured spectrum mean (core/surface/spectrum_file.h).
+enum class SpectrumKind { Unstated, C1TwoSided, C1OneSided, C2 };
+
+/// How the file of a measured surface is read. The words are those of
+/// core/measured/measured_file.h.
+struct SurfaceReading {
+  std::string format = "auto";
+  std::string positionUnit = "auto", heightUnit = "auto";
+  std::int64_t positionColumn = 0, heightColumn = 0;  // counted from 1; 0: found by the reader
+  std::int64_t row = 0;                               // counted from 1; 0: all rows
+  ProfileDirection direction = ProfileDirection::AlongX;
+
+  bool operator==(const SurfaceReading&) const = default;
+};
 
 /// The rigid line: one period, repeated for ever.
 struct Surface {
   SurfaceKind kind = SurfaceKind::SelfAffine;
-  double length = 0.02;          // m, one period; 0 for a profile: as its file says
-  std::int64_t elements = 5000;  // per period; 0 for a profile: one for each of its rows
+  double length = 0.02;          // m, one period; 0 where the line has a file: as it says
+  std::int64_t elements = 5000;  // per period; 0 where the line has a file: as many as it has
   double hurst = 0.7;            // Hurst exponent H
   double rmsHeight = 5e-7;       // m, h (ISO Rq)
   std::int64_t seed = 1;         // of the random phases
@@ -30,17 +46,24 @@ struct Surface {
   std::int64_t waves = 8;        // of a sine, per period
   double slope = 1e-3;           // of a wedge z = slope |x|
   double radius = 0.1;           // m, of a parabola z = x^2 / (2 radius)
-  std::string file;              // of a profile, relative to the scene's folder
+  std::string file;              // of kinds that have one, relative to the scene's folder
   double rollOffWavelength = 0;  // m, waves longer than it are all equally strong; 0: none
   double summitCorrelation = 0;  // kappa, short waves stronger on the summits (> 0); 0: everywhere
+  SurfaceReading reading;        // of a measured surface
+  ProcessingChoices processing;  // of a measured surface; its two cuts of a spectrum, too
+  LineKind line = LineKind::AsMeasured;
+  ContactSide contactSide = ContactSide::Summits;
+  SpectrumKind spectrumKind = SpectrumKind::Unstated;  // of a spectrum; there is no default
 
   bool operator==(const Surface&) const = default;
 };
 
 struct Load {
   LoadKind kind = LoadKind::Force;
-  double normalForce = 0.0034;  // N, F_N on one period
-  double depth = 1e-6;          // m, indentation d below the lowest point of the line
+  double normalForce = 0.0034;   // N, F_N on one period
+  double depth = 1e-6;           // m, indentation d below the lowest point of the line
+  double nominalPressure = 1e5;  // Pa, on the area of one period and the width
+  double width = 0;              // m, across the line; 0: as much as the period
 
   bool operator==(const Load&) const = default;
 };
@@ -76,7 +99,7 @@ struct Sweep {
 };
 
 struct Ensemble {
-  std::int64_t realizations = 200;
+  std::int64_t realizations = 200;  // 0 for the rows of a measured surface: every row
 
   bool operator==(const Ensemble&) const = default;
 };
@@ -107,6 +130,35 @@ struct Scene {
 
   bool operator==(const Scene&) const = default;
 };
+
+/// The load on a line of this period (m): a nominal pressure as the force that it means, F_N = p_0
+/// L width; any other load stays as it is.
+inline Load loadOn(const Load& load, double length) {
+  Load same = load;
+  if (load.kind != LoadKind::Pressure) return same;
+  same.kind = LoadKind::Force;
+  same.normalForce = load.nominalPressure * length * (load.width > 0 ? load.width : length);
+  return same;
+}
+
+/// Whether the line comes from a file: surface.file names it.
+inline bool hasSurfaceFile(const Surface& surface) {
+  return surface.kind == SurfaceKind::Profile || surface.kind == SurfaceKind::Measured ||
+         surface.kind == SurfaceKind::Spectrum;
+}
+
+/// Whether the phases of the line's waves are random, so that there are as many lines as one wants.
+inline bool hasRandomPhases(const Surface& surface) {
+  return surface.kind == SurfaceKind::SelfAffine || surface.kind == SurfaceKind::Spectrum ||
+         (surface.kind == SurfaceKind::Measured && surface.processing.seam == Seam::RandomPhases);
+}
+
+/// Whether results are means over several lines: random ones, or all rows of a measured surface,
+/// which may turn out to have only one.
+inline bool mayHaveManyLines(const Surface& surface) {
+  return hasRandomPhases(surface) ||
+         (surface.kind == SurfaceKind::Measured && surface.reading.row == 0);
+}
 
 /// Whether resolution and number of lines follow from a target accuracy.
 inline bool choosesAccuracy(const Scene& scene) {

@@ -8,7 +8,9 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/material/material_library.h"
 #include "core/scene/effects.h"
 #include "core/scene/parameters.h"
 
@@ -18,7 +20,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSchema = "asperity-scene/1";
-constexpr int kDeepestScene = 8;
+constexpr std::string_view kMaterialSchema = "asperity-material/1";
+constexpr int kDeepestScene = 8, kDeepestMaterial = 8;
 constexpr std::string_view kSceneIsNeeded =
     "a scene is JSON in UTF-8; a measured line is a CSV file, which a scene names as surface.file";
 
@@ -45,7 +48,7 @@ ParameterValue valueFrom(const std::string& key, const Json& json) {
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
   if (json.is_string()) return json.get<std::string>();
-  if (json.is_array() && std::holds_alternative<ArmsField>(row.field)) return json.dump();
+  if (json.is_array() && isList(row)) return json.dump();
   const Message given = json.is_object()  ? Message("an object")
                         : json.is_array() ? Message("a list")
                                           : Message::name(json.dump());
@@ -120,10 +123,24 @@ void apply(const Assignment& assignment, Scene& scene) {
 }
 
 void refuseOtherKind(const Parameter& row, const Scene& scene) {
-  const Parameter& choice = *findParameter(row.applies.choiceKey);
+  const Parameter* decides = findParameter(row.applies.choiceKey);
+  // A choice that has no meaning itself cannot be named as what is missing.
+  const Parameter* of = &row;
+  for (; !isApplicable(*decides, scene); decides = findParameter(decides->applies.choiceKey))
+    of = decides;
+  const Parameter& choice = *decides;
   throw InputError("", std::string(row.key),
                    message("has no meaning for {} {}; it belongs to {}", choice.key,
-                           std::get<std::string>(valueOf(choice, scene)), row.applies.words));
+                           std::get<std::string>(valueOf(choice, scene)), of->applies.words));
+}
+
+/// Whether --set has changed a kind that the row hangs on, directly or by another choice.
+bool hangsOn(const std::set<std::string_view>& changedKinds, const Parameter& row) {
+  for (const Applicability& applies : {row.applies, row.alsoApplies})
+    if (!applies.choiceKey.empty() && (changedKinds.contains(applies.choiceKey) ||
+                                       hangsOn(changedKinds, *findParameter(applies.choiceKey))))
+      return true;
+  return false;
 }
 
 /// One point per element is what the paper's elements have anyway, chosen or stated.
@@ -165,29 +182,131 @@ void chooseAccuracy(std::vector<Assignment>& assignments) {
   if (has(false, isResolution)) drop(isTarget);
 }
 
+constexpr std::string_view kMaterial = "elastomer.material";
+constexpr std::string_view kRheology = "elastomer.rheology";
+
+/// What a material file says for people and for its own history.
+constexpr std::string_view kMaterialRemarks[]{"schema", "verb",   "version",     "name",
+                                              "source", "origin", "measurement", "fit"};
+
+/// The last value of a text's key among the assignments; null where none has it.
+const Assignment* lastOf(const std::vector<Assignment>& assignments, std::string_view key) {
+  const auto found =
+      std::ranges::find(assignments.rbegin(), assignments.rend(), key, &Assignment::key);
+  return found == assignments.rend() ? nullptr : &*found;
+}
+
+std::string nameOfMaterial(const std::vector<Assignment>& assignments) {
+  const Assignment* named = lastOf(assignments, kMaterial);
+  const auto* name = named ? std::get_if<std::string>(&named->value) : nullptr;
+  return name ? *name : std::string();
+}
+
+/// The values of a material as keys of the scene's elastomer. What a material says of itself
+/// besides (source, quality of the fit) is passed over.
+std::vector<Assignment> materialValues(const std::string& name,
+                                       const std::filesystem::path& folder) {
+  const MaterialText material = readMaterialText(name, folder);
+  try {
+    const Json root = parseJson(material.json, kDeepestMaterial,
+                                "a material is JSON in UTF-8, which 'asperity material' makes from "
+                                "a table of measured moduli");
+    if (!root.is_object() || !root.contains("schema") || root["schema"] != kMaterialSchema)
+      throw InputError("", "schema", message("is not {}", kMaterialSchema));
+    std::vector<Assignment> values;
+    for (const auto& [key, value] : root.items()) {
+      const std::string path = "elastomer." + key;
+      const Parameter* row = findParameter(path);
+      if (isSection(path))
+        flattenSection(path, value, values);
+      else if (row && row->rule.isOfMaterial)
+        values.push_back({path, valueFrom(path, value)});
+      else if (std::ranges::find(kMaterialRemarks, key) == std::end(kMaterialRemarks))
+        throw InputError("", shortened(key), "unknown key of a material");
+    }
+    for (const char* needed : {"elastomer.equilibrium_modulus", "elastomer.arms"})
+      if (!lastOf(values, needed)) throw InputError("", needed + 10, "is missing");
+    // Each value is checked here, where an error can name the material's file.
+    Scene ignored;
+    for (const Assignment& value : values) apply(value, ignored);
+    return values;
+  } catch (const InputError& error) {
+    throw error.in(material.name);
+  }
+}
+
+/// Whether the scene itself says everything that the material would give: then its file is not
+/// needed, and the scene means the same when the material changes.
+bool isWholeWithoutMaterial(const std::vector<Assignment>& assignments, const Scene& scene) {
+  return std::ranges::all_of(parameters(), [&](const Parameter& row) {
+    return !row.rule.isOfMaterial || !isApplicable(row, scene) || lastOf(assignments, row.key);
+  });
+}
+
+/// A material means a Prony series. One from --set replaces the rheology of the file and all that a
+/// material gives.
+void chooseMaterial(std::vector<Assignment>& assignments, Scene& scene,
+                    std::set<std::string_view>& changedKinds) {
+  const auto namesMaterial = [](const Assignment& assignment) {
+    return assignment.key == kMaterial && assignment.value != ParameterValue(std::string());
+  };
+  if (std::ranges::none_of(assignments, namesMaterial)) return;
+  const Assignment& last = *lastOf(assignments, kMaterial);
+  if (!last.fromFile && namesMaterial(last)) {
+    std::erase_if(assignments, [](const Assignment& assignment) {
+      return assignment.fromFile &&
+             (assignment.key == kRheology || rowOf(assignment.key).rule.isOfMaterial);
+    });
+    changedKinds.insert({kRheology, "elastomer.shift.kind"});
+  }
+  scene.elastomer.rheology = Rheology::Prony;
+}
+
+/// Puts the values of a material before those that the scene states, which win.
+void addMaterialValues(std::vector<Assignment>& assignments, Scene& scene,
+                       const std::filesystem::path& folder) {
+  const std::string name = nameOfMaterial(assignments);
+  if (name.empty() || scene.elastomer.rheology != Rheology::Prony) return;
+  if (lastOf(assignments, "elastomer.shift.kind") && isWholeWithoutMaterial(assignments, scene))
+    return;
+  std::vector<Assignment> values = materialValues(name, folder);
+  std::erase_if(values, [&](const Assignment& value) { return lastOf(assignments, value.key); });
+  for (const Assignment& value : values)
+    if (isChoice(value)) apply(value, scene);
+  // A key beside the material may choose another shift, for which the material's has no meaning.
+  std::erase_if(values, [&](const Assignment& value) {
+    return isChoice(value) || !isApplicable(rowOf(value.key), scene);
+  });
+  assignments.insert(assignments.begin(), values.begin(), values.end());
+}
+
 /// Kinds come first, because they decide which other keys have a meaning.
-Scene build(const std::vector<Assignment>& assignments) {
+Scene build(std::vector<Assignment> assignments, const std::filesystem::path& folder) {
   Scene scene;
   std::set<std::string_view> changedKinds;  // by --set, away from what the file says
+  chooseMaterial(assignments, scene, changedKinds);
   for (const Assignment& assignment : assignments) {
     if (!isChoice(assignment)) continue;
     if (!assignment.fromFile) changedKinds.insert(rowOf(assignment.key).key);
     apply(assignment, scene);
   }
-  // Left to the profile's file unless the scene says otherwise.
-  if (scene.surface.kind == SurfaceKind::Profile) {
+  addMaterialValues(assignments, scene, folder);
+  // Left to the surface's file unless the scene says otherwise.
+  if (hasSurfaceFile(scene.surface)) {
     scene.surface.length = 0;
     scene.surface.elements = 0;
   }
+  if (scene.surface.kind == SurfaceKind::Measured && !hasRandomPhases(scene.surface))
+    scene.ensemble.realizations = 0;
   if (scene.accuracy.scheme == Scheme::Nodal) scene.accuracy.oversampling = 1;
   for (const Assignment& assignment : assignments) {
-    if (isChoice(assignment)) continue;
     const Parameter& row = rowOf(assignment.key);
-    if (isApplicable(row, scene))
-      apply(assignment, scene);
-    else if (!isHarmless(assignment) &&
-             (!assignment.fromFile || !changedKinds.contains(row.applies.choiceKey)))
-      refuseOtherKind(row, scene);
+    const bool applies = isApplicable(row, scene);
+    if (applies && !isChoice(assignment)) apply(assignment, scene);
+    if (applies || isHarmless(assignment)) continue;
+    if (!assignment.fromFile || !hangsOn(changedKinds, row)) refuseOtherKind(row, scene);
+    // A choice of the file's kind was taken before it was known that it has no meaning any more.
+    if (isChoice(assignment)) setValue(row, scene, defaultOf(row));
   }
   return scene;
 }
@@ -195,6 +314,19 @@ Scene build(const std::vector<Assignment>& assignments) {
 void checkWhole(const Scene& scene) {
   if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
     throw InputError("", "surface.file", "is missing; a profile needs a file");
+  if (scene.surface.kind == SurfaceKind::Measured && scene.surface.file.empty())
+    throw InputError("", "surface.file", "is missing; a measured surface needs a file");
+  if (scene.surface.kind == SurfaceKind::Spectrum && scene.surface.file.empty())
+    throw InputError("", "surface.file", "is missing; a spectrum needs a file");
+  if (scene.surface.kind == SurfaceKind::Spectrum &&
+      scene.surface.spectrumKind == SpectrumKind::Unstated)
+    throw InputError("", "surface.spectrum_kind",
+                     "is missing; allowed is one of c1_two_sided, c1_one_sided, c2");
+  const ProcessingChoices& processing = scene.surface.processing;
+  if (processing.longWaveCut > 0 && processing.longWaveCut <= processing.shortWaveCut)
+    throw InputError("", "surface.long_wave_cut",
+                     message("{} is not above surface.short_wave_cut, {}",
+                             plain(processing.longWaveCut), plain(processing.shortWaveCut)));
   checkEffects(scene);
   if (scene.sweep.velocityFrom > scene.sweep.velocityTo)
     throw InputError("", "sweep.velocity_from",
@@ -203,9 +335,13 @@ void checkWhole(const Scene& scene) {
 }
 
 Json jsonOf(const Parameter& row, const ParameterValue& value) {
-  if (std::holds_alternative<ArmsField>(row.field))
-    return Json::parse(std::get<std::string>(value));
+  if (isList(row)) return Json::parse(std::get<std::string>(value));
   return std::visit([](const auto& held) { return Json(held); }, value);
+}
+
+bool isLeftOut(const Parameter& row, const Scene& scene) {
+  const bool isGivenByMaterial = row.rule.isOfMaterial && !scene.elastomer.material.empty();
+  return row.rule.isLeftOutAtDefault && !isGivenByMaterial && valueOf(row, scene) == defaultOf(row);
 }
 
 /// The place of a dotted key.
@@ -224,7 +360,7 @@ Scene readScene(std::string_view json, const std::string& name, const std::files
     std::vector<Assignment> all = flatten(parseJson(json, kDeepestScene, kSceneIsNeeded));
     for (const std::string& text : assignments) all.push_back(parseAssignment(text));
     chooseAccuracy(all);
-    Scene scene = build(all);
+    Scene scene = build(std::move(all), folder);
     checkWhole(scene);
     scene.folder = folder;
     return scene;
@@ -244,12 +380,13 @@ std::string writeScene(const Scene& scene) {
   root["schema"] = kSchema;
   for (const Parameter& row : parameters()) {
     if (!isApplicable(row, scene)) continue;
+    if (isLeftOut(row, scene)) continue;
     if (row.key == "accuracy.scheme" && choosesAccuracy(scene)) continue;
     if (row.key == "accuracy.target_relative_error" && !choosesAccuracy(scene)) continue;
     const ParameterValue value = valueOf(row, scene);
-    const bool profile = scene.surface.kind == SurfaceKind::Profile;
-    if (profile && row.key == "surface.length" && scene.surface.length == 0) continue;
-    if (profile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
+    const bool hasFile = hasSurfaceFile(scene.surface);
+    if (hasFile && row.key == "surface.length" && scene.surface.length == 0) continue;
+    if (hasFile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
     placeOf(root, row.key) = jsonOf(row, value);
   }
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -279,6 +416,7 @@ bool isSaid(const Parameter& row, const Scene& scene) {
 bool differs(const Parameter& row, const Scene& base, const Scene& scene) {
   const ParameterValue value = valueOf(row, scene);
   if (isResolution(row) && choosesAccuracy(base)) return true;
+  if (row.rule.isOfMaterial && base.elastomer.material != scene.elastomer.material) return true;
   return value != valueOf(row, base) || (!isApplicable(row, base) && value != defaultOf(row));
 }
 

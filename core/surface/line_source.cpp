@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -10,6 +11,7 @@
 #include "core/surface/profile_file.h"
 #include "core/surface/random_phases.h"
 #include "core/surface/spectrum.h"
+#include "core/surface/spectrum_file.h"
 
 namespace asperity {
 namespace {
@@ -41,12 +43,92 @@ double profileLength(const Surface& surface, double lengthOfFile) {
   return length;
 }
 
+/// What `read` makes of a measured surface; errors that name no key are about its file.
+template <class Read>
+auto readMeasured(const Read& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    if (!error.key().empty() && error.file().empty()) throw;
+    throw InputError("", error.key().empty() ? "surface.file" : error.key(),
+                     error.key().empty() ? messageOf(error) : error.message());
+  }
+}
+
+/// Rows that the means of a scene are over.
+std::int64_t rowsUsed(const Scene& scene, const MeasuredLines& lines) {
+  const std::int64_t realizations = scene.ensemble.realizations;
+  return realizations > 0 && scene.surface.reading.row == 0 ? realizations : lines.rows();
+}
+
+std::shared_ptr<const MeasuredLines> measuredLines(const Scene& scene) {
+  return readMeasured([&] { return MeasuredLines::of(scene); });
+}
+
+/// A spectrum with the cuts of its scene.
+SpectralDensity spectrumOf(const Scene& scene) {
+  const SpectrumKind kind = scene.surface.spectrumKind;
+  SpectralDensity all =
+      readFile(scene, [kind](const auto& file) { return readSpectrum(file, kind); });
+  const ProcessingChoices& cuts = scene.surface.processing;
+  const double low = cuts.longWaveCut > 0 ? 2 * std::numbers::pi / cuts.longWaveCut : 0;
+  const double high = cuts.shortWaveCut > 0 ? 2 * std::numbers::pi / cuts.shortWaveCut : HUGE_VAL;
+  SpectralDensity part = within(all, low, high);
+  if (part.waveNumber.size() < 2)
+    throw InputError("", cuts.longWaveCut > 0 ? "surface.long_wave_cut" : "surface.short_wave_cut",
+                     "leaves no wave of the spectrum");
+  return part;
+}
+
+/// The period is the longest wave, and the elements carry the shortest one, unless the scene says
+/// otherwise.
+LineExtent spectrumExtent(const Surface& surface, const SpectralDensity& density) {
+  constexpr double kFewest = 16, kMost = 1 << 20;
+  const double lowest = density.waveNumber.front(), highest = density.waveNumber.back();
+  LineExtent extent{surface.length, surface.elements, 0, 0};
+  if (extent.length == 0) extent.length = 2 * std::numbers::pi / lowest;
+  const Parameter& row = *findParameter("surface.length");
+  const AllowedRange range = *allowedRange(row);
+  if (extent.length < range.minimum || extent.length > range.maximum)
+    throw InputError("", "surface.length",
+                     message("{} m, the longest wave of the spectrum, is outside {}",
+                             plain(extent.length), allowedText(row)));
+  if (extent.elements == 0) {
+    const double waves = std::ceil(highest * extent.length / (2 * std::numbers::pi));
+    extent.elements = static_cast<std::int64_t>(std::clamp(2 * waves + 1, kFewest, kMost));
+  }
+  const auto modes =
+      modeMagnitudes(density, extent.length, modeCount(static_cast<std::size_t>(extent.elements)));
+  double square = 0;
+  for (const double magnitude : modes) square += 2 * magnitude * magnitude;
+  extent.rmsHeight = std::sqrt(square);
+  if (!(square > 0))
+    throw InputError("", "surface.length",
+                     message("{} m with {} elements carries no wave of the spectrum, whose waves "
+                             "are {:.4g} to {:.4g} m long",
+                             plain(extent.length), extent.elements, 2 * std::numbers::pi / highest,
+                             2 * std::numbers::pi / lowest));
+  return extent;
+}
+
 }  // namespace
 
 LineExtent lineExtent(const Scene& scene) {
   const Surface& surface = scene.surface;
+  if (surface.kind == SurfaceKind::Spectrum) {
+    LineExtent extent = spectrumExtent(surface, spectrumOf(scene));
+    extent.lines = scene.ensemble.realizations;
+    return extent;
+  }
+  if (surface.kind == SurfaceKind::Measured) {
+    const auto lines = measuredLines(scene);
+    const std::int64_t elements = surface.elements > 0 ? surface.elements : lines->points();
+    return {lines->length(), elements, 0, rmsHeight(lines->modes(0)),
+            hasRandomPhases(surface) ? scene.ensemble.realizations : rowsUsed(scene, *lines)};
+  }
   if (surface.kind != SurfaceKind::Profile)
-    return {surface.length, surface.elements, 0, surface.rmsHeight};
+    return {surface.length, surface.elements, 0, surface.rmsHeight,
+            surface.kind == SurfaceKind::SelfAffine ? scene.ensemble.realizations : 1};
   const ProfileExtent file = readFile(scene, profileExtent);
   return {profileLength(surface, file.length), surface.elements > 0 ? surface.elements : file.rows,
           file.rows, file.rmsHeight};
@@ -58,6 +140,10 @@ Profile readProfileStart(const Scene& scene, std::int64_t rows) {
 
 LineSource::LineSource(const Scene& scene, std::int64_t oversampling, const Profile* profile)
     : surface_(scene.surface), length_(surface_.length), elements_(surface_.elements) {
+  isRandom_ = hasRandomPhases(surface_);
+  if (isRandom_) lines_ = scene.ensemble.realizations;
+  if (surface_.kind == SurfaceKind::Measured) setMeasured(scene);
+  if (surface_.kind == SurfaceKind::Spectrum) setSpectrum(scene);
   if (surface_.kind == SurfaceKind::Profile)
     setProfile(profile ? *profile : readFile(scene, readProfile));
   if (elements_ * oversampling > kMostNodes)
@@ -70,8 +156,13 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling, const Prof
                      message("{} is outside 1 to {}, what {} elements carry", surface_.waves,
                              (elements_ - 1) / 2, elements_));
   if (surface_.kind == SurfaceKind::SelfAffine) setAmplitudes(scene);
-  if (surface_.kind == SurfaceKind::SelfAffine || surface_.kind == SurfaceKind::Profile)
+  if (surface_.kind == SurfaceKind::SelfAffine || hasSurfaceFile(surface_))
     transform_.emplace(nodes_);
+  if (surface_.kind == SurfaceKind::Measured && !isRandom_) {
+    profile_ = measured_->modes(0);
+    const std::size_t most = modeCount(static_cast<std::size_t>(elements_));
+    if (profile_.coefficients.size() > most) profile_.coefficients.resize(most);
+  }
   if (isRandom()) {
     const FourierLine modes = spectrum(0);
     statistics_ = {rmsHeight(modes), rmsSlope(modes)};
@@ -104,6 +195,40 @@ void LineSource::setProfile(const Profile& profile) {
   if (profile_.coefficients.size() > most) profile_.coefficients.resize(most);
 }
 
+void LineSource::setMeasured(const Scene& scene) {
+  measured_ = measuredLines(scene);
+  length_ = measured_->length();
+  if (elements_ == 0) elements_ = measured_->points();
+  if (hasRandomPhases(surface_)) {
+    amplitudes_ = modeMagnitudes(measured_->density(), length_,
+                                 modeCount(static_cast<std::size_t>(elements_)));
+    return;
+  }
+  const std::int64_t rows = measured_->rows();
+  lines_ = rowsUsed(scene, *measured_);
+  isRandom_ = rows > 1;
+  drawsRows_ = choosesAccuracy(scene);
+}
+
+void LineSource::setSpectrum(const Scene& scene) {
+  const SpectralDensity density = spectrumOf(scene);
+  const LineExtent extent = spectrumExtent(surface_, density);
+  length_ = extent.length;
+  elements_ = extent.elements;
+  amplitudes_ = modeMagnitudes(density, length_, modeCount(static_cast<std::size_t>(elements_)));
+}
+
+std::int64_t LineSource::rowOf(std::int64_t realization) const {
+  if (!measured_ || !isRandom_ || hasRandomPhases(surface_)) return 0;
+  if (!drawsRows_) return rowOfRealization(realization, lines_, measured_->rows());
+  // A target accuracy asks for as many lines as it needs: rows are drawn with replacement.
+  constexpr std::uint64_t kSeed = 1;
+  const double turn =
+      randomPhases(kSeed, static_cast<std::uint64_t>(realization), 0).even / (2 * std::numbers::pi);
+  const auto row = static_cast<std::int64_t>(turn * static_cast<double>(measured_->rows()));
+  return std::min(row, measured_->rows() - 1);
+}
+
 FourierLine LineSource::spectrum(std::int64_t number) const {
   FourierLine line;
   spectrumInto(line, number);
@@ -113,6 +238,12 @@ FourierLine LineSource::spectrum(std::int64_t number) const {
 void LineSource::spectrumInto(FourierLine& line, std::int64_t number) const {
   if (!isRandom()) {
     line = profile_;
+    return;
+  }
+  if (measured_ && !hasRandomPhases(surface_)) {
+    line = measured_->modes(rowOf(number));
+    const std::size_t most = modeCount(static_cast<std::size_t>(elements_));
+    if (line.coefficients.size() > most) line.coefficients.resize(most);
     return;
   }
   line.length = length_;
@@ -144,8 +275,8 @@ bool LineSource::setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& 
   if (!transform_->evaluate(modes, line.height, stop)) return false;
   if (slopes == Slopes::Wanted && !transform_->evaluateSlope(modes, line.slopeAfter, stop))
     return false;
-  // The rms values are the same for every realization except with summit correlation.
-  const bool isKnown = isRandom() && !summits_ && statistics_.rmsHeight > 0;
+  // The rms values are the same for every realization except with summit correlation, and of rows.
+  const bool isKnown = isRandom() && !slopesDiffer() && statistics_.rmsHeight > 0;
   line.rmsHeight = isKnown ? statistics_.rmsHeight : rmsHeight(modes);
   line.rmsSlope = isKnown ? statistics_.rmsSlope : rmsSlope(modes);
   return true;
@@ -166,6 +297,27 @@ Line LineSource::make(std::int64_t number) const {
   Line line;
   makeInto(line, number);
   return line;
+}
+
+NoteSet notesOf(const LineSource& source) {
+  NoteSet notes;
+  notes.add(Note::SlopeAbove, source.statistics().rmsSlope > kSmallSlope);
+  const MeasuredLines* measured = source.measured();
+  if (!measured || !measured->mayHaveSeamJump()) return notes;
+  // A few rows, because a step is common to most of them.
+  constexpr std::int64_t kRows = 16;
+  const std::int64_t count = std::min(measured->rows(), kRows);
+  for (std::int64_t i = 0; i < count && !notes.has(Note::SeamJump); ++i)
+    notes.add(Note::SeamJump, measured->hasSeamJump(
+                                  measured->profile(rowOfRealization(i, count, measured->rows()))));
+  return notes;
+}
+
+FourierLine modesOf(const LineSource& source) {
+  FourierLine modes = source.spectrum(0);
+  if (!modes.coefficients.empty()) return modes;
+  const Line line = source.make(0);
+  return FourierTransform(line.nodes()).analyse(line.height, line.length);
 }
 
 }  // namespace asperity

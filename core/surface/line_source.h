@@ -1,6 +1,6 @@
-// The lines of a scene: reads its profile once, plans its transforms once, then makes any
-// realization. Threading: make() may be called by several threads at once.
-// Failure: InputError (unreadable profile, waves beyond the elements).
+// The lines of a scene: reads its file once, plans its transforms once, then makes any realization.
+// Threading: make() may be called by several threads at once.
+// Failure: InputError (unreadable file, waves beyond the elements).
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,10 @@
 #include <optional>
 #include <stop_token>
 
+#include "core/scene/notes.h"
 #include "core/scene/scene.h"
 #include "core/surface/line.h"
+#include "core/surface/measured_lines.h"
 #include "core/surface/profile_file.h"
 #include "core/surface/spectrum.h"
 
@@ -24,6 +26,7 @@ struct LineExtent {
   std::int64_t elements = 0;  // per period
   std::int64_t rows = 0;      // of a profile's file; 0: no profile
   double rmsHeight = 0;       // m; of a profile about, and of other lines as the scene states it
+  std::int64_t lines = 1;     // that the scene's means are over
 };
 LineExtent lineExtent(const Scene& scene);
 
@@ -44,8 +47,18 @@ class LineSource {
   bool makeInto(Line& line, std::int64_t realization, Slopes slopes = Slopes::Wanted,
                 const std::stop_token& stop = {}) const;
 
-  /// Whether realizations differ at all.
-  bool isRandom() const { return surface_.kind == SurfaceKind::SelfAffine; }
+  /// Whether realizations differ at all: random lines, or several rows of a measured surface.
+  bool isRandom() const { return isRandom_; }
+  /// Lines that the scene's means are over: its realizations, every row where they are 0, or 1.
+  std::int64_t lines() const { return lines_; }
+  /// Whether rms height and rms slope differ from line to line.
+  bool slopesDiffer() const {
+    return isRandom_ && (summits_ || (measured_ && !hasRandomPhases(surface_)));
+  }
+  /// Of a measured surface; else null.
+  const MeasuredLines* measured() const { return measured_.get(); }
+  /// The row of a measured surface that a realization is, counted from 0 among those used.
+  std::int64_t rowOf(std::int64_t realization) const;
 
   const LineStatistics& statistics() const { return statistics_; }
   /// The modes of a realization; empty for lines given by a formula.
@@ -58,6 +71,8 @@ class LineSource {
  private:
   void setAmplitudes(const Scene& scene);
   void setProfile(const Profile& profile);
+  void setMeasured(const Scene& scene);
+  void setSpectrum(const Scene& scene);
   Line makeShape() const;
   void spectrumInto(FourierLine& line, std::int64_t number) const;
   bool setFromSpectrum(const FourierLine& modes, Slopes slopes, Line& line,
@@ -67,12 +82,22 @@ class LineSource {
   double length_;
   std::int64_t elements_;
   std::size_t nodes_ = 0;
-  std::vector<double> amplitudes_;  // |c_k| of a self-affine line
-  Line only_;                       // of a scene that is not random
+  bool isRandom_ = false;
+  std::int64_t lines_ = 1;
+  bool drawsRows_ = false;          // any number of realizations from the rows there are
+  std::vector<double> amplitudes_;  // |c_k| of a line of random phases
+  std::shared_ptr<const MeasuredLines> measured_;
+  Line only_;  // of a scene that is not random
   FourierLine profile_;
   LineStatistics statistics_;
   std::optional<FourierTransform> transform_;  // for lines that have a spectrum
   std::optional<FourierTransform> summits_;    // for those with summit correlation
 };
+
+/// The modes of the first line; of one that is given by a formula from its points.
+FourierLine modesOf(const LineSource& source);
+
+/// What to know of the lines of a source: the rms slope, and steps at the seam of measured rows.
+NoteSet notesOf(const LineSource& source);
 
 }  // namespace asperity

@@ -4,16 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numbers>
+
+#include "core/base/fourier.h"
 
 namespace asperity {
 namespace {
-
-std::mutex& plannerLock() {
-  static std::mutex lock;
-  return lock;
-}
 
 /// Aligned as FFTW likes it, so that every call takes the same code path. Grows and is kept.
 template <class Value>
@@ -108,13 +104,13 @@ struct FourierTransform::Plans {
     const Buffers& buffers = buffersFor(count);
     Complex* modes = buffers.modes.values;
     double* values = buffers.values.values;
-    const std::lock_guard lock(plannerLock());
+    const std::lock_guard lock(fourierPlannerLock());
     const int size = static_cast<int>(count);
     toNodes = fftw_plan_dft_c2r_1d(size, raw(modes), values, FFTW_ESTIMATE);
     toModes = fftw_plan_dft_r2c_1d(size, values, raw(modes), FFTW_ESTIMATE);
   }
   ~Plans() {
-    const std::lock_guard lock(plannerLock());
+    const std::lock_guard lock(fourierPlannerLock());
     fftw_destroy_plan(toNodes);
     fftw_destroy_plan(toModes);
   }

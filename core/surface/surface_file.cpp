@@ -7,6 +7,7 @@
 
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
+#include "core/surface/measured_summary.h"
 #include "core/surface/spectrum.h"
 
 namespace asperity {
@@ -43,6 +44,7 @@ std::string surfaceJson(const Scene& scene, const LineSource& source, const Line
                         {"highest", *highest}};
   const FourierLine modes = source.spectrum(0);
   root["spectrum"] = modes.coefficients.empty() ? Json(nullptr) : spectrumJson(modes);
+  if (source.measured()) addTo(root, measuredSummary(scene, source));
   return root.dump(2) + "\n";
 }
 

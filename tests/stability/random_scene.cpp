@@ -5,7 +5,7 @@
 #include <limits>
 #include <ostream>
 
-#include "core/scene/arms_text.h"
+#include "core/scene/list_text.h"
 #include "core/scene/scene_file.h"
 
 namespace asperity {

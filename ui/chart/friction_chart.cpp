@@ -325,7 +325,7 @@ std::optional<CurveSet> FrictionChart::shown(const std::optional<ChartWindow>& z
 Message FrictionChart::status() const {
   if (!curve_) return "no curve yet";
   if (isStale()) return "curve of the scene before";
-  if (curve_->scene->surface.kind != SurfaceKind::SelfAffine) return {};
+  if (!mayHaveManyLines(curve_->scene->surface)) return {};
   return message("{} of {} realizations", curve_->realizationsDone, curve_->realizationsTotal);
 }
 

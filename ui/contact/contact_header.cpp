@@ -160,6 +160,9 @@ std::string lineOf(const Surface& surface) {
       return Words::tr("A rigid wedge");
     case SurfaceKind::Parabola:
       return Words::tr("A rigid parabola");
+    case SurfaceKind::Spectrum:
+      return Words::tr("A rough rigid line");
+    case SurfaceKind::Measured:
     case SurfaceKind::Profile:
       return Words::tr("A measured rigid line");
   }

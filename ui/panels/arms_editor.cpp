@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
-#include "core/scene/arms_text.h"
+#include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"

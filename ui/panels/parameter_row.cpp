@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/arms_text.h"
+#include "core/scene/list_text.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/arms_editor.h"
@@ -125,7 +125,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   addLabel(*line);
   if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
     addChoice(*line, *choice);
-  else if (std::holds_alternative<TextField>(parameter.field))
+  else if (std::holds_alternative<TextField>(parameter.field) ||
+           std::holds_alternative<ShiftTableField>(parameter.field))
     addText(*line);
   else if (std::holds_alternative<ArmsField>(parameter.field))
     addArms(*line, *column);

@@ -10,6 +10,7 @@ namespace {
 constexpr std::string_view kLength = "surface.length";
 constexpr std::string_view kElements = "surface.elements";
 constexpr std::string_view kFile = "surface.file";
+constexpr std::string_view kSpectrumKind = "surface.spectrum_kind";
 constexpr std::string_view kRealizations = "ensemble.realizations";
 constexpr std::string_view kOversampling = "accuracy.oversampling";
 constexpr int kDigits = 6;
@@ -24,6 +25,8 @@ void leaveOpen(const Parameter& parameter, Scene& scene) {
     scene.surface.length = 0;
   else if (parameter.key == kElements)
     scene.surface.elements = 0;
+  else if (parameter.key == kRealizations)
+    scene.ensemble.realizations = 0;
   else
     scene.accuracy.oversampling = 0;
 }
@@ -42,15 +45,21 @@ Placeholder fromFile(double known) {
 }
 
 LineSize& sizeOf(SurfaceKind kind, LineSize& profile, LineSize& others) {
-  return kind == SurfaceKind::Profile ? profile : others;
+  Surface surface;
+  surface.kind = kind;
+  return hasSurfaceFile(surface) ? profile : others;
 }
 
 }  // namespace
 
 std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scene& scene,
                                           const LineSize& known) {
-  if (parameter.key == kRealizations && scene.surface.kind != SurfaceKind::SelfAffine)
+  if (parameter.key == kRealizations && !mayHaveManyLines(scene.surface))
     return Placeholder{QStringLiteral("1"), 1, true};
+  if (parameter.key == kRealizations && isLeftToProfile(parameter, scene, 0))
+    return scene.ensemble.realizations == 0
+               ? std::optional(Placeholder{ParameterPanel::tr("every row"), {}, false})
+               : std::nullopt;
   if (!mayBeLeftOpen(parameter, scene)) return {};
   if (isChosenWhereOpen(parameter))
     return scene.accuracy.oversampling == 0 ? std::optional(chosenOversampling(scene))
@@ -96,6 +105,11 @@ bool isLongText(const Parameter& parameter) {
 Missing missingOf(const Scene& scene) {
   if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
     return {kFile, ParameterPanel::tr("choose a profile file")};
+  if (hasSurfaceFile(scene.surface) && scene.surface.file.empty())
+    return {kFile, ParameterPanel::tr("choose a file")};
+  if (scene.surface.kind == SurfaceKind::Spectrum &&
+      scene.surface.spectrumKind == SpectrumKind::Unstated)
+    return {kSpectrumKind, ParameterPanel::tr("choose the kind of spectrum")};
   return {};
 }
 
@@ -104,8 +118,8 @@ KeptSizes::KeptSizes(const Surface& surface) : others_{Surface{}.length, Surface
 }
 
 void KeptSizes::follow(const Surface& before, Surface& next) {
-  const bool wasProfile = before.kind == SurfaceKind::Profile;
-  const bool isProfile = next.kind == SurfaceKind::Profile;
+  const bool wasProfile = hasSurfaceFile(before);
+  const bool isProfile = hasSurfaceFile(next);
   if (wasProfile != isProfile) {
     sizeOf(before.kind, profile_, others_) = {before.length, before.elements};
     const LineSize& size = sizeOf(next.kind, profile_, others_);

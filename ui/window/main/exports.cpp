@@ -43,7 +43,7 @@ namespace {
 
 /// Returns the scene with an absolute path to its profile, which is found from any folder.
 Scene withAbsoluteProfile(Scene scene) {
-  if (scene.surface.kind == SurfaceKind::Profile)
+  if (hasSurfaceFile(scene.surface))
     scene.surface.file =
         std::filesystem::absolute(scene.folder / scene.surface.file).lexically_normal().string();
   return scene;

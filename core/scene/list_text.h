@@ -1,4 +1,6 @@
-// The arms of an elastomer as JSON text: [{"modulus":1e7,"relaxation_time":0.001}, ...].
+// Lists of a scene as JSON text: the arms of an elastomer,
+// [{"modulus":1e7,"relaxation_time":0.001},
+// ...], and a table of temperature shifts, [{"temperature":293.15,"log10_shift":0}, ...].
 // Pure functions.
 #pragma once
 
@@ -12,13 +14,15 @@
 
 namespace asperity {
 
-/// One number of an arm: the table of parameters within the list.
-struct ArmMember {
+/// One number of a list's row: the table of parameters within the list.
+template <class Row>
+struct ListMember {
   const char* name;
-  double Arm::*value;
-  double most;  // at least 0
+  double Row::*value;
+  double least, most;
   const char* unit;
 };
+using ArmMember = ListMember<Arm>;
 
 /// Modulus, then relaxation time.
 std::span<const ArmMember> armMembers();
@@ -26,10 +30,15 @@ std::span<const ArmMember> armMembers();
 /// Throws InputError that names the member, such as KEY[1].modulus.
 std::vector<Arm> armsFrom(std::string_view json, const std::string& key);
 
+/// The same of a table of shifts, whose temperatures must rise from row to row.
+std::vector<ShiftPoint> shiftTableFrom(std::string_view json, const std::string& key);
+
 /// Numbers in the shortest form that reads back to the same value.
 std::string textOf(const std::vector<Arm>& arms);
+std::string textOf(const std::vector<ShiftPoint>& table);
 
 /// What a list may hold, in words.
 Message allowedArms();
+Message allowedShiftTable();
 
 }  // namespace asperity

@@ -1,0 +1,232 @@
+// asperity material: from a table of measured moduli, or a ready Prony series, to a material that
+// scenes can name; or, of a scene, where its rubber is used.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "app/command_line.h"
+#include "app/command_options.h"
+#include "app/headless_pictures.h"
+#include "app/output.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/base/regular_file.h"
+#include "core/base/text.h"
+#include "core/chart/material_sheets.h"
+#include "core/material/material_model.h"
+#include "core/scene/columns.h"
+#include "core/scene/material_tables.h"
+#include "core/scene/provenance.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/draw/png_file.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
+#include "ui/window/main/scene_library.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestFile = std::size_t{64} << 20;  // bytes of measurements
+constexpr PictureDefaults kPictures{1200, 800, "print"};
+
+constexpr NamedChoices<std::optional<ShiftKind>, 4> kShifts{{{"auto", std::nullopt},
+                                                             {"wlf", ShiftKind::Wlf},
+                                                             {"arrhenius", ShiftKind::Arrhenius},
+                                                             {"table", ShiftKind::Table}}};
+constexpr NamedChoices<ModulusKind, 3> kModuli{{{"auto", ModulusKind::Unknown},
+                                                {"shear", ModulusKind::Shear},
+                                                {"tension", ModulusKind::Tension}}};
+
+double kelvins(const std::string& text, const char* option) {
+  const auto temperature = temperatureFrom(text);
+  if (!temperature || !(*temperature > 0 && *temperature <= 2000))
+    throw InputError("", option,
+                     message("'{}' is not a temperature such as 20C, 293.15K or 68F", text));
+  return *temperature;
+}
+
+/// A modulus in Pa, or with a unit.
+double pascals(const std::string& text, const char* option) {
+  const auto quantity = quantityIn(text);
+  const auto unit = quantity ? pressureUnit(quantity->unit.empty() ? "Pa" : quantity->unit)
+                             : std::optional<double>();
+  if (!unit || !(quantity->number > 0) || !std::isfinite(quantity->number * *unit))
+    throw InputError("", option, message("'{}' is not a modulus such as 2.3MPa", text));
+  return quantity->number * *unit;
+}
+
+void checkUnit(bool isKnown, const std::string& unit, const char* option, const char* allowed) {
+  if (!unit.empty() && !isKnown)
+    throw InputError("", option, message("'{}' is not one of {}", shortened(unit), allowed));
+}
+
+MaterialChoices choicesOf(const MaterialCommand& command) {
+  MaterialChoices choices;
+  choices.columns = command.columns;
+  choices.columns.modulus = chosenFrom(kModuli, command.modulus, "--modulus");
+  choices.columns.poissonRatio = command.poissonRatio;
+  checkUnit(frequencyUnit(command.columns.frequencyUnit, false).has_value(),
+            command.columns.frequencyUnit, "--frequency-unit", "Hz, rad/s");
+  checkUnit(temperatureUnit(command.columns.temperatureUnit).has_value(),
+            command.columns.temperatureUnit, "--temperature-unit", "C, K, F");
+  checkUnit(pressureUnit(command.columns.modulusUnit).has_value(), command.columns.modulusUnit,
+            "--modulus-unit", "Pa, kPa, MPa, GPa");
+  if (!command.temperature.empty())
+    choices.columns.temperature = kelvins(command.temperature, "--temperature");
+  if (!command.referenceTemperature.empty())
+    choices.referenceTemperature = kelvins(command.referenceTemperature, "--reference-temperature");
+  for (const std::string& text : command.leftOut)
+    choices.leftOut.push_back(kelvins(text, "--leave-out"));
+  choices.temperatureTolerance = command.temperatureTolerance;
+  choices.isVertical = command.isVertical;
+  choices.series.terms = command.terms;
+  choices.series.isLiquid = command.isLiquid;
+  if (!command.equilibriumModulus.empty())
+    choices.series.equilibriumModulus =
+        pascals(command.equilibriumModulus, "--equilibrium-modulus");
+  if (!command.instantaneousModulus.empty())
+    choices.instantaneousModulus = pascals(command.instantaneousModulus, "--instantaneous-modulus");
+  choices.shift = chosenFrom(kShifts, command.shift, "--shift");
+  choices.name = command.name;
+  choices.source = command.source;
+  choices.options = command.written;
+  return choices;
+}
+
+/// A scene, by its file or as a shipped one.
+bool isScene(const std::string& file) {
+  if (file.ends_with(".json") && !fs::exists(file)) return true;
+  const RegularFile opened{fs::path(file)};
+  const std::string begin = opened.read(0, 4096);
+  const std::size_t first = begin.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != begin.npos && begin[first] == '{';
+}
+
+struct OutputFile {
+  std::string name;
+  std::string bytes;
+};
+
+class MaterialOutput {
+ public:
+  MaterialOutput(const MaterialCommand& command, const PictureStyle& style)
+      : command_(command), style_(style) {}
+
+  void addText(const std::string& name, std::string bytes) {
+    texts_.push_back({pathOf(name), std::move(bytes)});
+  }
+  void addSheet(NamedSheet sheet) { sheets_.push_back(std::move(sheet)); }
+
+  /// Everything is known by now: nothing stands in the folder that is not whole. The first text,
+  /// which says what the others are, is the last to be written.
+  void write(const std::string& origin) {
+    makeFolder(command_.output);
+    for (const OutputFile& text : texts_) checkName(text.name);
+    for (const NamedSheet& sheet : sheets_)
+      for (const char* extension : kExtensions) checkName(pathOf(sheet.name + extension));
+    HeadlessPictures pictures(style_.backend);
+    for (const NamedSheet& sheet : sheets_) {
+      DiagramOptions options{style_.width, style_.height, style_.scale, style_.theme};
+      if (style_.transparent) options.theme.background.a = 0;
+      const DrawList picture = composeDiagrams(sheet.sheet, options);
+      for (const char* extension : kExtensions)
+        pictures.write(pathOf(sheet.name + extension), picture,
+                       {translated(sheet.sheet.title), origin, style_.scale});
+    }
+    pictures.finish();
+    for (auto text = texts_.rbegin(); text != texts_.rend(); ++text)
+      writeFileAtomically(text->name, text->bytes);
+  }
+
+  std::string summary() const {
+    std::string lines;
+    for (const OutputFile& text : texts_) lines += wroteLine(text.name);
+    for (const NamedSheet& sheet : sheets_)
+      lines += wroteLine(pathOf(sheet.name + ".png") + " (.svg, .pdf)");
+    return lines;
+  }
+
+ private:
+  static constexpr const char* kExtensions[]{".png", ".svg", ".pdf"};
+
+  std::string pathOf(const std::string& name) const {
+    return (fs::path(command_.output) / name).string();
+  }
+  void checkName(const std::string& name) const {
+    checkWritable(name);
+    checkNoInput(name, {command_.common.scene});
+  }
+
+  const MaterialCommand& command_;
+  const PictureStyle& style_;
+  std::vector<OutputFile> texts_;
+  std::vector<NamedSheet> sheets_;
+};
+
+void refuseSceneOptions(const MaterialCommand& command) {
+  if (!command.common.assignments.empty())
+    throw InputError("", "--set", "sets keys of a scene, and this file is a table of moduli");
+}
+
+int makeFromMeasurements(const MaterialCommand& command, const PictureStyle& style) {
+  refuseSceneOptions(command);
+  const MaterialChoices choices = choicesOf(command);
+  const std::string& file = command.common.scene;
+  const Material material = makeMaterial(readRegularFile(file, kLargestFile), file, choices);
+  const std::string json = materialJson(material);
+  MaterialOutput output(command, style);
+  output.addText("material.json", json);
+  output.addText("prony.csv", pronyCsv(material));
+  if (material.isMeasured()) {
+    output.addText("isotherms.csv", isothermsCsv(material));
+    output.addText("shifts.csv", shiftsCsv(material));
+  }
+  for (NamedSheet& sheet : materialSheets(material)) output.addSheet(std::move(sheet));
+  nlohmann::ordered_json origin = materialOrigin(material);
+  origin["picture"] = style.json();
+  output.write(provenanceLine(origin));
+  std::string text = material.name + "\n";
+  for (const Message& line : materialSummary(material)) text += "  " + translated(line) + "\n";
+  printSummary(command.common.json, command.common.quiet, text + output.summary());
+  if (command.common.json) fmt::print("{}", json);
+  return kDone;
+}
+
+int showInScene(const MaterialCommand& command, const PictureStyle& style) {
+  if (!command.written.empty())
+    throw InputError("", command.written.front().first,
+                     "is of a table of moduli, and this file is a scene");
+  const Scene scene = sceneOf(command.common);
+  return withSceneContext(command.common, [&] {
+    const Excitation excitation = excitationOf(scene);
+    MaterialOutput output(command, style);
+    output.addText("excitation.csv",
+                   provenanceComment("material", scene) + excitationCsv(scene, excitation));
+    output.addSheet({"excitation", excitationSheet(scene, excitation)});
+    nlohmann::ordered_json origin = provenance("material", scene);
+    origin["picture"] = style.json();
+    output.write(provenanceLine(origin));
+    printSummary(command.common.json, command.common.quiet,
+                 translated(excitationInWords(scene, excitation)) + "\n" + output.summary());
+    if (command.common.json) {
+      nlohmann::ordered_json answer = provenance("material", scene);
+      answer["excitation"] = excitationJson(scene, excitation);
+      fmt::print("{}\n", answer.dump(2));
+    }
+    return kDone;
+  });
+}
+
+}  // namespace
+
+int runMaterial(const MaterialCommand& command) {
+  checkFolderName(command.output);
+  const PictureStyle style = styleOf(command.picture, kPictures);
+  return isScene(command.common.scene) ? showInScene(command, style)
+                                       : makeFromMeasurements(command, style);
+}
+
+}  // namespace asperity

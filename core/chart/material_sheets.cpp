@@ -1,0 +1,405 @@
+#include "core/chart/material_sheets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/scene/columns.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kPointsPerDecade = 24;  // of fitted curves
+
+/// Evenly spaced in the logarithm, both ends included.
+std::vector<double> frequencies(double from, double to) {
+  const int count = std::max(2, static_cast<int>(kPointsPerDecade * std::log10(to / from)) + 2);
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i)
+    values.push_back(from * std::pow(to / from, double(i) / (count - 1)));
+  return values;
+}
+
+DiagramAxis frequencyAxis(Message title) {
+  return {std::move(title), "Hz"};
+}
+
+Message at(double temperature) {
+  return message("at {}", celsius(temperature));
+}
+
+/// 0 for the coldest isotherm, 1 for the warmest.
+double rampOf(const Material& material, std::size_t isotherm) {
+  const double from = material.isotherms.front().temperature;
+  const double to = material.isotherms.back().temperature;
+  return to > from ? (material.isotherms[isotherm].temperature - from) / (to - from) : 0.5;
+}
+
+std::optional<DiagramRamp> temperatureRamp(const Material& material) {
+  if (material.isotherms.size() < 2) return {};
+  return DiagramRamp{"temperature", celsius(material.isotherms.front().temperature),
+                     celsius(material.isotherms.back().temperature)};
+}
+
+using Reading = double (*)(const DynamicModulus&);
+double storageOf(const DynamicModulus& modulus) {
+  return modulus.storage;
+}
+double lossOf(const DynamicModulus& modulus) {
+  return modulus.loss;
+}
+double tangentOf(const DynamicModulus& modulus) {
+  return modulus.loss / modulus.storage;
+}
+
+/// As measured: a line with marks for each temperature.
+Diagram isothermDiagram(const Material& material, Message title, const char* unit,
+                        Reading reading) {
+  Diagram diagram;
+  diagram.x = frequencyAxis("frequency f");
+  diagram.y = {std::move(title), unit};
+  for (std::size_t i = 0; i < material.isotherms.size(); ++i) {
+    DiagramSeries series;
+    series.mark = SeriesMark::Circle;
+    series.ramp = rampOf(material, i);
+    for (const DynamicModulus& point : material.isotherms[i].points)
+      series.points.push_back({point.frequency, reading(point)});
+    diagram.series.push_back(std::move(series));
+  }
+  diagram.ramp = temperatureRamp(material);
+  return diagram;
+}
+
+/// The master curve's points in the colours of their temperatures.
+void addMasterPoints(const Material& material, Diagram& diagram, Reading reading, SeriesMark mark,
+                     Message name) {
+  std::vector<DiagramSeries> series(material.isotherms.size());
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    series[i].mark = mark;
+    series[i].stroke = SeriesStroke::None;
+    series[i].ramp = rampOf(material, i);
+  }
+  if (!series.empty()) series.front().name = std::move(name);
+  for (const MasterPoint& point : material.curve.points)
+    series[point.isotherm].points.push_back({point.modulus.frequency, reading(point.modulus)});
+  for (DiagramSeries& one : series) diagram.series.push_back(std::move(one));
+}
+
+DiagramSeries fittedSeries(const Material& material, double from, double to, Reading reading,
+                           Message name, SeriesStroke stroke) {
+  DiagramSeries series;
+  series.name = std::move(name);
+  series.isTheory = true;
+  series.stroke = stroke;
+  for (const double frequency : frequencies(from, to))
+    series.points.push_back({frequency, reading(modulusAt(material.series, frequency))});
+  return series;
+}
+
+/// What the fit covers: the measured range, or that of the relaxation times.
+FrequencyRange fittedRange(const Material& material) {
+  if (material.isMeasured())
+    return {material.curve.lowestFrequency(), material.curve.highestFrequency()};
+  FrequencyRange range{0.01, 1e4};
+  if (!material.series.arms.empty()) {
+    range.from = 0.1 / (2 * std::numbers::pi * material.series.arms.front().relaxationTime);
+    range.to = 10 / (2 * std::numbers::pi * material.series.arms.back().relaxationTime);
+  }
+  return range;
+}
+
+Message reducedFrequency(const Material& material) {
+  if (material.isotherms.size() < 2)
+    return message("frequency f {}", at(material.referenceTemperature));
+  return message("reduced frequency f a\u1D1B {}", at(material.referenceTemperature));
+}
+
+NamedSheet isothermsSheet(const Material& material) {
+  DiagramSheet sheet;
+  sheet.title = message("{}: isotherms", material.name);
+  sheet.subtitle = material.source.empty() ? Message() : Message::name(material.source);
+  sheet.diagrams = {isothermDiagram(material, "storage modulus G'", "Pa", storageOf),
+                    isothermDiagram(material, "loss modulus G''", "Pa", lossOf)};
+  return {"isotherms", std::move(sheet)};
+}
+
+Diagram masterDiagram(const Material& material) {
+  const FrequencyRange range = fittedRange(material);
+  Diagram diagram;
+  diagram.x = frequencyAxis(reducedFrequency(material));
+  diagram.y = {"modulus G', G''", "Pa"};
+  diagram.height = 2;
+  addMasterPoints(material, diagram, storageOf, SeriesMark::Circle, "G' measured");
+  addMasterPoints(material, diagram, lossOf, SeriesMark::Triangle, "G'' measured");
+  diagram.series.push_back(fittedSeries(material, range.from, range.to, storageOf,
+                                        "G' of the series", SeriesStroke::Solid));
+  diagram.series.push_back(fittedSeries(material, range.from, range.to, lossOf, "G'' of the series",
+                                        SeriesStroke::Dashed));
+  diagram.ramp = temperatureRamp(material);
+  return diagram;
+}
+
+Diagram residualDiagram(const Material& material, const DiagramAxis& along) {
+  Diagram diagram;
+  diagram.x = along;
+  diagram.y = {"residual in %", "", AxisScale::Linear};
+  for (const bool isLoss : {false, true}) {
+    DiagramSeries series;
+    series.name = isLoss ? "G''" : "G'";
+    series.mark = isLoss ? SeriesMark::Triangle : SeriesMark::Circle;
+    series.stroke = SeriesStroke::None;
+    for (const MasterPoint& point : material.curve.points) {
+      const DynamicModulus fitted = modulusAt(material.series, point.modulus.frequency);
+      const double part =
+          isLoss ? fitted.loss / point.modulus.loss : fitted.storage / point.modulus.storage;
+      series.points.push_back({point.modulus.frequency, 100 * (part - 1)});
+    }
+    diagram.series.push_back(std::move(series));
+  }
+  DiagramSeries zero;
+  zero.isTheory = true;
+  zero.points = {{material.curve.lowestFrequency(), 0}, {material.curve.highestFrequency(), 0}};
+  diagram.series.push_back(std::move(zero));
+  return diagram;
+}
+
+NamedSheet masterSheet(const Material& material) {
+  DiagramSheet sheet;
+  sheet.title = message("{}: master curve", material.name);
+  sheet.subtitle = sentences({});
+  sheet.diagrams = {masterDiagram(material)};
+  sheet.columns = 1;
+  if (material.isMeasured()) {
+    const FrequencyRange range = fittedRange(material);
+    sheet.subtitle =
+        message("{} arms, G = {} in equilibrium, rms residual {} % of G' and {} % of G''",
+                material.series.arms.size(),
+                PrintedNumber{printedQuantity(material.series.equilibriumModulus, "Pa")},
+                PrintedNumber{printedNumber(100 * material.series.rmsStorage, 2)},
+                PrintedNumber{printedNumber(100 * material.series.rmsLoss, 2)});
+    Diagram& master = sheet.diagrams.front();
+    master.x.from = range.from / 1.5;
+    master.x.to = range.to * 1.5;
+    sheet.diagrams.push_back(residualDiagram(material, master.x));
+    sheet.sharesAxis = true;
+    if (!material.curve.isThermorheologicallySimple)
+      sheet.note =
+          "Not thermorheologically simple: G' and G'' alone ask for different shifts, and the "
+          "points of one temperature leave the curve.";
+  }
+  return {"master_curve", std::move(sheet)};
+}
+
+NamedSheet tangentSheet(const Material& material) {
+  const FrequencyRange range = fittedRange(material);
+  DiagramSheet sheet;
+  sheet.title = message("{}: loss tangent", material.name);
+  Diagram diagram;
+  diagram.x = frequencyAxis(reducedFrequency(material));
+  diagram.y = {"loss tangent tan \u03B4", ""};
+  addMasterPoints(material, diagram, tangentOf, SeriesMark::Circle, "measured");
+  diagram.series.push_back(
+      fittedSeries(material, range.from, range.to, tangentOf, "Prony series", SeriesStroke::Solid));
+  diagram.ramp = temperatureRamp(material);
+  sheet.diagrams = {std::move(diagram)};
+  return {"loss_tangent", std::move(sheet)};
+}
+
+/// A formula over the temperatures of the table.
+DiagramSeries formulaSeries(const Material& material, const TemperatureFit& fit, Message name,
+                            SeriesStroke stroke) {
+  constexpr int kPoints = 100;
+  DiagramSeries series;
+  series.name = std::move(name);
+  series.isTheory = true;
+  series.stroke = stroke;
+  const double from = material.isotherms.front().temperature;
+  const double to = material.isotherms.back().temperature;
+  for (int i = 0; i <= kPoints; ++i) {
+    const double temperature = from + (to - from) * i / kPoints;
+    try {
+      series.points.push_back({temperature, log10ShiftFactor(fit.shift, temperature)});
+    } catch (const InputError&) {
+      continue;  // the formula has no value there
+    }
+  }
+  return series;
+}
+
+NamedSheet shiftsSheet(const Material& material) {
+  DiagramSheet sheet;
+  sheet.title = message("{}: shifts with temperature", material.name);
+  Diagram diagram;
+  diagram.x = {"temperature T", "K", AxisScale::Linear};
+  diagram.y = {"shift log\u2081\u2080 a\u1D1B", "", AxisScale::Linear};
+  DiagramSeries both{.name = "from both moduli", .mark = SeriesMark::Circle};
+  DiagramSeries storage{
+      .name = "from G' alone", .mark = SeriesMark::Square, .stroke = SeriesStroke::Dotted};
+  DiagramSeries loss{
+      .name = "from G'' alone", .mark = SeriesMark::Triangle, .stroke = SeriesStroke::Dotted};
+  for (const IsothermShift& shift : material.curve.shifts) {
+    DiagramPoint point{shift.temperature, shift.log10Shift};
+    if (std::isfinite(shift.standardError) && shift.standardError > 0) {
+      point.low = shift.log10Shift - shift.standardError;
+      point.high = shift.log10Shift + shift.standardError;
+    }
+    both.points.push_back(point);
+    storage.points.push_back({shift.temperature, shift.fromStorage});
+    loss.points.push_back({shift.temperature, shift.fromLoss});
+  }
+  diagram.series = {std::move(storage), std::move(loss), std::move(both)};
+  if (material.wlf.isDefined)
+    diagram.series.push_back(formulaSeries(
+        material, material.wlf,
+        message("WLF, {} decades rms", PrintedNumber{printedNumber(material.wlf.rms, 2)}),
+        SeriesStroke::Solid));
+  if (material.arrhenius.isDefined)
+    diagram.series.push_back(
+        formulaSeries(material, material.arrhenius,
+                      message("Arrhenius, {} decades rms",
+                              PrintedNumber{printedNumber(material.arrhenius.rms, 2)}),
+                      SeriesStroke::Dashed));
+  sheet.diagrams = {std::move(diagram)};
+  return {"shifts", std::move(sheet)};
+}
+
+// ---- In a scene
+// ----------------------------------------------------------------------------------
+
+/// What a diagram over frequency shows: the band, what was measured, and a bit more.
+FrequencyRange shownRange(const std::optional<FrequencyRange>& measured,
+                          const std::optional<ExcitedBand>& band, const ElementLaw& law) {
+  FrequencyRange range{1, 1};
+  if (band) range = {band->from, band->to};
+  if (measured) {
+    range.from = band ? std::min(range.from, measured->from) : measured->from;
+    range.to = band ? std::max(range.to, measured->to) : measured->to;
+  }
+  if (!band && !measured && !law.arms.empty())
+    range = {1 / law.arms.front().relaxationTime, 1 / law.arms.back().relaxationTime};
+  return {range.from / 10, range.to * 10};
+}
+
+DiagramSeries lawSeries(const ElementLaw& law, const FrequencyRange& range, Reading reading,
+                        Message name) {
+  DiagramSeries series;
+  series.name = std::move(name);
+  for (const double frequency : frequencies(range.from, range.to)) {
+    const ComplexModulus modulus = complexModulus(law, 2 * std::numbers::pi * frequency);
+    series.points.push_back({frequency, reading({frequency, modulus.storage, modulus.loss})});
+  }
+  return series;
+}
+
+Message bandLabel(const Scene& scene) {
+  return message("excited at {}", PrintedNumber{printedQuantity(scene.sliding.velocity, "m/s")});
+}
+
+}  // namespace
+
+std::vector<NamedSheet> materialSheets(const Material& material) {
+  if (!material.isMeasured()) return {masterSheet(material), tangentSheet(material)};
+  std::vector<NamedSheet> sheets{isothermsSheet(material), masterSheet(material),
+                                 tangentSheet(material)};
+  if (material.isotherms.size() > 1) sheets.push_back(shiftsSheet(material));
+  return sheets;
+}
+
+DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
+  const ElementLaw law = lawOf(scene.elastomer);
+  const auto measured = measuredFrequencies(scene.elastomer);
+  const auto band = excitation.band(scene.sliding.velocity);
+  const FrequencyRange range = shownRange(measured, band, law);
+
+  Diagram moduli, tangent, weights;
+  moduli.x = frequencyAxis("frequency f");
+  moduli.x.from = range.from;
+  moduli.x.to = range.to;
+  tangent.x = weights.x = moduli.x;
+  moduli.height = 2;
+  moduli.y = {"modulus G', G''", "Pa"};
+  moduli.series = {lawSeries(law, range, storageOf, "storage modulus G'"),
+                   lawSeries(law, range, lossOf, "loss modulus G''")};
+  tangent.y = {"tan \u03B4", ""};
+  tangent.series = {lawSeries(law, range, tangentOf, {})};
+  weights.y = {"share of the loss", "", AxisScale::Linear, 0, 1.05};
+  DiagramSeries share;
+  for (const Excitation::Weight& weight : excitation.weights(scene.sliding.velocity))
+    if (weight.frequency >= range.from && weight.frequency <= range.to)
+      share.points.push_back({weight.frequency, weight.weight});
+  weights.series = {std::move(share)};
+  if (!band) weights.blank = "nothing is dissipated at this velocity";
+
+  DiagramSheet sheet;
+  for (Diagram* diagram : {&moduli, &tangent, &weights}) {
+    if (measured) diagram->spans.push_back({measured->from, measured->to, "measured", {}, {}});
+    if (band) diagram->shades.push_back({band->from, band->to, bandLabel(scene), {}, {}});
+  }
+  tangent.spans.clear();
+  weights.spans.clear();
+  for (Diagram* diagram : {&tangent, &weights})
+    for (DiagramSpan& shade : diagram->shades) shade.label = {};
+  sheet.title = message("Where the rubber is used at {}", celsius(scene.elastomer.temperature));
+  sheet.subtitle = excitationInWords(scene, excitation);
+  sheet.diagrams = {std::move(moduli), std::move(tangent), std::move(weights)};
+  sheet.columns = 1;
+  sheet.sharesAxis = true;
+  sheet.note =
+      "Tinted: from 5 to 95 % of q C1(q) G''(q v), the loss in complete contact; below per decade "
+      "of "
+      "frequency, q\u00B2 C1 G'', over its largest value.";
+  return sheet;
+}
+
+DiagramSheet excitationSheet(const Scene& scene) {
+  return excitationSheet(scene, excitationOf(scene));
+}
+
+std::string excitationCsv(const Scene& scene, const Excitation& excitation) {
+  const ElementLaw law = lawOf(scene.elastomer);
+  std::string text = joinedColumns({"frequency", "storage_modulus", "loss_modulus", "loss_tangent",
+                                    "excitation_weight"}) +
+                     "\n";
+  for (const Excitation::Weight& weight : excitation.weights(scene.sliding.velocity)) {
+    const ComplexModulus modulus = complexModulus(law, 2 * std::numbers::pi * weight.frequency);
+    text += fmt::format("{},{},{},{},{}\n", weight.frequency, modulus.storage, modulus.loss,
+                        modulus.loss / modulus.storage, weight.weight);
+  }
+  return text;
+}
+
+nlohmann::ordered_json excitationJson(const Scene& scene, const Excitation& excitation) {
+  using Json = nlohmann::ordered_json;
+  const auto band = excitation.band(scene.sliding.velocity);
+  const auto measured = measuredFrequencies(scene.elastomer);
+  const double outside = excitation.shareNotMeasured(scene.sliding.velocity);
+  return {{"frequency_from", band ? Json(band->from) : Json()},
+          {"frequency_median", band ? Json(band->median) : Json()},
+          {"frequency_to", band ? Json(band->to) : Json()},
+          {"measured_from", measured ? Json(measured->from) : Json()},
+          {"measured_to", measured ? Json(measured->to) : Json()},
+          {"share_not_measured", std::isfinite(outside) ? Json(outside) : Json()}};
+}
+
+Message excitationInWords(const Scene& scene, const Excitation& excitation) {
+  const double velocity = scene.sliding.velocity;
+  const auto band = excitation.band(velocity);
+  if (!band) return "the line excites no loss at this velocity";
+  const auto hertz = [](double value) { return PrintedNumber{printedQuantity(value, "Hz")}; };
+  const Message excited = message("at {} the line excites {} to {}, half of the loss below {}",
+                                  PrintedNumber{printedQuantity(velocity, "m/s")},
+                                  hertz(band->from), hertz(band->to), hertz(band->median));
+  const auto measured = measuredFrequencies(scene.elastomer);
+  const double outside = excitation.shareNotMeasured(velocity);
+  if (!measured || std::isnan(outside)) return excited;
+  return message("{}; measured were {} to {}, {} % of the loss is extrapolated", excited,
+                 hertz(measured->from), hertz(measured->to),
+                 PrintedNumber{printedNumber(100 * outside, 2)});
+}
+
+}  // namespace asperity

@@ -1,0 +1,128 @@
+#include "core/friction/excitation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "core/surface/line_source.h"
+#include "core/surface/spectrum.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kStretchesPerDecade = 32;
+
+double frequencyOf(double waveNumber, double velocity) {
+  return waveNumber * velocity / (2 * std::numbers::pi);
+}
+
+}  // namespace
+
+std::optional<FrequencyRange> measuredFrequencies(const Elastomer& elastomer) {
+  const MeasuredRange& range = elastomer.measured;
+  if (elastomer.rheology != Rheology::Prony || !(range.frequencyTo > 0)) return {};
+  const double shift = shiftFactor(elastomer.shift, elastomer.temperature);
+  return FrequencyRange{range.frequencyFrom / shift, range.frequencyTo / shift};
+}
+
+bool isAtForeignTemperature(const Elastomer& elastomer) {
+  const MeasuredRange& range = elastomer.measured;
+  if (elastomer.rheology != Rheology::Prony || !(range.temperatureTo > 0)) return false;
+  // Isotherms are a few tenths of a kelvin off what was set.
+  constexpr double kNear = 0.5;  // K
+  return elastomer.temperature < range.temperatureFrom - kNear ||
+         elastomer.temperature > range.temperatureTo + kNear;
+}
+
+bool isExtrapolated(double shareNotMeasured) {
+  return !std::isnan(shareNotMeasured) && shareNotMeasured > kMostNotMeasured;
+}
+
+NoteSet notesOf(const Elastomer& elastomer, const LineSource& source, double shareNotMeasured) {
+  NoteSet notes;
+  notes.add(Note::ExtrapolatedMaterial, isExtrapolated(shareNotMeasured));
+  notes.add(Note::ExtrapolatedTemperature, isAtForeignTemperature(elastomer));
+  const double strain = elastomer.measured.strainAmplitude;
+  notes.add(Note::StrainBeyondMeasured, elastomer.rheology == Rheology::Prony && strain > 0 &&
+                                            source.statistics().rmsSlope > strain);
+  return notes;
+}
+
+Excitation::Excitation(const Scene& scene, const LineSource& source)
+    : law_(lawOf(scene.elastomer)), measured_(measuredFrequencies(scene.elastomer)) {
+  const FourierLine modes = modesOf(source);
+  const double lowest = 2 * std::numbers::pi / modes.length;
+  // Logarithms of wave numbers are averaged by strength.
+  struct Sum {
+    double strength = 0, logWave = 0;
+    std::size_t count = 0;
+  };
+  std::map<int, Sum> sums;
+  for (std::size_t j = 0; j < modes.coefficients.size(); ++j) {
+    const auto number = static_cast<double>(j + 1);
+    const double strength = lowest * number * std::norm(modes.coefficients[j]);
+    if (!(strength > 0)) continue;
+    Sum& sum = sums[static_cast<int>(std::floor(kStretchesPerDecade * std::log10(number)))];
+    sum.strength += strength;
+    sum.logWave += strength * std::log(lowest * number);
+    ++sum.count;
+  }
+  for (const auto& [place, sum] : sums) {
+    const double wave = std::exp(sum.logWave / sum.strength);
+    // A single mode of the long waves covers the distance to its neighbours.
+    const double decades = static_cast<double>(sum.count) * lowest / wave / std::numbers::ln10;
+    stretches_.push_back({wave, sum.strength, decades});
+  }
+}
+
+std::optional<ExcitedBand> Excitation::band(double velocity) const {
+  double total = 0;
+  std::vector<double> sums;
+  for (const Stretch& stretch : stretches_) {
+    total += stretch.strength * complexModulus(law_, stretch.waveNumber * velocity).loss;
+    sums.push_back(total);
+  }
+  if (!(total > 0) || !std::isfinite(total)) return {};
+  const auto at = [&](double share) {
+    const auto found = std::ranges::lower_bound(sums, share * total);
+    const auto i = std::min<std::ptrdiff_t>(found - sums.begin(), std::ssize(sums) - 1);
+    return frequencyOf(stretches_[static_cast<std::size_t>(i)].waveNumber, velocity);
+  };
+  return ExcitedBand{at(0.05), at(0.5), at(0.95)};
+}
+
+double Excitation::shareNotMeasured(double velocity) const {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  if (!measured_) return kUnknown;
+  double total = 0, outside = 0;
+  for (const Stretch& stretch : stretches_) {
+    const double weight =
+        stretch.strength * complexModulus(law_, stretch.waveNumber * velocity).loss;
+    const double frequency = frequencyOf(stretch.waveNumber, velocity);
+    total += weight;
+    if (frequency < measured_->from || frequency > measured_->to) outside += weight;
+  }
+  return total > 0 && std::isfinite(total) ? outside / total : kUnknown;
+}
+
+std::vector<Excitation::Weight> Excitation::weights(double velocity) const {
+  std::vector<Weight> weights;
+  double largest = 0;
+  for (const Stretch& stretch : stretches_) {
+    const double loss = complexModulus(law_, stretch.waveNumber * velocity).loss;
+    weights.push_back(
+        {frequencyOf(stretch.waveNumber, velocity), stretch.strength * loss / stretch.decades});
+    largest = std::max(largest, weights.back().weight);
+  }
+  if (!(largest > 0)) return {};
+  for (Weight& weight : weights) weight.weight /= largest;
+  return weights;
+}
+
+Excitation excitationOf(const Scene& scene) {
+  return {scene, LineSource(scene, pointsPerElement(scene))};
+}
+
+}  // namespace asperity

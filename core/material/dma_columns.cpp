@@ -1,0 +1,233 @@
+#include "core/material/dma_columns.h"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <numbers>
+#include <utility>
+
+#include "core/base/text_number.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kZeroCelsius = 273.15;  // K
+
+void replaceAll(std::string& text, std::string_view from, std::string_view to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
+    text.replace(at, from.size(), to);
+}
+
+/// In small letters, with plain primes, Greek letters as words, and without blanks, "_", "-" and
+/// ".".
+std::string compact(std::string_view given) {
+  std::string text = lowerCase(given);
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kReplacements{{
+      {"\u2033", "''"},    {"\u201D", "''"},    {"\u201C", "''"},     {"\"", "''"},
+      {"\u2032", "'"},     {"\u2019", "'"},     {"\u2018", "'"},      {"\u00B4", "'"},
+      {"`", "'"},          {"\u03B4", "delta"}, {"\u0394", "delta"},  {"\u03C9", "omega"},
+      {"\u03A9", "omega"}, {"\u03B3", "gamma"}, {"\u03B5", "strain"}, {"\u03D1", "temp"},
+      {"\u03B8", "temp"},  {"\u00E4", "ae"},    {"\u00F6", "oe"},     {"\u00FC", "ue"},
+      {"\u00B7", ""},      {"\u00A0", ""},      {"\u2217", "*"},      {"\u00B0", ""},
+  }};
+  for (const auto& [from, to] : kReplacements) replaceAll(text, from, to);
+  std::erase_if(text, [](char letter) {
+    return letter == ' ' || letter == '_' || letter == '-' || letter == '.' || letter == '\t' ||
+           letter == '(' || letter == ')' || letter == '[' || letter == ']' || letter == '{' ||
+           letter == '}' || letter == ',' || letter == ':' || letter == '@';
+  });
+  return text;
+}
+
+bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+bool containsAny(std::string_view text, std::initializer_list<std::string_view> words) {
+  return std::ranges::any_of(words,
+                             [&](std::string_view word) { return text.find(word) != text.npos; });
+}
+
+ModulusKind kindOf(std::string_view word) {
+  if (containsAny(word, {"shear", "schub", "torsion"})) return ModulusKind::Shear;
+  if (containsAny(word, {"young", "tensil", "tension", "zug", "bend", "biege", "compress"}))
+    return ModulusKind::Tension;
+  // "g'", "|e*|", "storagemodulusg'", "estorage"
+  if (word.starts_with("g") && word != "gamma") return ModulusKind::Shear;
+  if (word.starts_with("|g")) return ModulusKind::Shear;
+  if (word.starts_with("|e") || (word.starts_with("e") && !word.starts_with("elastic")))
+    return ModulusKind::Tension;
+  if (word.find("g'") != word.npos || word.find("g*") != word.npos) return ModulusKind::Shear;
+  if (word.find("e'") != word.npos || word.find("e*") != word.npos) return ModulusKind::Tension;
+  return ModulusKind::Unknown;
+}
+
+DmaQuantity quantityOf(std::string_view word) {
+  using enum DmaQuantity;
+  if (word.empty()) return None;
+  const bool isLossTangent =
+      containsAny(word, {"tandelta", "tand", "tan\u03B4", "losstangent", "lossfactor", "losstan",
+                         "dampingfactor", "verlustfaktor", "daempfungsfaktor", "tangentdelta"}) ||
+      word == "tan";
+  if (isLossTangent) return LossTangent;
+  if (containsAny(word, {"viscosity", "viskositaet", "compliance", "nachgiebigkeit", "error",
+                         "stdev", "strainrate"}))
+    return None;
+  if (containsAny(word, {"freq", "frequenz"}) ||
+      isOneOf(word, {"f", "nu", "omega", "w", "angular"}))
+    return containsAny(word, {"reduc", "reduz", "shift", "master", "*at", "at*"}) ||
+                   word.starts_with("atf") || word.ends_with("yat") || word.ends_with("qat")
+               ? ReducedFrequency
+               : Frequency;
+  if (isOneOf(word, {"at*f", "atf", "fat", "f*at", "omega*at", "omegaat", "atomega", "at*omega"}))
+    return ReducedFrequency;
+  if (word.starts_with("temp") || isOneOf(word, {"t", "tc", "tk", "tcelsius", "tkelvin"}))
+    return Temperature;
+  if (containsAny(word, {"''", "lossmod", "gloss", "eloss", "verlustmodul", "doubleprime",
+                         "viscousmod", "modulusloss", "dprime"}) ||
+      isOneOf(word, {"loss", "g2", "e2", "gpp", "epp", "lossg", "losse", "gimag", "eimag"}))
+    return Loss;
+  if (containsAny(word, {"g'", "e'", "storage", "speicher", "gprime", "eprime", "elasticmod"}) ||
+      isOneOf(word, {"g1", "e1", "gp", "ep", "greal", "ereal"}))
+    return Storage;
+  if (containsAny(word, {"phase", "phasen", "lossangle", "verlustwinkel"}) || word == "delta")
+    return Phase;
+  if (containsAny(word, {"g*", "e*", "complexmod", "komplexermod", "dynamicmod", "absmod"}) ||
+      isOneOf(word, {"gabs", "eabs", "|g|", "|e|", "gstar", "estar", "gmag", "emag"}))
+    return Magnitude;
+  if (containsAny(word, {"strain", "gamma", "dehnung", "deformation"})) return Strain;
+  return None;
+}
+
+bool isDigit(char letter) {
+  return letter >= '0' && letter <= '9';
+}
+
+/// A temperature with its unit that begins at this place.
+struct FoundTemperature {
+  double kelvin = 0;
+  std::size_t end = 0;
+};
+
+std::optional<FoundTemperature> temperatureAt(std::string_view text, std::size_t begin) {
+  std::size_t end = begin;
+  std::string number;
+  constexpr std::string_view kMinus = "\u2212";
+  if (text.substr(end).starts_with(kMinus)) {
+    number = "-";
+    end += kMinus.size();
+  } else if (text[end] == '-' || text[end] == '+') {
+    if (text[end] == '-') number = "-";
+    ++end;
+  }
+  const std::size_t digits = end;
+  while (end < text.size() && (isDigit(text[end]) || text[end] == '.' || text[end] == ','))
+    number += text[end] == ',' ? '.' : text[end], ++end;
+  if (end == digits || !isDigit(text[digits])) return {};
+  double value = 0;
+  if (!readTextNumber(number, '.', value)) return {};
+  while (end < text.size() && (text[end] == ' ' || text[end] == '_')) ++end;
+  // The longest unit first; a letter behind it belongs to another word.
+  for (const std::string_view unit :
+       {"\u00B0C", "\u00BAC", "\u2103", "degC", "deg C", "\u00B0 C", "\u00B0F", "degF", "Celsius",
+        "celsius", "Kelvin", "C", "K", "F"}) {
+    if (!text.substr(end).starts_with(unit)) continue;
+    const std::size_t behind = end + unit.size();
+    if (behind < text.size() && std::isalnum(static_cast<unsigned char>(text[behind]))) continue;
+    const TemperatureUnit scale = *temperatureUnit(unit == "\u00B0 C" ? "C" : unit);
+    return FoundTemperature{scale.offset + scale.size * value, behind};
+  }
+  return {};
+}
+
+/// The first temperature in the text, and where it stands.
+std::optional<std::pair<std::size_t, FoundTemperature>> findTemperature(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i > 0 && (isDigit(text[i - 1]) || text[i - 1] == '.')) continue;
+    if (const auto found = temperatureAt(text, i)) return std::pair(i, *found);
+  }
+  return {};
+}
+
+}  // namespace
+
+DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
+  DmaColumn column;
+  std::string word(name);
+  for (const std::string_view part : {name, unit})
+    if (const auto found = findTemperature(part)) {
+      column.temperature = found->second.kelvin;
+      if (part.data() == name.data())
+        word =
+            std::string(name.substr(0, found->first)) + std::string(name.substr(found->second.end));
+      break;
+    }
+  const std::string plain = compact(word);
+  column.quantity = quantityOf(plain);
+  column.kind = kindOf(plain);
+  column.isAngular = containsAny(plain, {"omega", "angular", "kreisfreq"}) || plain == "w";
+  return column;
+}
+
+std::optional<double> temperatureIn(std::string_view text) {
+  const auto found = findTemperature(text);
+  return found ? std::optional(found->second.kelvin) : std::nullopt;
+}
+
+std::optional<double> temperatureFrom(std::string_view text) {
+  const auto quantity = quantityIn(text);
+  if (!quantity) return {};
+  if (quantity->unit.empty()) return quantity->number;
+  const auto unit = temperatureUnit(quantity->unit);
+  return unit ? std::optional(unit->offset + unit->size * quantity->number) : std::nullopt;
+}
+
+std::optional<double> frequencyUnit(std::string_view unit, bool isAngular) {
+  constexpr double kAngular = 0.5 / std::numbers::pi;
+  if (unit.empty()) return isAngular ? kAngular : 1;
+  const std::string word = lowerCase(unit);
+  if (isOneOf(word, {"hz", "hertz", "cps"})) return 1;
+  if (isOneOf(word, {"1/s", "s-1", "s^-1", "s\u207B\u00B9"})) return isAngular ? kAngular : 1;
+  if (word == "khz") return 1e3;
+  if (unit == "MHz") return 1e6;
+  if (unit == "mHz") return 1e-3;
+  if (unit == "GHz") return 1e9;
+  if (word == "rpm") return 1.0 / 60;
+  if (word.starts_with("rad")) return kAngular;
+  return {};
+}
+
+std::optional<double> pressureUnit(std::string_view unit) {
+  const std::string word = lowerCase(unit);
+  if (word == "pa" || isOneOf(word, {"n/m2", "n/m\u00B2", "n/m^2"})) return 1;
+  if (unit == "mPa") return 1e-3;
+  if (word == "kpa") return 1e3;
+  if (word == "hpa" || word == "mbar") return 1e2;
+  if (word == "mpa" || isOneOf(word, {"n/mm2", "n/mm\u00B2", "n/mm^2"})) return 1e6;
+  if (word == "gpa") return 1e9;
+  if (word == "bar") return 1e5;
+  if (word == "psi") return 6894.757293168361;
+  if (isOneOf(word, {"dyn/cm2", "dyn/cm\u00B2", "dyn/cm^2"})) return 0.1;
+  return {};
+}
+
+std::optional<TemperatureUnit> temperatureUnit(std::string_view unit) {
+  std::string word = lowerCase(unit);
+  for (const std::string_view mark : {"\u00B0", "\u00BA", "deg", ".", " "})
+    replaceAll(word, mark, "");
+  if (isOneOf(word, {"c", "celsius", "\u2103"})) return TemperatureUnit{kZeroCelsius, 1};
+  if (isOneOf(word, {"k", "kelvin"})) return TemperatureUnit{0, 1};
+  if (isOneOf(word, {"f", "fahrenheit"}))
+    return TemperatureUnit{kZeroCelsius - 32 * 5.0 / 9, 5.0 / 9};
+  return {};
+}
+
+std::optional<double> angleUnit(std::string_view unit) {
+  const std::string word = lowerCase(unit);
+  if (isOneOf(word, {"deg", "degree", "degrees", "\u00B0", "grad"})) return std::numbers::pi / 180;
+  if (isOneOf(word, {"rad", "radian", "radians"})) return 1;
+  if (word == "mrad") return 1e-3;
+  return {};
+}
+
+}  // namespace asperity

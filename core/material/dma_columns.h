@@ -1,0 +1,60 @@
+// What the columns of a table of dynamic moduli mean: names and units as rheometers, analysers
+// (DMA) and people write them, in English and German. Pure functions; any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace asperity {
+
+enum class DmaQuantity {
+  None,
+  Frequency,
+  ReducedFrequency,  // shifted to one temperature already
+  Temperature,
+  Storage,
+  Loss,
+  LossTangent,
+  Magnitude,  // |G*|
+  Phase,
+  Strain,
+};
+
+enum class ModulusKind { Unknown, Shear, Tension };
+
+struct DmaColumn {
+  DmaQuantity quantity = DmaQuantity::None;
+  ModulusKind kind = ModulusKind::Unknown;  // of a modulus
+  bool isAngular = false;                   // of a frequency: omega by its name
+  std::optional<double> temperature{};      // K, where the name states one: "G' (20 \u00B0C)"
+};
+
+/// "G'", "E_storage", "Storage modulus", "tan(delta)", "|E*|", "omega", "Temp.", "G'' @ 20
+/// \u00B0C",
+/// ... The unit helps where the name has a temperature in its brackets.
+DmaColumn dmaColumn(std::string_view name, std::string_view unit);
+
+/// A temperature amid a text, with its unit: "sweep at 20 \u00B0C", "T = 293 K"; in K.
+std::optional<double> temperatureIn(std::string_view text);
+
+/// "20C", "20 \u00B0C", "68F", "293.15", "293.15K"; a number alone is in K. Nothing where it is
+/// none.
+std::optional<double> temperatureFrom(std::string_view text);
+
+/// Hz, of one unit; nothing where it is no unit of frequency. Empty: Hz, or rad/s for omega.
+std::optional<double> frequencyUnit(std::string_view unit, bool isAngular);
+
+/// Pa, of one unit; nothing where it is no unit of pressure.
+std::optional<double> pressureUnit(std::string_view unit);
+
+/// kelvin = offset + size * value.
+struct TemperatureUnit {
+  double offset = 0, size = 1;
+};
+std::optional<TemperatureUnit> temperatureUnit(std::string_view unit);
+
+/// Radians, of one unit; nothing where it is no unit of angle.
+std::optional<double> angleUnit(std::string_view unit);
+
+}  // namespace asperity

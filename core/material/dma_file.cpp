@@ -1,0 +1,454 @@
+#include "core/material/dma_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/text.h"
+#include "core/base/text_names.h"
+#include "core/base/text_number.h"
+
+namespace asperity {
+namespace {
+
+using enum DmaQuantity;
+
+std::string nameOf(const TextBlock& block, std::size_t column) {
+  const std::string& name = block.columns[column].name;
+  return name.empty() ? fmt::format("column {}", column + 1) : name;
+}
+
+/// The columns of one sweep, or of all where the rows state the temperature; npos: none.
+struct SweepColumns {
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::map<DmaQuantity, std::size_t> places;
+  std::optional<double> temperature{};  // K, where the columns' names state it
+
+  std::size_t operator[](DmaQuantity quantity) const {
+    const auto found = places.find(quantity);
+    return found == places.end() ? kNone : found->second;
+  }
+  bool has(DmaQuantity quantity) const { return places.contains(quantity); }
+  bool hasModuli() const {
+    return (has(Storage) && (has(Loss) || has(LossTangent))) ||
+           (has(Magnitude) && (has(Phase) || has(LossTangent))) || (has(Loss) && has(LossTangent));
+  }
+};
+
+/// Whether a column of moduli is of the kind that the user wants, or may be.
+bool isOfKind(const DmaColumn& column, ModulusKind wanted) {
+  return wanted == ModulusKind::Unknown || column.kind == ModulusKind::Unknown ||
+         column.kind == wanted;
+}
+
+bool isModulus(DmaQuantity quantity) {
+  return quantity == Storage || quantity == Loss || quantity == Magnitude;
+}
+
+class Reader {
+ public:
+  Reader(const TextTable& table, const std::string& name, const DmaChoices& choices)
+      : table_(table), name_(name), choices_(choices) {}
+
+  DmaFile read() {
+    std::size_t used = 0;
+    for (const TextBlock& block : table_.blocks) used += readBlock(block) ? 1 : 0;
+    if (used == 0) refuseColumns();
+    if (file_.rows.empty())
+      throw InputError(name_, "", "holds no row with a frequency and both moduli");
+    if (!strains_.empty()) {
+      const auto middle = strains_.begin() + std::ssize(strains_) / 2;
+      std::ranges::nth_element(strains_, middle);
+      file_.facts.strainAmplitude = *middle;
+    }
+    return std::move(file_);
+  }
+
+ private:
+  [[noreturn]] void refuseColumns() const {
+    std::vector<std::string> names;
+    const TextBlock& block = table_.largest();
+    for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(nameOf(block, i));
+    std::string list;
+    for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 12); ++i)
+      list += (i > 0 ? ", " : "") + shortened(names[i]);
+    throw InputError(
+        name_, "",
+        message("has no columns that are known as frequency, storage and loss modulus (or tan "
+                "delta, or magnitude and phase) among {}; say which they are with "
+                "--frequency-column, --storage-column and --loss-column",
+                list));
+  }
+
+  static bool isSaid(const std::string& choice) { return !choice.empty(); }
+
+  /// The columns that the user names win over those that are found.
+  void addChosen(const TextBlock& block, SweepColumns& columns) const {
+    const auto add = [&](DmaQuantity quantity, const std::string& choice, const char* option) {
+      if (isSaid(choice)) columns.places[quantity] = columnNamed(block, choice, option);
+    };
+    add(Frequency, choices_.frequencyColumn, "--frequency-column");
+    add(Temperature, choices_.temperatureColumn, "--temperature-column");
+    add(Storage, choices_.storageColumn, "--storage-column");
+    add(Loss, choices_.lossColumn, "--loss-column");
+    add(LossTangent, choices_.lossTangentColumn, "--tan-delta-column");
+    add(Magnitude, choices_.magnitudeColumn, "--magnitude-column");
+    add(Phase, choices_.phaseColumn, "--phase-column");
+    add(Strain, choices_.strainColumn, "--strain-column");
+    if (isSaid(choices_.frequencyColumn)) columns.places.erase(ReducedFrequency);
+  }
+
+  /// Of a table that has both, the shear moduli are read unless the user wants the others.
+  ModulusKind kindToRead(const std::vector<DmaColumn>& found) const {
+    if (choices_.modulus != ModulusKind::Unknown) return choices_.modulus;
+    const auto hasBoth = [&](ModulusKind kind) {
+      const auto has = [&](DmaQuantity quantity) {
+        return std::ranges::any_of(found, [&](const DmaColumn& column) {
+          return column.quantity == quantity && column.kind == kind;
+        });
+      };
+      return (has(Storage) && has(Loss)) || has(Magnitude);
+    };
+    if (hasBoth(ModulusKind::Shear) && hasBoth(ModulusKind::Tension)) return ModulusKind::Shear;
+    return ModulusKind::Unknown;
+  }
+
+  /// One set of columns, or one for each temperature that the names state.
+  std::vector<SweepColumns> sweepsOf(const TextBlock& block) const {
+    std::vector<DmaColumn> found;
+    for (const TextColumn& column : block.columns)
+      found.push_back(column.isText ? DmaColumn{} : dmaColumn(column.name, column.unit));
+    const ModulusKind kind = kindToRead(found);
+    SweepColumns common;
+    std::map<double, SweepColumns> byTemperature;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const DmaColumn& column = found[i];
+      if (column.quantity == None || (isModulus(column.quantity) && !isOfKind(column, kind)))
+        continue;
+      SweepColumns& place = column.temperature && column.quantity != Temperature
+                                ? byTemperature[*column.temperature]
+                                : common;
+      place.places.try_emplace(column.quantity, i);  // the first of several
+    }
+    addChosen(block, common);
+    const bool isWide = std::ranges::any_of(
+        byTemperature, [](const auto& entry) { return entry.second.hasModuli(); });
+    if (!isWide) {
+      for (const auto& [temperature, columns] : byTemperature)
+        for (const auto& [quantity, place] : columns.places)
+          common.places.try_emplace(quantity, place);
+      if (byTemperature.size() == 1) common.temperature = byTemperature.begin()->first;
+      return {common};
+    }
+    std::vector<SweepColumns> sweeps;
+    for (auto& [temperature, columns] : byTemperature) {
+      for (const DmaQuantity quantity : {Frequency, ReducedFrequency, Strain})
+        if (common.has(quantity)) columns.places.try_emplace(quantity, common[quantity]);
+      columns.temperature = temperature;
+      sweeps.push_back(columns);
+    }
+    return sweeps;
+  }
+
+  bool readBlock(const TextBlock& block) {
+    bool isUsed = false;
+    for (const SweepColumns& columns : sweepsOf(block)) {
+      if (!columns.has(Frequency) && !columns.has(ReducedFrequency)) continue;
+      if (!columns.hasModuli()) continue;
+      readSweep(block, columns);
+      isUsed = true;
+    }
+    return isUsed;
+  }
+
+  /// Of the lines in front of a block: "Temperature: 20 °C", "T = 293 K", "sweep at 20 °C".
+  std::optional<double> statedTemperature(const TextBlock& block) const {
+    const TextBlock* place = &block;
+    while (true) {
+      for (auto entry = place->header.rbegin(); entry != place->header.rend(); ++entry) {
+        const bool isTemperature = dmaColumn(entry->key, "").quantity == Temperature;
+        if (isTemperature)
+          if (const auto quantity = quantityIn(entry->value)) {
+            const std::string unit =
+                isSaid(choices_.temperatureUnit) ? choices_.temperatureUnit : quantity->unit;
+            const auto scale = temperatureUnit(unit.empty() ? unitInKey(entry->key) : unit);
+            if (scale) return scale->offset + scale->size * quantity->number;
+          }
+        if (const auto found = temperatureIn(entry->value)) return found;
+        if (const auto found = temperatureIn(entry->key)) return found;
+      }
+      if (place == &table_.blocks.front()) return {};
+      --place;
+    }
+  }
+
+  /// "Temperature [°C]: 20", "T/K = 293".
+  static std::string unitInKey(const std::string& key) { return columnName(key).unit; }
+
+  /// Which unit a column has; the user's word wins over the file's.
+  DmaColumnFact factOf(const TextBlock& block, std::size_t column,
+                       const std::string& choice) const {
+    DmaColumnFact fact;
+    fact.name = nameOf(block, column);
+    fact.unit = isSaid(choice) ? choice : block.columns[column].unit;
+    // "G' [20 °C]" has a temperature and no unit there.
+    if (!isSaid(choice) && temperatureIn(fact.unit)) fact.unit.clear();
+    fact.isUnitAssumed = fact.unit.empty();
+    return fact;
+  }
+
+  [[noreturn]] void refuseUnit(const DmaColumnFact& fact, const char* allowed,
+                               const char* option) const {
+    throw InputError(name_, fact.name,
+                     message("has the unit {}, which is not one of {}; {} says which is meant",
+                             shortened(fact.unit), allowed, option));
+  }
+
+  double modulusUnit(const TextBlock& block, std::size_t column, DmaColumnFact& fact) const {
+    fact = factOf(block, column, choices_.modulusUnit);
+    if (fact.unit.empty()) fact.unit = "Pa";
+    const auto unit = pressureUnit(fact.unit);
+    if (!unit) refuseUnit(fact, "Pa, kPa, MPa, GPa", "--modulus-unit");
+    return *unit;
+  }
+
+  /// What the moduli are multiplied by to be of shear.
+  double shearFactor(const TextBlock& block, std::initializer_list<std::size_t> columns) {
+    ModulusKind kind = ModulusKind::Unknown;
+    for (const std::size_t column : columns) {
+      const ModulusKind next =
+          dmaColumn(block.columns[column].name, block.columns[column].unit).kind;
+      if (next == ModulusKind::Unknown) continue;
+      if (kind != ModulusKind::Unknown && kind != next)
+        throw InputError(name_, nameOf(block, column),
+                         "is of another kind than the other modulus: one is of shear (G), one of "
+                         "tension (E); say with --storage-column and --loss-column which belong "
+                         "together");
+      kind = next;
+    }
+    if (choices_.modulus != ModulusKind::Unknown) kind = choices_.modulus;
+    if (kind == ModulusKind::Unknown)
+      throw InputError(name_, nameOf(block, *columns.begin()),
+                       "may be of shear (G) or of tension (E); say which with --modulus shear or "
+                       "--modulus tension");
+    file_.facts.modulus = kind;
+    return kind == ModulusKind::Tension ? 1 / (2 * (1 + choices_.poissonRatio)) : 1;
+  }
+
+  /// Temperatures without a unit: numbers above 200 are kelvins, no rubber is hotter in °C.
+  TemperatureUnit temperatureScale(const TextBlock& block, std::size_t column) {
+    const DmaColumnFact fact = factOf(block, column, choices_.temperatureUnit);
+    file_.facts.temperature = fact.name;
+    if (!fact.unit.empty()) {
+      const auto unit = temperatureUnit(fact.unit);
+      if (!unit) refuseUnit(fact, "C, K, F", "--temperature-unit");
+      return *unit;
+    }
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const double value : block.column(column))
+      if (std::isfinite(value))
+        lowest = std::min(lowest, value), highest = std::max(highest, value);
+    if (lowest < 200 && highest > 250)
+      throw InputError(
+          name_, fact.name,
+          message("runs from {} to {} without a unit: kelvins and degrees Celsius seem "
+                  "to be mixed; say which with --temperature-unit, or correct the "
+                  "column",
+                  lowest, highest));
+    return lowest >= 200 ? TemperatureUnit{} : TemperatureUnit{273.15, 1};
+  }
+
+  /// Rows of one block, or of one temperature of a wide one.
+  void readSweep(const TextBlock& block, const SweepColumns& columns) {
+    const bool isReduced = columns.has(ReducedFrequency) && !isSaid(choices_.frequencyColumn);
+    const std::size_t frequencyAt = columns[isReduced ? ReducedFrequency : Frequency];
+    file_.facts.isReduced = isReduced;
+    DmaColumnFact& frequency = file_.facts.frequency;
+    frequency = factOf(block, frequencyAt, choices_.frequencyUnit);
+    const bool isAngular =
+        dmaColumn(block.columns[frequencyAt].name, block.columns[frequencyAt].unit).isAngular;
+    const auto frequencySize = frequencyUnit(frequency.unit, isAngular);
+    if (!frequencySize) refuseUnit(frequency, "Hz, rad/s", "--frequency-unit");
+    if (frequency.unit.empty()) frequency.unit = isAngular ? "rad/s" : "Hz";
+
+    // A master curve is at one temperature, whatever its points were measured at.
+    std::optional<double> oneTemperature = columns.temperature;
+    const bool hasColumn = columns.has(Temperature) && !isReduced;
+    TemperatureUnit scale;
+    if (hasColumn) {
+      scale = temperatureScale(block, columns[Temperature]);
+    } else {
+      if (choices_.temperature) oneTemperature = choices_.temperature;
+      if (!oneTemperature) oneTemperature = statedTemperature(block);
+      if (!oneTemperature)
+        throw InputError(name_, "temperature",
+                         "is stated nowhere; say at which the moduli were measured with "
+                         "--temperature, such as --temperature 20C");
+      file_.facts.temperature = "one for each sweep";
+    }
+    readRows(block, columns, frequencyAt, *frequencySize, oneTemperature, scale);
+  }
+
+  /// Storage and loss from whichever two columns there are.
+  struct ModulusPair {
+    std::size_t first, second;
+    double firstSize, secondSize;
+    DynamicModulus (*combine)(double first, double second);
+  };
+
+  ModulusPair modulusPair(const TextBlock& block, const SweepColumns& columns) {
+    DmaFacts& facts = file_.facts;
+    const auto at = [&](DmaQuantity quantity) { return columns[quantity]; };
+    if (columns.has(Storage) && columns.has(Loss)) {
+      double first = modulusUnit(block, at(Storage), facts.storage);
+      double second = modulusUnit(block, at(Loss), facts.loss);
+      // A unit that stands once is that of both, where the other column has none.
+      if (facts.storage.isUnitAssumed != facts.loss.isUnitAssumed)
+        throw InputError(
+            name_, facts.storage.isUnitAssumed ? facts.storage.name : facts.loss.name,
+            message("has no unit, and {} is in {}; say with --modulus-unit which unit both have",
+                    facts.storage.isUnitAssumed ? facts.loss.name : facts.storage.name,
+                    facts.storage.isUnitAssumed ? facts.loss.unit : facts.storage.unit));
+      const double factor = shearFactor(block, {at(Storage), at(Loss)});
+      return {at(Storage), at(Loss), first * factor, second * factor,
+              [](double storage, double loss) {
+                return DynamicModulus{0, storage, loss};
+              }};
+    }
+    facts.loss = {};
+    if (columns.has(Storage)) {
+      const double size = modulusUnit(block, at(Storage), facts.storage);
+      facts.loss.name = nameOf(block, at(LossTangent));
+      return {at(Storage), at(LossTangent), size * shearFactor(block, {at(Storage)}), 1,
+              [](double storage, double tangent) {
+                return DynamicModulus{0, storage, storage * tangent};
+              }};
+    }
+    if (columns.has(Loss)) {
+      const double size = modulusUnit(block, at(Loss), facts.loss);
+      facts.storage.name = nameOf(block, at(LossTangent));
+      return {at(Loss), at(LossTangent), size * shearFactor(block, {at(Loss)}), 1,
+              [](double loss, double tangent) {
+                return DynamicModulus{0, loss / tangent, loss};
+              }};
+    }
+    const double size = modulusUnit(block, at(Magnitude), facts.storage);
+    const double factor = shearFactor(block, {at(Magnitude)});
+    const bool hasPhase = columns.has(Phase);
+    facts.loss.name = nameOf(block, at(hasPhase ? Phase : LossTangent));
+    if (!hasPhase)
+      return {at(Magnitude), at(LossTangent), size * factor, 1, [](double magnitude, double tan) {
+                const double storage = magnitude / std::hypot(1, tan);
+                return DynamicModulus{0, storage, storage * tan};
+              }};
+    return {at(Magnitude), at(Phase), size * factor, phaseUnit(block, at(Phase)),
+            [](double magnitude, double phase) {
+              return DynamicModulus{0, magnitude * std::cos(phase), magnitude * std::sin(phase)};
+            }};
+  }
+
+  /// Angles without a unit are degrees where they exceed a right angle in radians.
+  double phaseUnit(const TextBlock& block, std::size_t column) const {
+    const std::string& unit = block.columns[column].unit;
+    if (const auto size = angleUnit(unit)) return *size;
+    double largest = 0;
+    for (const double value : block.column(column))
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    return largest > std::numbers::pi / 2 ? std::numbers::pi / 180 : 1;
+  }
+
+  void readRows(const TextBlock& block, const SweepColumns& columns, std::size_t frequencyAt,
+                double frequencySize, const std::optional<double>& oneTemperature,
+                const TemperatureUnit& scale) {
+    const ModulusPair pair = modulusPair(block, columns);
+    for (std::size_t row = 0; row < block.rows; ++row) {
+      const double frequency = block.at(row, frequencyAt) * frequencySize;
+      const double first = block.at(row, pair.first) * pair.firstSize;
+      const double second = block.at(row, pair.second) * pair.secondSize;
+      const double temperature =
+          oneTemperature ? *oneTemperature
+                         : scale.offset + scale.size * block.at(row, columns[Temperature]);
+      if (!std::isfinite(frequency) || !std::isfinite(first) || !std::isfinite(second) ||
+          !std::isfinite(temperature)) {
+        ++file_.facts.leftOut;
+        continue;
+      }
+      DynamicModulus modulus = pair.combine(first, second);
+      modulus.frequency = frequency;
+      checkRow(modulus, temperature, block.lines[row]);
+      file_.rows.push_back({temperature, modulus});
+      if (columns.has(Strain)) addStrain(block, row, columns[Strain]);
+    }
+  }
+
+  void checkRow(const DynamicModulus& modulus, double temperature, std::size_t line) const {
+    const auto refuse = [&](const char* what, double value) {
+      throw InputError(name_, fmt::format("line {}", line),
+                       message("{} is {}, which must be above 0; leave the row out or correct it",
+                               what, plain(value)));
+    };
+    if (!(modulus.frequency > 0)) refuse("the frequency", modulus.frequency);
+    if (!(modulus.storage > 0)) refuse("the storage modulus", modulus.storage);
+    if (!(modulus.loss > 0)) refuse("the loss modulus", modulus.loss);
+    if (!(temperature > 0 && temperature <= 2000)) refuse("the temperature in K", temperature);
+  }
+
+  void addStrain(const TextBlock& block, std::size_t row, std::size_t column) {
+    const double value = block.at(row, column);
+    if (!std::isfinite(value) || value <= 0) return;
+    const std::string unit = lowerCase(block.columns[column].unit);
+    const bool isPercent = unit == "%" || unit == "percent" || unit == "pct" ||
+                           lowerCase(block.columns[column].name).ends_with("pct");
+    strains_.push_back(isPercent ? value / 100 : value);
+  }
+
+  const TextTable& table_;
+  const std::string& name_;
+  const DmaChoices& choices_;
+  DmaFile file_;
+  std::vector<double> strains_;
+};
+
+/// Moduli of less than this (Pa) without a unit are hardly those of a solid.
+constexpr double kSoftest = 1e3;
+
+}  // namespace
+
+std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const char* option) {
+  const std::string word = lowerCase(wanted);
+  for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    const TextColumn& column = block.columns[i];
+    const std::string name = lowerCase(column.name);
+    if (!name.empty() && (name == word || name + " (" + lowerCase(column.unit) + ")" == word ||
+                          name + "_" + lowerCase(column.unit) == word))
+      return i;
+  }
+  std::size_t number = 0;
+  if (readNumber(wanted, number) && number >= 1 && number <= block.columns.size())
+    return number - 1;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(nameOf(block, i));
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  throw InputError("", option, notOneOf(wanted, known));
+}
+
+DmaFile readDmaFile(const TextTable& table, const std::string& name, const DmaChoices& choices) {
+  DmaFile file = Reader(table, name, choices).read();
+  if (file.facts.storage.isUnitAssumed && choices.modulusUnit.empty()) {
+    double largest = 0;
+    for (const MeasuredModulus& row : file.rows) largest = std::max(largest, row.modulus.storage);
+    if (largest < kSoftest)
+      throw InputError(name, file.facts.storage.name,
+                       message("has no unit, and {:.3g} Pa would be no rubber; say --modulus-unit "
+                               "MPa or another one",
+                               largest));
+  }
+  return file;
+}
+
+}  // namespace asperity

@@ -1,0 +1,92 @@
+#include "core/material/isotherms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+
+namespace asperity {
+namespace {
+
+/// Of one sweep, within which frequencies count as one.
+constexpr double kSameFrequency = 1e-4;
+
+void checkRow(const MeasuredModulus& row) {
+  const auto refuse = [&](const char* what, double value) {
+    throw InputError("", what,
+                     message("{} at {} and {} Hz is not above 0; leave such rows out, or correct "
+                             "the column",
+                             plain(value), celsius(row.temperature), row.modulus.frequency));
+  };
+  if (!(row.modulus.frequency > 0)) refuse("frequency", row.modulus.frequency);
+  if (!(row.modulus.storage > 0)) refuse("storage modulus", row.modulus.storage);
+  if (!(row.modulus.loss > 0)) refuse("loss modulus", row.modulus.loss);
+}
+
+/// One sweep: sorted by frequency, equal frequencies as their geometric mean.
+Isotherm gathered(std::vector<MeasuredModulus> rows) {
+  std::ranges::stable_sort(rows, {},
+                           [](const MeasuredModulus& row) { return row.modulus.frequency; });
+  Isotherm sweep;
+  double temperatures = 0;
+  for (std::size_t i = 0; i < rows.size();) {
+    std::size_t end = i;
+    double frequency = 0, storage = 0, loss = 0;
+    while (end < rows.size() &&
+           rows[end].modulus.frequency <= rows[i].modulus.frequency * (1 + kSameFrequency)) {
+      frequency += std::log(rows[end].modulus.frequency);
+      storage += std::log(rows[end].modulus.storage);
+      loss += std::log(rows[end].modulus.loss);
+      temperatures += rows[end].temperature;
+      ++end;
+    }
+    const auto count = static_cast<double>(end - i);
+    sweep.points.push_back(end - i == 1
+                               ? rows[i].modulus
+                               : DynamicModulus{std::exp(frequency / count),
+                                                std::exp(storage / count), std::exp(loss / count)});
+    i = end;
+  }
+  sweep.temperature = temperatures / static_cast<double>(rows.size());
+  if (sweep.points.size() < 2)
+    throw InputError(
+        "", "frequency",
+        message("there is one frequency alone at {}, {} Hz; a shift needs sweeps of at "
+                "least two frequencies at each temperature",
+                celsius(sweep.temperature), sweep.points.front().frequency));
+  return sweep;
+}
+
+}  // namespace
+
+Message celsius(double kelvin) {
+  return message("{} \u00B0C", PrintedNumber{printedDecimals(kelvin - 273.15, 1)});
+}
+
+std::vector<Isotherm> isothermsOf(std::vector<MeasuredModulus> rows, double tolerance) {
+  if (rows.empty()) throw InputError("", "", "holds no row of frequency and moduli");
+  for (const MeasuredModulus& row : rows) checkRow(row);
+  std::ranges::stable_sort(rows, {}, &MeasuredModulus::temperature);
+  std::vector<Isotherm> isotherms;
+  for (std::size_t begin = 0, i = 1; i <= rows.size(); ++i) {
+    if (i < rows.size() && rows[i].temperature - rows[i - 1].temperature <= tolerance) continue;
+    // A slow ramp has no gaps: its sweeps would become one.
+    const double width = rows[i - 1].temperature - rows[begin].temperature;
+    if (width > 6 * tolerance)
+      throw InputError(
+          "", "temperature",
+          message("runs from {} to {} without a gap of more than {} K; sweeps at "
+                  "constant temperatures are needed (--temperature-tolerance says how "
+                  "far the rows of one sweep may lie apart)",
+                  celsius(rows[begin].temperature), celsius(rows[i - 1].temperature), tolerance));
+    isotherms.push_back(gathered({rows.begin() + static_cast<std::ptrdiff_t>(begin),
+                                  rows.begin() + static_cast<std::ptrdiff_t>(i)}));
+    begin = i;
+  }
+  return isotherms;
+}
+
+}  // namespace asperity

@@ -1,0 +1,366 @@
+#include "core/material/material_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/base/file_digest.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/text_encoding.h"
+#include "core/material/element_law.h"
+#include "core/material/material_library.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostRows = 20000;  // of measurements; the fit takes a few seconds then
+constexpr std::size_t kLargestSeries = std::size_t{4} << 20;  // bytes of a file with a ready series
+constexpr const char* kShiftNames[]{"wlf", "arrhenius", "table"};
+
+/// A file that is no table may still be one of a finite-element program.
+std::optional<TextTable> tableIn(std::string_view bytes, const std::string& name,
+                                 std::optional<InputError>& failure) {
+  try {
+    TextTableOptions options;
+    options.keepsTexts = true;
+    return readTextTable(bytes, name, options);
+  } catch (const InputError& error) {
+    failure = error;
+    return {};
+  }
+}
+
+std::optional<PronyFile> seriesIn(std::string_view bytes, const TextTable* table,
+                                  const std::string& name, const MaterialChoices& choices) {
+  if (bytes.size() > kLargestSeries) return {};
+  DecodedText decoded;
+  decodeText(bytes, name, decoded);
+  PronyChoices series;
+  series.instantaneousModulus = choices.instantaneousModulus;
+  series.equilibriumModulus = choices.series.equilibriumModulus;
+  series.modulusUnit = choices.columns.modulusUnit;
+  series.modulus = choices.columns.modulus;
+  series.poissonRatio = choices.columns.poissonRatio;
+  series.isLiquid = choices.series.isLiquid;
+  return readPronyFile(decoded.text, table, name, series);
+}
+
+/// Without a shift of its own a material has its one temperature alone.
+TemperatureShift shiftAt(double temperature) {
+  TemperatureShift shift;
+  shift.kind = ShiftKind::Table;
+  shift.referenceTemperature = temperature;
+  shift.table = {{temperature, 0}};
+  return shift;
+}
+
+Material readySeries(const PronyFile& file, const std::string& name,
+                     const MaterialChoices& choices) {
+  Material material;
+  material.format = file.format;
+  material.series.equilibriumModulus = file.equilibriumModulus;
+  material.series.arms = file.arms;
+  material.series.terms = static_cast<int>(file.arms.size());
+  const double chosen = choices.columns.temperature.value_or(choices.referenceTemperature);
+  if (file.shift) {
+    material.shift = *file.shift;
+    if (std::isfinite(chosen) && chosen != file.shift->referenceTemperature)
+      throw InputError(name, "temperature",
+                       message("is {} K in the file's shift; leave --temperature out",
+                               file.shift->referenceTemperature));
+  } else {
+    if (!std::isfinite(chosen))
+      throw InputError(name, "temperature",
+                       "is stated nowhere; say at which the series holds with --temperature, such "
+                       "as --temperature 20C");
+    material.shift = shiftAt(chosen);
+  }
+  material.referenceTemperature = material.shift.referenceTemperature;
+  return material;
+}
+
+void leaveOut(std::vector<Isotherm>& isotherms, const MaterialChoices& choices) {
+  for (const double temperature : choices.leftOut) {
+    const auto nearest = std::ranges::min_element(isotherms, {}, [&](const Isotherm& isotherm) {
+      return std::abs(isotherm.temperature - temperature);
+    });
+    if (nearest == isotherms.end() || std::abs(nearest->temperature - temperature) > 1)
+      throw InputError("", "--leave-out",
+                       message("no isotherm is within 1 K of {}", celsius(temperature)));
+    isotherms.erase(nearest);
+  }
+  if (isotherms.empty()) throw InputError("", "--leave-out", "leaves no isotherm");
+}
+
+MeasuredRange rangeOf(const Material& material) {
+  MeasuredRange range;
+  range.frequencyFrom = material.curve.lowestFrequency();
+  range.frequencyTo = material.curve.highestFrequency();
+  range.temperatureFrom = material.isotherms.front().temperature;
+  range.temperatureTo = material.isotherms.back().temperature;
+  if (std::isfinite(material.facts.strainAmplitude))
+    range.strainAmplitude = material.facts.strainAmplitude;
+  return range;
+}
+
+TemperatureShift chosenShift(const Material& material, std::optional<ShiftKind> wanted) {
+  const std::vector<ShiftPoint> table = shiftTable(material.curve);
+  if (table.size() == 1) return shiftAt(material.referenceTemperature);
+  if (!wanted) return chosenShift(table, material.referenceTemperature);
+  TemperatureShift shift = shiftAt(material.referenceTemperature);
+  shift.table = table;
+  if (*wanted == ShiftKind::Table) return shift;
+  const TemperatureFit& fit = *wanted == ShiftKind::Wlf ? material.wlf : material.arrhenius;
+  if (!fit.isDefined)
+    throw InputError("", "--shift",
+                     message("{} needs more isotherms than {}",
+                             kShiftNames[static_cast<int>(*wanted)], table.size()));
+  return fit.shift;
+}
+
+Json numberOrNull(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json shiftJson(const TemperatureShift& shift) {
+  Json json{{"kind", kShiftNames[static_cast<int>(shift.kind)]}};
+  switch (shift.kind) {
+    case ShiftKind::Wlf:
+      json["c1"] = shift.c1;
+      json["c2"] = shift.c2;
+      json["reference_temperature"] = shift.referenceTemperature;
+      break;
+    case ShiftKind::Arrhenius:
+      json["reference_temperature"] = shift.referenceTemperature;
+      json["activation_energy"] = shift.activationEnergy;
+      break;
+    case ShiftKind::Table:
+      json["table"] = Json::array();
+      for (const ShiftPoint& row : shift.table)
+        json["table"].push_back(
+            {{"temperature", row.temperature}, {"log10_shift", row.log10Shift}});
+  }
+  return json;
+}
+
+Json fitJson(const TemperatureFit& fit) {
+  if (!fit.isDefined) return nullptr;
+  Json json = shiftJson(fit.shift);
+  json["rms_decades"] = fit.rms;
+  return json;
+}
+
+Json measurementJson(const Material& material) {
+  const DmaFacts& facts = material.facts;
+  Json temperatures = Json::array(), shifts = Json::array();
+  std::size_t points = 0;
+  for (const Isotherm& isotherm : material.isotherms) {
+    temperatures.push_back(isotherm.temperature);
+    points += isotherm.points.size();
+  }
+  for (std::size_t i = 0; i < material.curve.shifts.size(); ++i) {
+    const IsothermShift& shift = material.curve.shifts[i];
+    Json row{{"temperature", shift.temperature},
+             {"log10_shift", shift.log10Shift},
+             {"standard_error", numberOrNull(shift.standardError)},
+             {"log10_vertical_shift", shift.log10Vertical},
+             {"log10_shift_from_storage", numberOrNull(shift.fromStorage)},
+             {"log10_shift_from_loss", numberOrNull(shift.fromLoss)}};
+    if (i < material.curve.overlaps.size()) {
+      row["overlap_mismatch_decades"] = material.curve.overlaps[i].mismatch;
+      row["overlap_decades"] = material.curve.overlaps[i].decades;
+    }
+    shifts.push_back(std::move(row));
+  }
+  return {{"points", points},
+          {"temperatures", std::move(temperatures)},
+          {"modulus", facts.modulus == ModulusKind::Tension ? "tension" : "shear"},
+          {"poisson_ratio",
+           facts.modulus == ModulusKind::Tension ? Json(material.poissonRatio) : Json(nullptr)},
+          {"vertical_shifts", material.isVertical},
+          {"thermorheologically_simple", material.curve.isThermorheologicallySimple},
+          {"shifts", std::move(shifts)}};
+}
+
+}  // namespace
+
+Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& choices) {
+  leaveOut(isotherms, choices);
+  Material material;
+  material.isVertical = choices.isVertical;
+  material.poissonRatio = choices.columns.poissonRatio;
+  material.isotherms = std::move(isotherms);
+  const bool isChosen = std::isfinite(choices.referenceTemperature);
+  material.referenceTemperature =
+      isChosen ? choices.referenceTemperature : usualReference(material.isotherms);
+  material.curve =
+      masterCurve(material.isotherms, material.referenceTemperature, choices.isVertical);
+  std::vector<DynamicModulus> points;
+  for (const MasterPoint& point : material.curve.points) points.push_back(point.modulus);
+  material.series = fitPronySeries(points, choices.series);
+  const std::vector<ShiftPoint> table = shiftTable(material.curve);
+  material.wlf = fitWlf(table, material.referenceTemperature);
+  material.arrhenius = fitArrhenius(table, material.referenceTemperature);
+  material.shift = chosenShift(material, choices.shift);
+  material.measured = rangeOf(material);
+  return material;
+}
+
+Material makeMaterial(std::string_view bytes, const std::string& fileName,
+                      const MaterialChoices& choices) {
+  std::optional<InputError> failure;
+  const std::optional<TextTable> table = tableIn(bytes, fileName, failure);
+  const auto series = seriesIn(bytes, table ? &*table : nullptr, fileName, choices);
+  Material material;
+  if (series) {
+    material = readySeries(*series, fileName, choices);
+  } else {
+    if (!table) throw *failure;
+    DmaFile file = readDmaFile(*table, fileName, choices.columns);
+    if (file.rows.size() > kMostRows)
+      throw InputError(fileName, "",
+                       message("has {} rows; allowed is {}, more than an instrument needs",
+                               file.rows.size(), kMostRows));
+    try {
+      material =
+          fitMaterial(isothermsOf(std::move(file.rows), choices.temperatureTolerance), choices);
+    } catch (const InputError& error) {
+      throw error.isOfOption() ? error : error.in(fileName);
+    }
+    material.facts = file.facts;
+    material.measured = rangeOf(material);
+  }
+  material.fileName = std::filesystem::path(fileName).filename().string();
+  material.fileDigest = sha256(bytes);
+  material.name =
+      choices.name.empty() ? std::filesystem::path(fileName).stem().string() : choices.name;
+  material.source = choices.source;
+  material.options = choices.options;
+  return material;
+}
+
+Json materialOrigin(const Material& material) {
+  Json options = Json::object();
+  for (const auto& [option, value] : material.options) {
+    Json& place = options[option];
+    // An option that was repeated has a list.
+    if (place.is_string()) place = Json::array({place});
+    if (place.is_array())
+      place.push_back(value);
+    else
+      place = value;
+  }
+  return {{"schema", kMaterialSchema},
+          {"verb", "material"},
+          {"version", ASPERITY_VERSION},
+          {"origin",
+           {{"file", material.fileName}, {"sha256", material.fileDigest}, {"options", options}}}};
+}
+
+std::string materialJson(const Material& material) {
+  const MeasuredRange& range = material.measured;
+  Json root = materialOrigin(material);
+  root["name"] = material.name;
+  root["source"] = material.source;
+  root["equilibrium_modulus"] = material.series.equilibriumModulus;
+  root["viscosity"] = material.viscosity;
+  root["arms"] = Json::array();
+  for (const Arm& arm : material.series.arms)
+    root["arms"].push_back({{"modulus", arm.modulus}, {"relaxation_time", arm.relaxationTime}});
+  root["shift"] = shiftJson(material.shift);
+  root["measured"] = {{"frequency_from", range.frequencyFrom},
+                      {"frequency_to", range.frequencyTo},
+                      {"temperature_from", range.temperatureFrom},
+                      {"temperature_to", range.temperatureTo},
+                      {"strain_amplitude", range.strainAmplitude}};
+  if (!material.isMeasured()) {
+    root["fit"] = {{"reference_temperature", material.referenceTemperature},
+                   {"format", material.format.english()}};
+    return root.dump(2) + "\n";
+  }
+  root["measurement"] = measurementJson(material);
+  root["fit"] = {{"reference_temperature", material.referenceTemperature},
+                 {"terms", material.series.terms},
+                 {"rms_storage", material.series.rmsStorage},
+                 {"rms_loss", material.series.rmsLoss},
+                 {"wlf", fitJson(material.wlf)},
+                 {"arrhenius", fitJson(material.arrhenius)}};
+  return root.dump(2) + "\n";
+}
+
+std::vector<Message> materialSummary(const Material& material) {
+  const auto quantity = [](double value, const char* unit) {
+    return PrintedNumber{printedQuantity(value, unit)};
+  };
+  const auto percent = [](double part) { return PrintedNumber{printedNumber(100 * part, 2)}; };
+  const PronySeries& series = material.series;
+  std::vector<Message> lines;
+  if (!material.isMeasured()) {
+    lines.push_back(message("{}: {} arms, G = {} in equilibrium, at {}", material.format,
+                            series.arms.size(), quantity(series.equilibriumModulus, "Pa"),
+                            celsius(material.referenceTemperature)));
+    lines.push_back(
+        "which frequencies were measured is not known: friction on it is not marked as "
+        "extrapolated");
+    return lines;
+  }
+  const MasterCurve& curve = material.curve;
+  const Isotherm &coldest = material.isotherms.front(), &warmest = material.isotherms.back();
+  lines.push_back(
+      curve.shifts.size() == 1
+          ? message("measured: one isotherm at {}, {} to {}", celsius(coldest.temperature),
+                    quantity(curve.lowestFrequency(), "Hz"),
+                    quantity(curve.highestFrequency(), "Hz"))
+          : message("measured: {} isotherms from {} to {}; at {} they cover {} to {}",
+                    curve.shifts.size(), celsius(coldest.temperature), celsius(warmest.temperature),
+                    celsius(curve.referenceTemperature), quantity(curve.lowestFrequency(), "Hz"),
+                    quantity(curve.highestFrequency(), "Hz")));
+  if (material.facts.leftOut > 0)
+    lines.push_back(message("rows without a value, left out: {}", material.facts.leftOut));
+  if (material.facts.modulus == ModulusKind::Tension)
+    lines.push_back(message("moduli of tension, divided by {} for shear (Poisson's ratio {})",
+                            PrintedNumber{printedNumber(2 * (1 + material.poissonRatio))},
+                            PrintedNumber{printedNumber(material.poissonRatio)}));
+  if (!curve.overlaps.empty()) {
+    const auto [best, worst] = std::ranges::minmax(curve.overlaps, {}, &Overlap::mismatch);
+    lines.push_back(message("overlaps: neighbours agree within {} to {} decades (rms)",
+                            PrintedNumber{printedNumber(best.mismatch, 2)},
+                            PrintedNumber{printedNumber(worst.mismatch, 2)}));
+  }
+  lines.push_back(
+      message("Prony series: {} arms from {} relaxation times, G = {} in equilibrium; "
+              "rms residual {} % of G', {} % of G''",
+              series.arms.size(), series.terms, quantity(series.equilibriumModulus, "Pa"),
+              percent(series.rmsStorage), percent(series.rmsLoss)));
+  if (material.wlf.isDefined)
+    lines.push_back(message("Williams, Landel and Ferry: C1 = {}, C2 = {} K, {} decades rms",
+                            PrintedNumber{printedNumber(material.wlf.shift.c1)},
+                            PrintedNumber{printedNumber(material.wlf.shift.c2)},
+                            PrintedNumber{printedNumber(material.wlf.rms, 2)}));
+  if (material.arrhenius.isDefined)
+    lines.push_back(message("Arrhenius: {}, {} decades rms",
+                            quantity(material.arrhenius.shift.activationEnergy, "J/mol"),
+                            PrintedNumber{printedNumber(material.arrhenius.rms, 2)}));
+  lines.push_back(curve.shifts.size() == 1 ? Message("one temperature alone: there is no shift")
+                  : material.shift.kind == ShiftKind::Table
+                      ? Message("the shift is kept as the table")
+                  : material.shift.kind == ShiftKind::Wlf
+                      ? Message("the shift is that of Williams, Landel and Ferry")
+                      : Message("the shift is that of Arrhenius"));
+  if (!curve.isThermorheologicallySimple)
+    lines.push_back(message(
+        "not thermorheologically simple: shifts from G' alone and from G'' alone differ by up to "
+        "{} decades between neighbours, {} in all; predictions at other temperatures are "
+        "approximate",
+        PrintedNumber{printedNumber(curve.largestStep, 2)},
+        PrintedNumber{printedNumber(curve.largestDifference, 2)}));
+  return lines;
+}
+
+}  // namespace asperity

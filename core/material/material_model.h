@@ -1,0 +1,78 @@
+// A material from a file of measurements, and how it is written: material.json
+// (asperity-material/1), which a scene names as elastomer.material. Its tables:
+// core/scene/material_tables.h; its pictures: core/chart/material_sheets.h.
+// Pure; any thread; the same bytes and choices give the same material to the last bit.
+#pragma once
+
+#include <limits>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/material/dma_file.h"
+#include "core/material/elastomer.h"
+#include "core/material/isotherms.h"
+#include "core/material/prony_file.h"
+#include "core/material/prony_fit.h"
+#include "core/material/temperature_fit.h"
+#include "core/material/temperature_shifts.h"
+
+namespace asperity {
+
+/// Everything that a user may say about the file and the fit. The defaults leave it to the program.
+struct MaterialChoices {
+  DmaChoices columns{};
+  double temperatureTolerance = kIsothermTolerance;  // K, within which rows are one isotherm
+  std::vector<double> leftOut{};                     // K, isotherms that are not used
+  double referenceTemperature = std::numeric_limits<double>::quiet_NaN();  // K; NaN: usualReference
+  bool isVertical = false;
+  PronyOptions series{};
+  double instantaneousModulus = std::numeric_limits<double>::quiet_NaN();  // Pa, of relative series
+  std::optional<ShiftKind> shift{};  // none: the formula that is good enough, or else the table
+  std::string name{};                // of the material; empty: that of the file
+  std::string source{};              // a sentence that a reader can look up
+  std::vector<std::pair<std::string, std::string>> options{};  // as written, for the origin
+};
+
+struct Material {
+  std::string name, source;
+  std::string fileName, fileDigest;  // of the measurements, without folder; its SHA-256
+  std::vector<std::pair<std::string, std::string>> options;  // that it was made with
+  double referenceTemperature = 298.15;                      // K
+  PronySeries series;
+  double viscosity = 0;  // Pa s
+  TemperatureShift shift;
+  MeasuredRange measured;
+
+  // Of measurements; empty and undefined where the file holds a ready series.
+  std::vector<Isotherm> isotherms;
+  MasterCurve curve;
+  TemperatureFit wlf, arrhenius;
+  DmaFacts facts;
+  bool isVertical = false;
+  double poissonRatio = 0.5;
+  Message format;  // of a ready series: "keywords of Abaqus"
+
+  bool isMeasured() const { return !isotherms.empty(); }
+};
+
+/// Throws InputError that names the file, a line, a column or an option.
+Material makeMaterial(std::string_view bytes, const std::string& fileName,
+                      const MaterialChoices& choices);
+
+/// The same from sweeps that are read already.
+Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& choices);
+
+/// {"schema", "verb", "version", "origin": {"file", "sha256", "options"}}: how it came about.
+nlohmann::ordered_json materialOrigin(const Material& material);
+
+/// The text of material.json.
+std::string materialJson(const Material& material);
+
+/// What was measured and how good the fit is, one sentence each.
+std::vector<Message> materialSummary(const Material& material);
+
+}  // namespace asperity

@@ -1,0 +1,41 @@
+// Reads ready Prony series as people and finite-element programs write them: a table of relaxation
+// times and moduli; the keywords *ELASTIC or *HYPERELASTIC with *VISCOELASTIC, TIME=PRONY and *TRS
+// of Abaqus; the commands TB,PRONY with TBDATA, MP,EX and TB,SHIFT of Ansys.
+// Pure; any thread. Failure: InputError that names the file and the line or column.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/message.h"
+#include "core/base/text_table.h"
+#include "core/material/dma_columns.h"
+#include "core/material/elastomer.h"
+
+namespace asperity {
+
+/// What a user says about a file; NaN and empty: as the file has it.
+struct PronyChoices {
+  double instantaneousModulus = std::numeric_limits<double>::quiet_NaN();  // Pa, shear
+  double equilibriumModulus = std::numeric_limits<double>::quiet_NaN();    // Pa, shear
+  std::string modulusUnit;  // of a file whose moduli have none
+  ModulusKind modulus = ModulusKind::Unknown;
+  double poissonRatio = 0.5;
+  bool isLiquid = false;  // whether there may be no equilibrium modulus
+};
+
+struct PronyFile {
+  double equilibriumModulus = 0;  // Pa, of shear
+  std::vector<Arm> arms;          // of shear, falling relaxation times
+  std::optional<TemperatureShift> shift{};
+  Message format;  // "keywords of Abaqus"
+};
+
+/// Nothing where the text is none of these. `table`: the same text, read; null where it holds no
+/// table.
+std::optional<PronyFile> readPronyFile(std::string_view text, const TextTable* table,
+                                       const std::string& name, const PronyChoices& choices);
+
+}  // namespace asperity

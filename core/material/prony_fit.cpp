@@ -1,0 +1,207 @@
+#include "core/material/prony_fit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ranges>
+
+#include "core/base/input_error.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kBeyond = 0.5;        // decades of times outside of the measured range
+constexpr double kTermsPerDecade = 4;  // at most, where the number is chosen
+constexpr double kNearFloor = 1.05;    // of the least residual
+constexpr double kGoodEnough = 0.002;  // relative; no instrument measures better
+constexpr double kNothing = 1e-9;      // of the smallest storage modulus
+
+/// The least squares of |A x - b| with x >= 0, by the active sets of Lawson and Hanson, Solving
+/// Least Squares Problems, ch. 23.
+Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
+  const Eigen::Index n = a.cols();
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
+  std::vector<bool> isFree(static_cast<std::size_t>(n), false);
+  const double tolerance = 1e-11 * (a.transpose() * b).cwiseAbs().maxCoeff();
+  const auto solveFree = [&] {
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (isFree[static_cast<std::size_t>(i)]) columns.push_back(i);
+    const Eigen::VectorXd part = a(Eigen::all, columns).colPivHouseholderQr().solve(b);
+    Eigen::VectorXd whole = Eigen::VectorXd::Zero(n);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      whole[columns[k]] = part[static_cast<Eigen::Index>(k)];
+    return whole;
+  };
+  for (Eigen::Index outer = 0; outer < 3 * n; ++outer) {
+    // The unknown that gains most from leaving 0 becomes free.
+    const Eigen::VectorXd gain = a.transpose() * (b - a * x);
+    Eigen::Index best = -1;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (!isFree[static_cast<std::size_t>(i)] && gain[i] > tolerance &&
+          (best < 0 || gain[i] > gain[best]))
+        best = i;
+    if (best < 0) break;
+    isFree[static_cast<std::size_t>(best)] = true;
+    // Unknowns that would fall below 0 stop there and are fixed again.
+    while (true) {
+      const Eigen::VectorXd wanted = solveFree();
+      double step = 1;
+      for (Eigen::Index i = 0; i < n; ++i)
+        if (isFree[static_cast<std::size_t>(i)] && wanted[i] <= 0)
+          step = std::min(step, x[i] / (x[i] - wanted[i] + 1e-300));
+      if (step >= 1) {
+        x = wanted;
+        break;
+      }
+      x += step * (wanted - x);
+      bool fixedOne = false;
+      for (Eigen::Index i = 0; i < n; ++i)
+        if (isFree[static_cast<std::size_t>(i)] && wanted[i] <= 0 && x[i] <= 1e-14 * x.maxCoeff()) {
+          x[i] = 0;
+          isFree[static_cast<std::size_t>(i)] = false;
+          fixedOne = true;
+        }
+      if (!fixedOne) break;
+    }
+  }
+  return x.cwiseMax(0.0);
+}
+
+double angular(double frequency) {
+  return 2 * std::numbers::pi * frequency;
+}
+
+/// Evenly spaced in the logarithm, falling.
+std::vector<double> relaxationTimes(double lowest, double highest, int count) {
+  const double from = std::log10(1 / angular(lowest)) + kBeyond;
+  const double to = std::log10(1 / angular(highest)) - kBeyond;
+  std::vector<double> times;
+  for (int i = 0; i < count; ++i)
+    times.push_back(
+        std::pow(10, count == 1 ? 0.5 * (from + to) : from + (to - from) * i / (count - 1)));
+  return times;
+}
+
+/// The system of relative residuals: first the columns of the relaxation times, then that of G_inf.
+struct RelativeSystem {
+  Eigen::MatrixXd columns;
+  Eigen::VectorXd ones;
+};
+
+RelativeSystem relativeSystem(std::span<const DynamicModulus> points,
+                              const std::vector<double>& times, double knownEquilibrium) {
+  const bool isFitted = std::isnan(knownEquilibrium);
+  const auto m = static_cast<Eigen::Index>(points.size());
+  const auto n = static_cast<Eigen::Index>(times.size());
+  RelativeSystem system{Eigen::MatrixXd::Zero(2 * m, n + (isFitted ? 1 : 0)),
+                        Eigen::VectorXd::Ones(2 * m)};
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const DynamicModulus& point = points[static_cast<std::size_t>(k)];
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double turn = angular(point.frequency) * times[static_cast<std::size_t>(i)];
+      const double part = 1 / (1 + turn * turn);
+      system.columns(k, i) = turn * turn * part / point.storage;
+      system.columns(m + k, i) = turn * part / point.loss;
+    }
+    if (isFitted)
+      system.columns(k, n) = 1 / point.storage;
+    else
+      system.ones[k] -= knownEquilibrium / point.storage;
+  }
+  return system;
+}
+
+PronySeries fitWith(std::span<const DynamicModulus> points, int terms, double knownEquilibrium) {
+  const std::vector<double> times =
+      relaxationTimes(points.front().frequency, points.back().frequency, terms);
+  const RelativeSystem system = relativeSystem(points, times, knownEquilibrium);
+  // The triangle of a QR factorization has the same least squares in few rows. Each column is
+  // scaled to length 1, so that tolerances mean the same for all moduli.
+  const Eigen::VectorXd lengths = system.columns.colwise().norm();
+  Eigen::MatrixXd joined(system.columns.rows(), system.columns.cols() + 1);
+  joined << system.columns * lengths.cwiseInverse().asDiagonal(), system.ones;
+  const Eigen::Index size = std::min(joined.rows(), joined.cols());
+  const Eigen::MatrixXd triangle = Eigen::MatrixXd(
+      joined.householderQr().matrixQR().topRows(size).triangularView<Eigen::Upper>());
+  const Eigen::VectorXd unknowns = nonNegativeLeastSquares(triangle.leftCols(system.columns.cols()),
+                                                           triangle.col(system.columns.cols()))
+                                       .cwiseQuotient(lengths);
+
+  PronySeries series;
+  series.terms = terms;
+  series.equilibriumModulus =
+      std::isnan(knownEquilibrium) ? unknowns[unknowns.size() - 1] : knownEquilibrium;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (unknowns[static_cast<Eigen::Index>(i)] > 0)
+      series.arms.push_back({unknowns[static_cast<Eigen::Index>(i)], times[i]});
+  for (const DynamicModulus& point : points) {
+    const DynamicModulus fitted = modulusAt(series, point.frequency);
+    series.rmsStorage += std::pow(fitted.storage / point.storage - 1, 2);
+    series.rmsLoss += std::pow(fitted.loss / point.loss - 1, 2);
+  }
+  const auto count = static_cast<double>(points.size());
+  series.rmsStorage = std::sqrt(series.rmsStorage / count);
+  series.rmsLoss = std::sqrt(series.rmsLoss / count);
+  return series;
+}
+
+double rmsOf(const PronySeries& series) {
+  return std::hypot(series.rmsStorage, series.rmsLoss) / std::numbers::sqrt2;
+}
+
+/// The series of the fewest terms whose residual is as small as more terms make it.
+PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEquilibrium) {
+  const double decades =
+      std::log10(points.back().frequency / points.front().frequency) + 2 * kBeyond;
+  const int most = std::clamp(static_cast<int>(std::ceil(kTermsPerDecade * decades)) + 1, 2,
+                              std::min(kMostChosenTerms, static_cast<int>(points.size())));
+  std::vector<PronySeries> fits;
+  for (int terms = 1; terms <= most; ++terms)
+    fits.push_back(fitWith(points, terms, knownEquilibrium));
+  double floor = rmsOf(fits.front());
+  for (const PronySeries& fit : fits) floor = std::min(floor, rmsOf(fit));
+  const double enough = std::max(kNearFloor * floor, kGoodEnough);
+  return *std::ranges::find_if(fits, [&](const PronySeries& fit) { return rmsOf(fit) <= enough; });
+}
+
+}  // namespace
+
+DynamicModulus modulusAt(const PronySeries& series, double frequency) {
+  DynamicModulus modulus{frequency, series.equilibriumModulus, 0};
+  for (const Arm& arm : series.arms) {
+    const double turn = angular(frequency) * arm.relaxationTime;
+    const double part = arm.modulus / (1 + turn * turn);
+    modulus.storage += part * turn * turn;
+    modulus.loss += part * turn;
+  }
+  return modulus;
+}
+
+PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOptions& options) {
+  std::vector<DynamicModulus> points(given.begin(), given.end());
+  std::ranges::stable_sort(points, {}, &DynamicModulus::frequency);
+  if (points.size() < 2 || !(points.back().frequency > points.front().frequency))
+    throw InputError("", "frequency", "has one value alone; a series needs a range of frequencies");
+  const auto most = static_cast<int>(std::min<std::size_t>(64, 2 * points.size() - 1));
+  if (options.terms < 0 || options.terms > most)
+    throw InputError("", "--terms",
+                     message("{} is outside 1 to {}, what {} points can tell", options.terms, most,
+                             points.size()));
+  const double known = options.isLiquid ? 0 : options.equilibriumModulus;
+  PronySeries series =
+      options.terms > 0 ? fitWith(points, options.terms, known) : fitWithFewest(points, known);
+  const double smallest = std::ranges::min(points, {}, &DynamicModulus::storage).storage;
+  if (!options.isLiquid && !(series.equilibriumModulus > kNothing * smallest))
+    throw InputError(
+        "", "equilibrium modulus",
+        message("is 0 in the fit: down to {:.3g} Hz the storage modulus still falls as "
+                "that of a liquid, which cannot carry a load for ever; measure at lower "
+                "frequencies or higher temperatures, give --equilibrium-modulus, or "
+                "allow it with --liquid",
+                points.front().frequency));
+  return series;
+}
+
+}  // namespace asperity

@@ -1,0 +1,43 @@
+// A Prony series through a master curve: G(t) = G_inf + sum G_i exp(-t / tau_i), so that
+// G'(w) = G_inf + sum G_i (w tau_i)^2 / (1 + (w tau_i)^2), G''(w) = sum G_i w tau_i / (1 + (w
+// tau_i)^2) with w = 2 pi f (Ferry, ch. 3). Pure functions; any thread.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/material/elastomer.h"
+#include "core/material/isotherms.h"
+
+namespace asperity {
+
+struct PronyOptions {
+  int terms = 0;          // relaxation times; 0: as few as reach the residual floor
+  bool isLiquid = false;  // whether there may be no equilibrium modulus
+  /// Pa, where it is known from elsewhere; NaN: fitted.
+  double equilibriumModulus = std::numeric_limits<double>::quiet_NaN();
+};
+
+struct PronySeries {
+  double equilibriumModulus = 0;  // Pa, G_inf
+  std::vector<Arm> arms;          // falling relaxation times, moduli above 0
+  int terms = 0;                  // relaxation times that the arms were chosen from
+  double rmsStorage = 0;          // rms of G'/G'_measured - 1
+  double rmsLoss = 0;             // rms of G''/G''_measured - 1
+};
+
+/// Non-negative least squares (Lawson and Hanson 1974) on G'/G'_measured - 1 and G''/G''_measured -
+/// 1, all alike. The relaxation times are evenly spaced in their logarithm, from half a decade
+/// below 1 / w_max to half a decade above 1 / w_min. Terms that get nothing are left out. Throws
+/// InputError where there are too few points, and where nothing is left in equilibrium unless the
+/// options allow it: then G_inf is 0.
+PronySeries fitPronySeries(std::span<const DynamicModulus> points, const PronyOptions& options);
+
+/// G' and G'' of the series at a frequency (Hz).
+DynamicModulus modulusAt(const PronySeries& series, double frequency);
+
+/// The most relaxation times that are chosen by themselves.
+inline constexpr int kMostChosenTerms = 40;
+
+}  // namespace asperity

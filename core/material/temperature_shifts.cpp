@@ -1,0 +1,425 @@
+#include "core/material/temperature_shifts.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kScanStep = 0.01;      // decades
+constexpr double kLeastOverlap = 0.15;  // decades that two isotherms must have in common, or a
+constexpr double kLeastPart = 0.25;     // quarter of the shorter one
+constexpr double kMostMismatch = 0.2;   // decades of modulus, beyond which nothing fits
+constexpr double kEdgeMismatch = 0.02;  // the same where the overlap is the least allowed
+constexpr int kComparisons = 33;        // places at which two isotherms are compared
+constexpr int kHighestDegree = 4;
+// A vertical shift is the change of density times temperature, about two per cent from one isotherm
+// to the next. Where both moduli are
+// power laws it cannot be told from a horizontal one; this expected size decides then.
+constexpr double kUsualVertical = 0.01;    // decades
+constexpr double kUsualDeviation = 0.01;   // decades, of measured moduli
+constexpr double kSimpleDifference = 0.1;  // decades, see isThermorheologicallySimple
+constexpr double kWrongWay = 0.3;          // decades against the order of temperatures
+
+/// An isotherm in decades.
+struct LogSweep {
+  std::vector<double> x, storage, loss;
+};
+
+LogSweep logarithms(const Isotherm& isotherm) {
+  LogSweep sweep;
+  for (const DynamicModulus& point : isotherm.points) {
+    sweep.x.push_back(std::log10(point.frequency));
+    sweep.storage.push_back(std::log10(point.storage));
+    sweep.loss.push_back(std::log10(point.loss));
+  }
+  return sweep;
+}
+
+/// Linear between the points; x lies within them.
+double interpolated(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
+  const auto above = std::ranges::lower_bound(xs, x);
+  const auto i =
+      std::clamp<std::size_t>(static_cast<std::size_t>(above - xs.begin()), 1, xs.size() - 1);
+  const double part = (x - xs[i - 1]) / (xs[i] - xs[i - 1]);
+  return ys[i - 1] + part * (ys[i] - ys[i - 1]);
+}
+
+/// What two isotherms have in common once the colder one is moved, on the warmer one's axis.
+struct CommonRange {
+  double from, to;
+  double width() const { return to - from; }
+};
+
+CommonRange commonRange(const LogSweep& colder, const LogSweep& warmer, double shift) {
+  return {std::max(colder.x.front() + shift, warmer.x.front()),
+          std::min(colder.x.back() + shift, warmer.x.back())};
+}
+
+/// Rms difference of both moduli over the common range, in decades, after a vertical shift.
+double mismatchAt(const LogSweep& colder, const LogSweep& warmer, double shift,
+                  double vertical = 0) {
+  const CommonRange range = commonRange(colder, warmer, shift);
+  double squares = 0;
+  for (int i = 0; i < kComparisons; ++i) {
+    const double x = range.from + range.width() * i / (kComparisons - 1);
+    const double storage = interpolated(colder.x, colder.storage, x - shift) -
+                           interpolated(warmer.x, warmer.storage, x) - vertical;
+    const double loss = interpolated(colder.x, colder.loss, x - shift) -
+                        interpolated(warmer.x, warmer.loss, x) - vertical;
+    squares += storage * storage + loss * loss;
+  }
+  return std::sqrt(squares / (2 * kComparisons));
+}
+
+/// The best of all shifts that leave enough in common; nothing where the two do not overlap.
+std::optional<double> scannedShift(const LogSweep& colder, const LogSweep& warmer) {
+  const double coldWidth = colder.x.back() - colder.x.front();
+  const double warmWidth = warmer.x.back() - warmer.x.front();
+  const double least = std::min(kLeastOverlap, kLeastPart * std::min(coldWidth, warmWidth));
+  const double from = warmer.x.front() + least - colder.x.back();
+  const double to = warmer.x.back() - least - colder.x.front();
+  const int steps = std::max(2, static_cast<int>(std::ceil((to - from) / kScanStep)));
+  int best = 0;
+  double bestMismatch = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= steps; ++i) {
+    const double mismatch = mismatchAt(colder, warmer, from + (to - from) * i / steps);
+    if (mismatch < bestMismatch) best = i, bestMismatch = mismatch;
+  }
+  const bool isAtEdge = best == 0 || best == steps;
+  if (bestMismatch > (isAtEdge ? kEdgeMismatch : kMostMismatch)) return {};
+  return from + (to - from) * best / steps;
+}
+
+/// The points that decide about the shift: those in common, and on each side the next one beyond,
+/// so that sparse sweeps have some. True: of the colder isotherm.
+struct Window {
+  std::vector<std::size_t> colder, warmer;
+  bool operator==(const Window&) const = default;
+  std::size_t size() const { return colder.size() + warmer.size(); }
+};
+
+std::vector<std::size_t> within(const std::vector<double>& xs, double from, double to) {
+  const auto first = std::ranges::lower_bound(xs, from) - xs.begin();
+  const auto last = std::ranges::upper_bound(xs, to) - xs.begin();
+  std::vector<std::size_t> indices;
+  for (auto i = std::max<std::ptrdiff_t>(0, first - 1);
+       i < std::min<std::ptrdiff_t>(std::ssize(xs), last + 1); ++i)
+    indices.push_back(static_cast<std::size_t>(i));
+  return indices;
+}
+
+Window windowAt(const LogSweep& colder, const LogSweep& warmer, double shift) {
+  const CommonRange range = commonRange(colder, warmer, shift);
+  return {within(colder.x, range.from - shift, range.to - shift),
+          within(warmer.x, range.from, range.to)};
+}
+
+struct Estimate {
+  double value = 0, error = kNaN;
+};
+
+struct ShiftEstimate {
+  Estimate horizontal, vertical;
+};
+
+/// Least squares over one window by Gauss and Newton. The unknowns are the polynomials'
+/// coefficients of each modulus, the vertical shift and the horizontal one.
+class WindowFit {
+ public:
+  WindowFit(const LogSweep& colder, const LogSweep& warmer, const Window& window, bool isVertical,
+            ShiftModuli moduli, double shift)
+      : colder_(colder), warmer_(warmer), window_(window), isVertical_(isVertical) {
+    if (moduli != ShiftModuli::Loss) moduli_.push_back(&LogSweep::storage);
+    if (moduli != ShiftModuli::Storage) moduli_.push_back(&LogSweep::loss);
+    rows_ = static_cast<Eigen::Index>(window.size());
+    degree_ = std::clamp<Eigen::Index>(rows_ / 2 - 1, 1, kHighestDegree);
+    const CommonRange range = commonRange(colder, warmer, shift);
+    centre_ = 0.5 * (range.from + range.to);
+    scale_ = std::max(0.5 * range.width(), 0.05);
+  }
+
+  /// Nothing where the deviations do not tell the shift.
+  std::optional<ShiftEstimate> solve(double shift) {
+    constexpr int kMostIterations = 60;
+    constexpr double kLongestStep = 0.1, kConverged = 1e-10;  // decades
+    const double start = shift;
+    // The first pass has no polynomials yet, whose slopes the step needs.
+    coefficients_ = Eigen::VectorXd::Zero(linearUnknowns());
+    double step = 0;
+    for (int i = 0; i < kMostIterations; ++i) {
+      assemble(shift, i > 0);
+      const auto solver = system_.colPivHouseholderQr();
+      const Eigen::VectorXd solution = solver.solve(data_);
+      coefficients_ = solution.head(linearUnknowns());
+      if (i == 0) continue;
+      if (solver.rank() < system_.cols()) return {};
+      step = std::clamp(solution[solution.size() - 1], -kLongestStep, kLongestStep);
+      shift += step;
+      if (!(std::abs(shift - start) < 1)) return {};
+      if (std::abs(step) < kConverged) break;
+    }
+    if (!(std::abs(step) < 1e-4)) return {};
+    return estimate(shift);
+  }
+
+ private:
+  Eigen::Index polynomialUnknowns() const { return degree_ + 1; }
+  Eigen::Index moduliCount() const { return static_cast<Eigen::Index>(moduli_.size()); }
+  Eigen::Index linearUnknowns() const {
+    return moduliCount() * polynomialUnknowns() + (isVertical_ ? 1 : 0);
+  }
+
+  /// Rows: all points of one modulus, then of the other. The last column is the change of the model
+  /// with the shift, from the polynomials of the pass before.
+  void assemble(double shift, bool withShift) {
+    const Eigen::Index block = polynomialUnknowns();
+    const Eigen::Index rows = moduliCount() * rows_ + (isVertical_ ? 1 : 0);
+    system_ = Eigen::MatrixXd::Zero(rows, linearUnknowns() + (withShift ? 1 : 0));
+    data_ = Eigen::VectorXd::Zero(rows);
+    if (isVertical_) system_(rows - 1, moduliCount() * block) = kUsualDeviation / kUsualVertical;
+    for (Eigen::Index m = 0; m < moduliCount(); ++m) {
+      Eigen::Index row = m * rows_;
+      const auto add = [&](const LogSweep& sweep, std::size_t i, bool isColder) {
+        const double u = (sweep.x[i] + (isColder ? shift : 0) - centre_) / scale_;
+        double power = 1, slope = 0;
+        for (Eigen::Index k = 0; k < block; ++k) {
+          system_(row, m * block + k) = power;
+          if (k + 1 < block)
+            slope += static_cast<double>(k + 1) * coefficients_[m * block + k + 1] * power;
+          power *= u;
+        }
+        // The colder one's measured modulus is b_T times the common curve.
+        if (isVertical_ && isColder) system_(row, moduliCount() * block) = 1;
+        if (withShift && isColder) system_(row, system_.cols() - 1) = slope / scale_;
+        data_[row++] = (sweep.*moduli_[static_cast<std::size_t>(m)])[i];
+      };
+      for (const std::size_t i : window_.colder) add(colder_, i, true);
+      for (const std::size_t i : window_.warmer) add(warmer_, i, false);
+    }
+  }
+
+  ShiftEstimate estimate(double shift) {
+    assemble(shift, true);
+    Eigen::VectorXd unknowns(system_.cols());
+    unknowns.head(linearUnknowns()) = coefficients_;
+    unknowns[system_.cols() - 1] = 0;
+    const double squares = (data_ - system_ * unknowns).squaredNorm();
+    const auto left = static_cast<double>(system_.rows() - system_.cols());
+    ShiftEstimate found{{shift}, {isVertical_ ? unknowns[system_.cols() - 2] : 0}};
+    if (!isVertical_) found.vertical.error = 0;
+    if (left < 1) return found;
+    const Eigen::MatrixXd covariance =
+        (system_.transpose() * system_)
+            .ldlt()
+            .solve(Eigen::MatrixXd::Identity(system_.cols(), system_.cols())) *
+        (squares / left);
+    const auto errorOf = [&](Eigen::Index i) { return std::sqrt(std::max(0.0, covariance(i, i))); };
+    found.horizontal.error = errorOf(system_.cols() - 1);
+    if (isVertical_) found.vertical.error = errorOf(system_.cols() - 2);
+    return found;
+  }
+
+  const LogSweep &colder_, &warmer_;
+  const Window& window_;
+  bool isVertical_;
+  std::vector<std::vector<double> LogSweep::*> moduli_;
+  Eigen::Index rows_ = 0, degree_ = 1;
+  double centre_ = 0, scale_ = 1;
+  Eigen::MatrixXd system_;
+  Eigen::VectorXd data_, coefficients_;
+};
+
+/// The window follows the shift until both agree.
+std::optional<ShiftEstimate> fittedShift(const LogSweep& colder, const LogSweep& warmer,
+                                         double shift, bool isVertical, ShiftModuli moduli) {
+  constexpr int kWindows = 4;
+  std::optional<ShiftEstimate> found;
+  Window used;
+  for (int i = 0; i < kWindows; ++i) {
+    if (!(commonRange(colder, warmer, shift).width() > 0)) return found;
+    const Window window = windowAt(colder, warmer, shift);
+    if (window.size() < 4 || window.colder.size() < 2 || window.warmer.size() < 2) return found;
+    if (found && window == used) return found;
+    WindowFit fit(colder, warmer, window, isVertical, moduli, shift);
+    const std::optional<ShiftEstimate> next = fit.solve(shift);
+    if (!next) return found;
+    found = next;
+    used = window;
+    shift = next->horizontal.value;
+  }
+  return found;
+}
+
+[[noreturn]] void refuseGap(const Isotherm& colder, const Isotherm& warmer) {
+  throw InputError(
+      "", "",
+      message("the isotherms at {} and {} do not overlap: no shift brings their moduli "
+              "together; a sweep at a temperature between them or over more "
+              "frequencies is needed, or leave the isotherms beyond the gap out",
+              celsius(colder.temperature), celsius(warmer.temperature)));
+}
+
+/// Of both moduli, and of each alone, starting from the first.
+struct NeighbourShifts {
+  Overlap both;
+  Estimate storage{kNaN, kNaN}, loss{kNaN, kNaN};
+};
+
+NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool isVertical) {
+  const LogSweep colder = logarithms(cold), warmer = logarithms(warm);
+  const std::optional<double> start = scannedShift(colder, warmer);
+  if (!start) refuseGap(cold, warm);
+  const auto fitted = fittedShift(colder, warmer, *start, isVertical, ShiftModuli::Both);
+  NeighbourShifts found;
+  Overlap& both = found.both;
+  const ShiftEstimate shift = fitted.value_or(ShiftEstimate{{*start, kNaN}, {0, kNaN}});
+  both.log10Shift = shift.horizontal.value;
+  both.standardError = shift.horizontal.error;
+  both.log10Vertical = shift.vertical.value;
+  both.verticalError = shift.vertical.error;
+  both.decades = commonRange(colder, warmer, both.log10Shift).width();
+  if (both.decades > 0)
+    both.mismatch = mismatchAt(colder, warmer, both.log10Shift, both.log10Vertical);
+  const auto alone = [&](ShiftModuli moduli) {
+    const auto one = fittedShift(colder, warmer, both.log10Shift, false, moduli);
+    return one ? one->horizontal : Estimate{kNaN, kNaN};
+  };
+  found.storage = alone(ShiftModuli::Storage);
+  found.loss = alone(ShiftModuli::Loss);
+  return found;
+}
+
+/// Temperatures and shifts must run against each other: a material that gets slower as it gets
+/// warmer has its temperatures mixed up.
+void checkOrder(const Isotherm& cold, const Isotherm& warm, const Overlap& overlap) {
+  const double error = std::isfinite(overlap.standardError) ? overlap.standardError : 0;
+  if (overlap.log10Shift > -kWrongWay - 3 * error) return;
+  throw InputError(
+      "", "temperature",
+      message("the isotherm at {} is slower than that at {} by {:.2f} decades: the "
+              "temperatures are out of order; correct the column, or leave an isotherm "
+              "out",
+              celsius(warm.temperature), celsius(cold.temperature), -overlap.log10Shift));
+}
+
+/// Sums of neighbours' shifts, counted from the reference temperature.
+class Accumulated {
+ public:
+  Accumulated(std::span<const Isotherm> isotherms, double reference)
+      : isotherms_(isotherms), reference_(reference) {}
+
+  /// steps[i]: from isotherm i to the next warmer one. Errors are those of the steps between the
+  /// reference and the isotherm; a step that the reference divides counts by its part.
+  std::vector<Estimate> from(const std::vector<Estimate>& steps) const {
+    std::vector<Estimate> sums(isotherms_.size());
+    for (std::size_t i = 0; i < isotherms_.size(); ++i) {
+      double value = 0, variance = 0;
+      for (std::size_t k = 0; k < steps.size(); ++k) {
+        const double part = partBetween(k, isotherms_[i].temperature);
+        if (part == 0) continue;
+        value += part * steps[k].value;
+        variance += part * part * steps[k].error * steps[k].error;
+      }
+      sums[i] = {value, std::sqrt(variance)};
+    }
+    return sums;
+  }
+
+ private:
+  /// The part of step k that lies between the temperature and the reference; below 0 above it.
+  double partBetween(std::size_t k, double temperature) const {
+    const double low = isotherms_[k].temperature, high = isotherms_[k + 1].temperature;
+    const double from = std::clamp(temperature, low, high);
+    const double to = std::clamp(reference_, low, high);
+    return (to - from) / (high - low);
+  }
+
+  std::span<const Isotherm> isotherms_;
+  double reference_;
+};
+
+void addPoints(std::span<const Isotherm> isotherms, MasterCurve& curve) {
+  for (std::size_t i = 0; i < isotherms.size(); ++i) {
+    const double factor = std::pow(10, curve.shifts[i].log10Shift);
+    const double vertical = std::pow(10, curve.shifts[i].log10Vertical);
+    for (const DynamicModulus& point : isotherms[i].points)
+      curve.points.push_back(
+          {{point.frequency * factor, point.storage / vertical, point.loss / vertical}, i});
+  }
+  std::ranges::stable_sort(curve.points, {},
+                           [](const MasterPoint& point) { return point.modulus.frequency; });
+}
+
+void compareModuli(MasterCurve& curve) {
+  for (const IsothermShift& shift : curve.shifts) {
+    const double difference = std::abs(shift.fromStorage - shift.fromLoss);
+    if (!std::isfinite(difference) || !std::isfinite(shift.differenceError)) continue;
+    curve.largestDifference = std::max(curve.largestDifference, difference);
+    if (difference > kSimpleDifference && difference > 3 * shift.differenceError)
+      curve.isThermorheologicallySimple = false;
+  }
+}
+
+}  // namespace
+
+Overlap findOverlap(const Isotherm& colder, const Isotherm& warmer, bool isVertical) {
+  return neighbourShifts(colder, warmer, isVertical).both;
+}
+
+MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTemperature,
+                        bool isVertical) {
+  if (isotherms.empty()) throw InputError("", "", "holds no isotherm");
+  const double lowest = isotherms.front().temperature, highest = isotherms.back().temperature;
+  if (!(referenceTemperature >= lowest && referenceTemperature <= highest))
+    throw InputError("", "--reference-temperature",
+                     message("{} K is outside of the measured temperatures, {} to {} K ({} to {}); "
+                             "a temperature may be written as 20C",
+                             referenceTemperature, plain(lowest), plain(highest), celsius(lowest),
+                             celsius(highest)));
+  MasterCurve curve;
+  curve.referenceTemperature = referenceTemperature;
+  std::vector<Estimate> both, vertical, storage, loss;
+  for (std::size_t i = 0; i + 1 < isotherms.size(); ++i) {
+    const NeighbourShifts step = neighbourShifts(isotherms[i], isotherms[i + 1], isVertical);
+    checkOrder(isotherms[i], isotherms[i + 1], step.both);
+    curve.overlaps.push_back(step.both);
+    both.push_back({step.both.log10Shift, step.both.standardError});
+    vertical.push_back({step.both.log10Vertical, step.both.verticalError});
+    storage.push_back(step.storage);
+    loss.push_back(step.loss);
+    const double difference = std::abs(step.storage.value - step.loss.value);
+    if (std::isfinite(difference)) curve.largestStep = std::max(curve.largestStep, difference);
+  }
+  const Accumulated sums(isotherms, referenceTemperature);
+  const auto horizontal = sums.from(both), up = sums.from(vertical), ofStorage = sums.from(storage),
+             ofLoss = sums.from(loss);
+  for (std::size_t i = 0; i < isotherms.size(); ++i)
+    curve.shifts.push_back({isotherms[i].temperature, horizontal[i].value, horizontal[i].error,
+                            up[i].value, ofStorage[i].value, ofLoss[i].value,
+                            std::hypot(ofStorage[i].error, ofLoss[i].error)});
+  addPoints(isotherms, curve);
+  compareModuli(curve);
+  return curve;
+}
+
+double usualReference(std::span<const Isotherm> isotherms) {
+  constexpr double kUsual = 298.15;  // K
+  return std::clamp(kUsual, isotherms.front().temperature, isotherms.back().temperature);
+}
+
+std::vector<ShiftPoint> shiftTable(const MasterCurve& curve) {
+  std::vector<ShiftPoint> table;
+  for (const IsothermShift& shift : curve.shifts)
+    table.push_back({shift.temperature, shift.log10Shift});
+  return table;
+}
+
+}  // namespace asperity

@@ -1,0 +1,84 @@
+// From isotherms to a master curve: time-temperature superposition (Ferry, Viscoelastic Properties
+// of Polymers, ch. 11). Neighbouring isotherms are moved along the logarithm of frequency until
+// they agree where they overlap; the shifts add up from the reference temperature.
+//
+// Reduced frequency f a_T, reduced modulus G / b_T: a_T > 1 where the material is slower than at
+// the reference temperature. Pure functions; any thread; the same input gives the same bits.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/material/elastomer.h"
+#include "core/material/isotherms.h"
+
+namespace asperity {
+
+/// Which moduli a shift is read from.
+enum class ShiftModuli { Both, Storage, Loss };
+
+/// How two neighbouring isotherms lie to each other. Errors are NaN where nothing is left over to
+/// estimate them from.
+struct Overlap {
+  double log10Shift = 0;     // decades, log10 of a_T of the colder over that of the warmer
+  double standardError = 0;  // decades
+  double log10Vertical = 0;  // decades, log10 of b_T of the colder over that of the warmer
+  double verticalError = 0;  // decades
+  double mismatch = 0;       // decades of modulus, rms difference of the two where they overlap
+  double decades = 0;        // of frequency that they have in common
+};
+
+/// Least squares: over the common range both isotherms are one polynomial in the logarithm of
+/// frequency for each modulus (of degree 1 to 4, as the number of points allows), and the shift is
+/// the unknown that moves one against the other; all relative deviations count alike. Standard
+/// errors from the covariance of all unknowns and the deviations left over. Throws InputError where
+/// the two do not overlap.
+Overlap findOverlap(const Isotherm& colder, const Isotherm& warmer, bool isVertical = false);
+
+/// The shift of one isotherm in the table.
+struct IsothermShift {
+  double temperature = 0;      // K
+  double log10Shift = 0;       // decades, log10 a_T
+  double standardError = 0;    // decades; 0 at the reference
+  double log10Vertical = 0;    // decades, log10 b_T
+  double fromStorage = 0;      // decades, log10 a_T from G' alone; NaN: not to be had
+  double fromLoss = 0;         // decades, log10 a_T from G'' alone; NaN: not to be had
+  double differenceError = 0;  // decades, standard error of the difference of these two
+};
+
+/// A point of the master curve.
+struct MasterPoint {
+  DynamicModulus modulus;    // at the reduced frequency
+  std::size_t isotherm = 0;  // from which it comes
+};
+
+struct MasterCurve {
+  double referenceTemperature = 0;    // K
+  std::vector<IsothermShift> shifts;  // of every isotherm, rising temperature
+  std::vector<Overlap> overlaps;      // of every isotherm with the next warmer one
+  std::vector<MasterPoint> points;    // rising reduced frequency
+  /// Whether one shift serves both moduli: nowhere do those from G' and from G'' alone differ by
+  /// more than a tenth of a decade and three standard errors.
+  bool isThermorheologicallySimple = true;
+  double largestDifference = 0;  // decades, between the two tables
+  double largestStep = 0;        // decades, the same from one isotherm to the next
+
+  double lowestFrequency() const { return points.front().modulus.frequency; }  // Hz
+  double highestFrequency() const { return points.back().modulus.frequency; }  // Hz
+};
+
+/// referenceTemperature (K) must lie within the isotherms; between two of them the shift is linear
+/// in T. One isotherm is its own master curve, and the reference is its temperature. Throws
+/// InputError (--reference-temperature; isotherms that do not overlap, or whose order contradicts
+/// their temperatures).
+MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTemperature,
+                        bool isVertical = false);
+
+/// The reference that is taken unless a user says otherwise: 25 °C, the default temperature of a
+/// scene, where it lies within the isotherms, else the nearest of them.
+double usualReference(std::span<const Isotherm> isotherms);
+
+/// The table as a scene has it.
+std::vector<ShiftPoint> shiftTable(const MasterCurve& curve);
+
+}  // namespace asperity

@@ -1,0 +1,218 @@
+#include "core/measured/processing.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace asperity {
+namespace {
+
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+
+/// Terms of the polynomial in x (and y) that stands for the form.
+int termsOf(FormRemoval form) {
+  return form == FormRemoval::None   ? 0
+         : form == FormRemoval::Mean ? 1
+         : form == FormRemoval::Line ? 2
+                                     : 3;
+}
+
+/// Place of point `i` of n, from -1 to 1, which keeps the normal equations well conditioned.
+double placeOf(std::size_t i, std::size_t n) {
+  return n > 1 ? 2 * static_cast<double>(i) / static_cast<double>(n - 1) - 1 : 0;
+}
+
+/// Least squares of a sum of functions: points are added one by one.
+template <int Terms>
+class LeastSquares {
+ public:
+  using Vector = Eigen::Matrix<double, Terms, 1>;
+  void add(const Vector& functions, double value) {
+    matrix_ += functions * functions.transpose();
+    right_ += functions * value;
+  }
+  /// Functions that the points cannot tell apart get no part.
+  Vector solve() const { return matrix_.completeOrthogonalDecomposition().solve(right_); }
+
+ private:
+  Eigen::Matrix<double, Terms, Terms> matrix_ = Eigen::Matrix<double, Terms, Terms>::Zero();
+  Vector right_ = Vector::Zero();
+};
+
+Eigen::Vector3d powersOf(double x, int terms) {
+  return {terms > 0 ? 1.0 : 0.0, terms > 1 ? x : 0.0, terms > 2 ? x * x : 0.0};
+}
+
+/// The form of a row, from the heights that are not gaps.
+Eigen::Vector3d formOf(std::span<const double> heights, int terms) {
+  LeastSquares<3> fit;
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    if (!std::isnan(heights[i])) fit.add(powersOf(placeOf(i, heights.size()), terms), heights[i]);
+  return fit.solve();
+}
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::int64_t gapCount(std::span<const double> heights) {
+  return std::ranges::count_if(heights, [](double height) { return std::isnan(height); });
+}
+
+std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemoval form) {
+  constexpr int kRounds = 20;
+  if (!(multiples > 0)) return 0;
+  const int terms = termsOf(form);
+  std::vector<double> kept(heights.begin(), heights.end());
+  const std::int64_t gaps = gapCount(heights);
+  if (gaps == static_cast<std::int64_t>(heights.size())) return 0;
+  // Outliers spoil the fit that finds them, so the fit is repeated without them until none is left.
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::Vector3d form3 = formOf(kept, terms);
+    std::vector<double> deviation(heights.size(), kGap), known;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      if (std::isnan(heights[i])) continue;
+      deviation[i] = heights[i] - powersOf(placeOf(i, heights.size()), terms).dot(form3);
+      if (!std::isnan(kept[i])) known.push_back(deviation[i]);
+    }
+    const double middle = medianOf(known);
+    for (double& value : known) value = std::abs(value - middle);
+    const double spread = medianOf(std::move(known));
+    if (!(spread > 0)) break;
+    bool hasChanged = false;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      if (std::isnan(heights[i])) continue;
+      const bool isOutlier = std::abs(deviation[i] - middle) > multiples * spread;
+      hasChanged |= isOutlier != std::isnan(kept[i]);
+      kept[i] = isOutlier ? kGap : heights[i];
+    }
+    if (!hasChanged || gapCount(kept) == static_cast<std::int64_t>(kept.size())) break;
+  }
+  // A row that would be all outliers says nothing of which of its heights are.
+  const std::int64_t marked = gapCount(kept) - gaps;
+  if (marked + gaps == static_cast<std::int64_t>(heights.size())) return 0;
+  std::ranges::copy(kept, heights.begin());
+  return marked;
+}
+
+void interpolateGaps(std::span<double> heights) {
+  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  std::size_t last = kNone;  // measured point so far
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (std::isnan(heights[i])) continue;
+    const std::size_t first = last == kNone ? 0 : last + 1;
+    for (std::size_t j = first; j < i; ++j) {
+      const double part =
+          last == kNone ? 1 : static_cast<double>(j - last) / static_cast<double>(i - last);
+      heights[j] = last == kNone ? heights[i] : heights[last] + part * (heights[i] - heights[last]);
+    }
+    last = i;
+  }
+  if (last == kNone) return;
+  for (std::size_t j = last + 1; j < heights.size(); ++j) heights[j] = heights[last];
+}
+
+void removeForm(std::span<double> heights, FormRemoval form) {
+  const int terms = termsOf(form);
+  if (terms == 0) return;
+  const Eigen::Vector3d fitted = formOf(heights, terms);
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    heights[i] -= powersOf(placeOf(i, heights.size()), terms).dot(fitted);
+}
+
+void removeForm(std::span<double> heights, std::size_t rows, std::size_t columns,
+                FormRemoval form) {
+  const int terms = termsOf(form);
+  if (terms == 0) return;
+  const auto functions = [&](std::size_t row, std::size_t column) {
+    const double x = placeOf(column, columns), y = placeOf(row, rows);
+    const double linear = terms > 1 ? 1 : 0, square = terms > 2 ? 1 : 0;
+    return Eigen::Matrix<double, 6, 1>{
+        1, linear * x, linear * y, square * x * x, square * x * y, square * y * y};
+  };
+  LeastSquares<6> fit;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < columns; ++column)
+      fit.add(functions(row, column), heights[row * columns + column]);
+  const Eigen::Matrix<double, 6, 1> fitted = fit.solve();
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < columns; ++column)
+      heights[row * columns + column] -= functions(row, column).dot(fitted);
+}
+
+namespace {
+
+/// Where the weights have fallen to 1e-14 of their largest one.
+constexpr double kReach = 1.5;  // cut-off wavelengths
+
+std::size_t reachOf(std::size_t points, double spacing, double cutOff) {
+  const double reach = std::ceil(kReach * cutOff / spacing);
+  return reach < static_cast<double>(points)
+             ? std::max<std::size_t>(static_cast<std::size_t>(reach), 1)
+             : points;
+}
+
+/// values convolved with the kernel of this transform; both padded to the transform's points.
+std::vector<double> convolved(const RealTransform& transform, std::span<const double> values,
+                              std::span<const std::complex<double>> kernel) {
+  std::vector<double> padded(transform.points());
+  std::ranges::copy(values, padded.begin());
+  std::vector<std::complex<double>> modes = transform.forward(padded);
+  for (std::size_t k = 0; k < modes.size(); ++k)
+    modes[k] *= kernel[k] / static_cast<double>(transform.points());
+  std::vector<double> sums = transform.backward(std::move(modes));
+  sums.resize(values.size());
+  return sums;
+}
+
+}  // namespace
+
+GaussianFilter::GaussianFilter(std::size_t points, double spacing, double cutOff)
+    : points_(points), transform_(fastTransformSize(points + reachOf(points, spacing, cutOff))) {
+  const std::size_t reach = reachOf(points, spacing, cutOff), size = transform_.points();
+  const double alpha = std::sqrt(std::numbers::ln2 / std::numbers::pi);
+  std::vector<double> weight(size), moment(size), square(size);
+  double sum = 0;
+  // T_m(i) = sum over j of s(j) j^m z(i + j); the kernel of a convolution is turned over.
+  for (std::size_t j = 0; j <= reach; ++j) {
+    const double x = static_cast<double>(j), part = x * spacing / (alpha * cutOff);
+    const double s = std::exp(-std::numbers::pi * part * part);
+    sum += j == 0 ? s : 2 * s;
+    for (const std::size_t place : {(size - j) % size, j}) {
+      const double signedX = place == j ? -x : x;
+      weight[place] = s;
+      moment[place] = s * signedX;
+      square[place] = s * x * x;
+    }
+  }
+  for (std::vector<double>* kernel : {&weight, &moment, &square})
+    for (double& value : *kernel) value /= sum;
+  weights_ = transform_.forward(weight);
+  moments_ = transform_.forward(moment);
+  const std::vector<double> ones(points, 1.0);
+  const std::vector<double> s0 = convolved(transform_, ones, weights_);
+  const std::vector<double> s1 = convolved(transform_, ones, moments_);
+  const std::vector<double> s2 = convolved(transform_, ones, transform_.forward(square));
+  for (std::size_t i = 0; i < points; ++i) {
+    const double determinant = s0[i] * s2[i] - s1[i] * s1[i];
+    const bool isLine = determinant > 1e-12 * s0[i] * s2[i];
+    ofHeight_.push_back(isLine ? s2[i] / determinant : 1 / s0[i]);
+    ofMoment_.push_back(isLine ? -s1[i] / determinant : 0);
+  }
+}
+
+std::vector<double> GaussianFilter::meanLine(std::span<const double> heights) const {
+  std::vector<double> line = convolved(transform_, heights, weights_);
+  const std::vector<double> moment = convolved(transform_, heights, moments_);
+  for (std::size_t i = 0; i < points_; ++i)
+    line[i] = ofHeight_[i] * line[i] + ofMoment_[i] * moment[i];
+  return line;
+}
+
+}  // namespace asperity

@@ -1,0 +1,342 @@
+#include "core/measured/roughness_spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/base/fourier.h"
+#include "core/measured/processing.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+/// Integral of a density from x0 to x, between the points (x0, y0) and (x1, y1): a power law where
+/// both are above 0, else a straight line.
+double segmentIntegral(double x0, double y0, double x1, double y1, double x) {
+  if (!(y0 > 0) || !(y1 > 0)) {
+    const double y = y0 + (y1 - y0) * (x - x0) / (x1 - x0);
+    return 0.5 * (y0 + y) * (x - x0);
+  }
+  const double exponent = std::log(y1 / y0) / std::log(x1 / x0) + 1;
+  const double ratio = std::log(x / x0);
+  // (e^(a r) - 1) / a tends to r where a is small.
+  return y0 * x0 *
+         (std::abs(exponent * ratio) < 1e-12 ? ratio : std::expm1(exponent * ratio) / exponent);
+}
+
+std::vector<double> hannWindow(std::size_t points) {
+  std::vector<double> window(points);
+  double square = 0;
+  for (std::size_t i = 0; i < points; ++i) {
+    window[i] =
+        0.5 - 0.5 * std::cos(kTwoPi * (static_cast<double>(i) + 0.5) / static_cast<double>(points));
+    square += window[i] * window[i];
+  }
+  const double factor = std::sqrt(static_cast<double>(points) / square);
+  for (double& value : window) value *= factor;
+  return window;
+}
+
+}  // namespace
+
+double SpectralDensity::integralTo(double q) const {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < waveNumber.size() && waveNumber[i] < q; ++i)
+    sum += segmentIntegral(waveNumber[i], density[i], waveNumber[i + 1], density[i + 1],
+                           std::min(q, waveNumber[i + 1]));
+  return sum;
+}
+
+SpectralDensity within(const SpectralDensity& density, double lowest, double highest) {
+  const std::vector<double>& q = density.waveNumber;
+  SpectralDensity part;
+  const auto add = [&part](double wave, double value) {
+    part.waveNumber.push_back(wave);
+    part.density.push_back(value);
+  };
+  // The density at a wave number inside of a segment.
+  const auto between = [&](std::size_t i, double wave) {
+    const double low = density.density[i], high = density.density[i + 1];
+    if (!(low > 0) || !(high > 0)) return low + (high - low) * (wave - q[i]) / (q[i + 1] - q[i]);
+    return low * std::pow(high / low, std::log(wave / q[i]) / std::log(q[i + 1] / q[i]));
+  };
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    if (i > 0 && q[i - 1] < lowest && lowest < q[i]) add(lowest, between(i - 1, lowest));
+    if (q[i] >= lowest && q[i] <= highest) add(q[i], density.density[i]);
+    if (i + 1 < q.size() && q[i] < highest && highest < q[i + 1] && highest > lowest)
+      add(highest, between(i, highest));
+  }
+  return part;
+}
+
+std::vector<double> modeMagnitudes(const SpectralDensity& density, double length,
+                                   std::size_t modes) {
+  std::vector<double> magnitudes(modes);
+  const std::vector<double>& q = density.waveNumber;
+  if (q.size() < 2) return magnitudes;
+  const double lowest = kTwoPi / length;
+  // Both the edges of the modes and the points of the density ascend: one walk along them.
+  std::size_t segment = 0;
+  double before = 0;  // integral up to the segment's first point
+  const auto integralTo = [&](double edge) {
+    while (segment + 2 < q.size() && q[segment + 1] < edge) {
+      before += segmentIntegral(q[segment], density.density[segment], q[segment + 1],
+                                density.density[segment + 1], q[segment + 1]);
+      ++segment;
+    }
+    const double end = std::clamp(edge, q[segment], q[segment + 1]);
+    return before + segmentIntegral(q[segment], density.density[segment], q[segment + 1],
+                                    density.density[segment + 1], end);
+  };
+  double last = integralTo(0.5 * lowest);
+  for (std::size_t k = 1; k <= modes; ++k) {
+    const double next = integralTo((static_cast<double>(k) + 0.5) * lowest);
+    magnitudes[k - 1] = std::sqrt(std::max(next - last, 0.0));
+    last = next;
+  }
+  return magnitudes;
+}
+
+std::vector<double> hannPowers(std::span<const double> heights) {
+  const std::size_t points = heights.size();
+  const std::vector<double> window = hannWindow(points);
+  std::vector<double> windowed(points);
+  for (std::size_t i = 0; i < points; ++i) windowed[i] = heights[i] * window[i];
+  const auto modes = RealTransform(points).forward(windowed);
+  std::vector<double> powers(modes.size());
+  const double scale = 1 / (static_cast<double>(points) * static_cast<double>(points));
+  for (std::size_t k = 0; k < modes.size(); ++k)
+    powers[k] = (k == 0 || 2 * k == points ? 1 : 2) * std::norm(modes[k]) * scale;
+  return powers;
+}
+
+SpectralDensity hannSpectrum(std::span<const double> heights, double spacing) {
+  const std::vector<double> powers = hannPowers(heights);
+  const double lowest = kTwoPi / (static_cast<double>(heights.size()) * spacing);
+  SpectralDensity density;
+  for (std::size_t k = 1; k < powers.size(); ++k) {
+    density.waveNumber.push_back(lowest * static_cast<double>(k));
+    density.density.push_back(powers[k] / (2 * lowest));
+  }
+  return density;
+}
+
+// ---- Bands --------------------------------------------------------------------------------------
+
+double BandPowers::from(std::size_t band) const {
+  return kTwoPi / length * (static_cast<double>(first[band]) - 0.5);
+}
+
+double BandPowers::to(std::size_t band) const {
+  return kTwoPi / length * (static_cast<double>(first[band + 1]) - 0.5);
+}
+
+double BandPowers::centre(std::size_t band) const {
+  return std::sqrt(from(band) * to(band));
+}
+
+double BandPowers::total() const {
+  return std::accumulate(power.begin(), power.end(), 0.0);
+}
+
+double BandPowers::rmsSlope() const {
+  double sum = 0;
+  for (std::size_t j = 0; j < bands(); ++j) {
+    // Mean of q^2 over a band of constant power per octave.
+    const double low = from(j), high = to(j);
+    sum += power[j] * (high * high - low * low) / (2 * std::log(high / low));
+  }
+  return std::sqrt(sum);
+}
+
+SpectralDensity BandPowers::density() const {
+  SpectralDensity density;
+  for (std::size_t j = 0; j < bands(); ++j) {
+    const double value = power[j] / (2 * (to(j) - from(j)));
+    // The outermost bands reach to their edges.
+    if (j == 0) {
+      density.waveNumber.push_back(from(j));
+      density.density.push_back(value);
+    }
+    density.waveNumber.push_back(centre(j));
+    density.density.push_back(value);
+    if (j + 1 == bands()) {
+      density.waveNumber.push_back(to(j));
+      density.density.push_back(value);
+    }
+  }
+  // Between the centres of bands the density is a power law, whose sum is another one.
+  const double whole = density.empty() ? 0 : 2 * density.integralTo(density.waveNumber.back());
+  if (whole > 0)
+    for (double& value : density.density) value *= total() / whole;
+  return density;
+}
+
+BandPowers inBands(std::span<const double> powers, double length) {
+  constexpr double kToDecade = 8;
+  const double ratio = std::pow(10.0, 1 / kToDecade);
+  BandPowers bands{length, {1}, {}};
+  for (std::size_t first = 1; first < powers.size();) {
+    const auto wanted = static_cast<std::size_t>(std::floor(static_cast<double>(first) * ratio));
+    const std::size_t end = std::min(std::max(wanted, first + 1), powers.size());
+    bands.power.push_back(std::accumulate(powers.begin() + static_cast<std::ptrdiff_t>(first),
+                                          powers.begin() + static_cast<std::ptrdiff_t>(end), 0.0));
+    bands.first.push_back(end);
+    first = end;
+  }
+  if (!bands.power.empty() && !powers.empty()) bands.power[0] += powers[0];
+  return bands;
+}
+
+ReliableBand reliableBand(std::span<const double> heights, double spacing, double shortWaveCut) {
+  const double length = static_cast<double>(heights.size()) * spacing;
+  ReliableBand band{3 * kTwoPi / length, 0.5 * std::numbers::pi / spacing};
+  if (shortWaveCut > 0) band.to = std::min(band.to, kTwoPi / shortWaveCut);
+  const BandPowers bands = inBands(hannPowers(heights), length);
+  // From the top down: the lowest band from which on the density falls slower than 1/q, taken over
+  // half a decade, because single bands scatter.
+  constexpr std::size_t kStride = 6;
+  const auto densityAt = [&](std::size_t j) {
+    return bands.power[j] / (bands.to(j) - bands.from(j));
+  };
+  for (std::size_t j = bands.bands(); j-- > kStride;) {
+    const double low = densityAt(j - kStride), high = densityAt(j);
+    const double exponent =
+        low > 0 && high > 0
+            ? std::log(high / low) / std::log(bands.centre(j) / bands.centre(j - kStride))
+            : -2;
+    if (exponent < -1) break;
+    if (bands.from(j - kStride) < band.to) {
+      band.to = bands.from(j - kStride);
+      band.endsInNoise = true;
+    }
+  }
+  // A spectrum without any fall, as of a smooth line with white noise or a short one.
+  if (band.to <= band.from) band.to = band.from;
+  return band;
+}
+
+// ---- The equivalent line
+// --------------------------------------------------------------------------
+
+double EquivalentSpectra::factor(double q) const {
+  const std::size_t bands = profile.bands();
+  if (bands == 0) return 1;
+  std::size_t band = 0;
+  while (band + 1 < bands && profile.to(band) <= q) ++band;
+  return profile.power[band] > 0 ? std::sqrt(line.power[band] / profile.power[band]) : 1;
+}
+
+EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form) {
+  const auto rows = static_cast<std::size_t>(topography.rows);
+  const auto columns = static_cast<std::size_t>(topography.columns);
+  std::vector<double> heights = topography.height;
+  removeForm(heights, rows, columns, form);
+  std::vector<double> profile(columns / 2 + 1);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::vector<double> powers =
+        hannPowers(std::span(heights).subspan(row * columns, columns));
+    for (std::size_t k = 0; k < powers.size(); ++k)
+      profile[k] += powers[k] / static_cast<double>(rows);
+  }
+  const std::vector<double> alongX = hannWindow(columns), alongY = hannWindow(rows);
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < columns; ++column)
+      heights[row * columns + column] *= alongX[column] * alongY[row];
+  const auto modes = transform2d(heights, rows, columns);
+  heights = {};
+  // Rings of the width of one wave along x. Where the other direction is measured more coarsely,
+  // rings are not whole, and the part that is there stands for the whole.
+  const double length = topography.length(), width = topography.width();
+  std::vector<double> ring(columns / 2 + 1), count(ring.size());
+  const double points = static_cast<double>(rows) * static_cast<double>(columns);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double ky = static_cast<double>(row <= rows / 2 ? row : rows - row) * length / width;
+    for (std::size_t k = 0; k < columns / 2 + 1; ++k) {
+      const double radius = std::hypot(static_cast<double>(k), ky);
+      const auto number = static_cast<std::size_t>(std::lround(radius));
+      if (number >= ring.size()) continue;
+      const double times = k == 0 || 2 * k == columns ? 1 : 2;
+      ring[number] += times * std::norm(modes[row * (columns / 2 + 1) + k]) / (points * points);
+      count[number] += times;
+    }
+  }
+  const double highestY = 0.5 * static_cast<double>(rows) * length / width;
+  for (std::size_t k = 1; k < ring.size(); ++k) {
+    const double whole = kTwoPi * static_cast<double>(k) * width / length;
+    if (static_cast<double>(k) + 0.5 > highestY && count[k] > 0) ring[k] *= whole / count[k];
+  }
+  return {inBands(profile, length), inBands(ring, length)};
+}
+
+namespace {
+
+/// Part of the power of ring `ring` that a cut shows in each band up to it: phi is uniform, and the
+/// ring's power is the same in each octave.
+std::vector<double> sharesOf(const BandPowers& bands, std::size_t ring) {
+  constexpr int kRadii = 16;
+  std::vector<double> shares(ring + 1);
+  const double low = bands.from(ring), high = bands.to(ring);
+  for (int r = 0; r < kRadii; ++r) {
+    const double radius = low * std::pow(high / low, (r + 0.5) / kRadii);
+    double below = 0;  // part at lower wave numbers
+    for (std::size_t j = 0; j <= ring; ++j) {
+      const double upTo = 2 / std::numbers::pi * std::asin(std::min(bands.to(j) / radius, 1.0));
+      shares[j] += (upTo - below) / kRadii;
+      below = upTo;
+    }
+  }
+  return shares;
+}
+
+/// Multiplies all powers by a power law of q, so that their sum and their rms slope become these.
+void tilt(BandPowers& bands, double total, double rmsSlope) {
+  constexpr double kSteepest = 4;
+  constexpr int kHalvings = 60;
+  if (!(total > 0)) return;
+  const auto tilted = [&](double exponent) {
+    BandPowers some = bands;
+    for (std::size_t j = 0; j < some.bands(); ++j)
+      some.power[j] *= std::pow(some.centre(j) / some.centre(0), exponent);
+    const double factor = total / some.total();
+    for (double& power : some.power) power *= factor;
+    return some;
+  };
+  double low = -kSteepest, high = kSteepest;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (tilted(middle).rmsSlope() < rmsSlope ? low : high) = middle;
+  }
+  bands = tilted(0.5 * (low + high));
+}
+
+}  // namespace
+
+EquivalentSpectra equivalentOf(const BandPowers& profile) {
+  constexpr int kRounds = 100;
+  EquivalentSpectra spectra{profile, profile};
+  const std::size_t bands = profile.bands();
+  std::vector<std::vector<double>> shares;
+  for (std::size_t ring = 0; ring < bands; ++ring) shares.push_back(sharesOf(profile, ring));
+  std::vector<double>& power = spectra.line.power;
+  std::vector<double> seen(bands), next(bands);
+  for (int round = 0; round < kRounds; ++round) {
+    std::ranges::fill(seen, 0.0);
+    for (std::size_t ring = 0; ring < bands; ++ring)
+      for (std::size_t j = 0; j <= ring; ++j) seen[j] += shares[ring][j] * power[ring];
+    for (std::size_t ring = 0; ring < bands; ++ring) {
+      double factor = 0;
+      for (std::size_t j = 0; j <= ring; ++j)
+        if (seen[j] > 0) factor += shares[ring][j] * (profile.power[j] / seen[j]);
+      next[ring] = power[ring] * factor;
+    }
+    power = next;
+  }
+  tilt(spectra.line, profile.total(), std::numbers::sqrt2 * profile.rmsSlope());
+  return spectra;
+}
+
+}  // namespace asperity

@@ -1,0 +1,192 @@
+#include "core/run/measured_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/number_text.h"
+#include "core/run/line_diagrams.h"
+
+namespace asperity {
+namespace {
+
+constexpr std::size_t kStretches = 1500;  // along the profile
+
+/// Points of a profile about `mean`. Of a long one the lowest and the highest of each stretch, so
+/// that no summit is lost.
+std::vector<DiagramPoint> profilePoints(std::span<const double> heights, double spacing,
+                                        double mean) {
+  std::vector<DiagramPoint> points;
+  const auto add = [&](std::size_t i) {
+    points.push_back({(static_cast<double>(i) + 0.5) * spacing, heights[i] - mean});
+  };
+  if (heights.size() <= 2 * kStretches) {
+    for (std::size_t i = 0; i < heights.size(); ++i) add(i);
+    return points;
+  }
+  for (std::size_t s = 0; s < kStretches; ++s) {
+    const std::size_t first = s * heights.size() / kStretches;
+    const std::size_t end = (s + 1) * heights.size() / kStretches;
+    std::size_t lowest = first, highest = first;
+    for (std::size_t i = first; i < end; ++i) {
+      if (std::isnan(heights[i])) continue;
+      if (std::isnan(heights[lowest]) || heights[i] < heights[lowest]) lowest = i;
+      if (std::isnan(heights[highest]) || heights[i] > heights[highest]) highest = i;
+    }
+    add(std::min(lowest, highest));
+    if (lowest != highest) add(std::max(lowest, highest));
+  }
+  return points;
+}
+
+double meanOf(std::span<const double> heights) {
+  double sum = 0, count = 0;
+  for (const double height : heights)
+    if (!std::isnan(height)) {
+      sum += height;
+      ++count;
+    }
+  return count > 0 ? sum / count : 0;
+}
+
+DiagramSeries seriesNamed(const char* name, int colour, std::vector<DiagramPoint> points) {
+  DiagramSeries series;
+  series.name = name;
+  series.colour = colour;
+  series.points = std::move(points);
+  return series;
+}
+
+/// Both profiles in one frame, or in two where the form that was removed dwarfs the roughness.
+std::vector<Diagram> profileDiagrams(const MeasuredSummary& summary) {
+  constexpr double kDwarfs = 4;
+  const ProcessedProfile& profile = summary.profile;
+  DiagramSeries raw = seriesNamed("raw, about its mean", 1,
+                                  profilePoints(profile.raw, profile.spacing, meanOf(profile.raw)));
+  DiagramSeries used = seriesNamed("used", 0, profilePoints(profile.used, profile.spacing, 0));
+  Diagram frame;
+  frame.x = {"position", "m", AxisScale::Linear, 0, summary.used.length};
+  frame.y = {"height", "m", AxisScale::Linear};
+  if (summary.raw.pt <= kDwarfs * summary.used.pt) {
+    frame.series = {std::move(raw), std::move(used)};
+    return {frame};
+  }
+  Diagram below = frame;
+  frame.series = {std::move(raw)};
+  below.series = {std::move(used)};
+  return {frame, below};
+}
+
+/// Means over stretches of log q, which the eye would take anyway.
+std::vector<DiagramPoint> spectrumPoints(const SpectralDensity& spectrum) {
+  constexpr double kToDecade = 24;
+  std::vector<DiagramPoint> points;
+  double wave = 0, density = 0, count = 0, stretch = -1e9;
+  const auto finish = [&] {
+    if (count > 0 && density > 0) points.push_back({std::exp(wave / count), density / count});
+    wave = density = count = 0;
+  };
+  for (std::size_t i = 0; i < spectrum.waveNumber.size(); ++i) {
+    const double place = std::floor(kToDecade * std::log10(spectrum.waveNumber[i]));
+    if (place != stretch) finish();
+    stretch = place;
+    wave += std::log(spectrum.waveNumber[i]);
+    density += spectrum.density[i];
+    count += 1;
+  }
+  finish();
+  return points;
+}
+
+Diagram spectrumDiagram(const MeasuredSummary& summary) {
+  Diagram diagram;
+  diagram.x = {"wave number q", "1/m", AxisScale::Logarithmic};
+  diagram.y = {"spectral density C", "m\u00B3", AxisScale::Logarithmic};
+  std::vector<DiagramPoint> raw = spectrumPoints(summary.rawSpectrum);
+  std::vector<DiagramPoint> used = spectrumPoints(summary.usedSpectrum);
+  // What a filter has taken away whole would stretch the axis over rounding errors.
+  constexpr double kDeepest = 1e-16;
+  double greatest = 0, least = HUGE_VAL;
+  for (const auto* points : {&raw, &used})
+    for (const DiagramPoint& point : *points) greatest = std::max(greatest, point.y);
+  for (auto* points : {&raw, &used}) {
+    std::erase_if(*points,
+                  [&](const DiagramPoint& point) { return point.y < kDeepest * greatest; });
+    for (const DiagramPoint& point : *points) least = std::min(least, point.y);
+  }
+  if (!raw.empty()) {
+    const double first = raw.front().x, last = raw.back().x;
+    if (summary.band.from > first)
+      diagram.shades.push_back({first, summary.band.from, "too long", {}, {}, false});
+    if (summary.band.to < last)
+      diagram.shades.push_back({summary.band.to,
+                                last,
+                                summary.band.endsInNoise ? Message("noise") : Message("too short"),
+                                {},
+                                {},
+                                false});
+  }
+  diagram.series = {seriesNamed("raw", 1, std::move(raw)), seriesNamed("used", 0, std::move(used))};
+  return diagram;
+}
+
+/// Shares of heights, in rms heights of the used profile.
+Diagram heightDistribution(const MeasuredSummary& summary) {
+  constexpr double kMost = 5;
+  Diagram diagram;
+  diagram.x = {summary.isRoughness ? "height z / Rq" : "height z / Pq", "", AxisScale::Linear,
+               -kMost, kMost};
+  diagram.y = {"share", "%", AxisScale::Linear};
+  std::vector<double> heights;
+  const double mean = meanOf(summary.profile.used);
+  if (!(summary.used.pq > 0)) {
+    diagram.blank = "all heights are equal";
+    return diagram;
+  }
+  for (const double height : summary.profile.used)
+    heights.push_back((height - mean) / summary.used.pq);
+  const auto bins = static_cast<std::size_t>(
+      std::clamp(std::sqrt(static_cast<double>(heights.size())), 20.0, 100.0));
+  const Histogram histogram = histogramOf(heights, -kMost, kMost, bins);
+  DiagramSeries steps = seriesNamed("used", 0, {});
+  for (std::size_t i = 0; i < histogram.share.size(); ++i) {
+    const double from = histogram.from + histogram.width() * static_cast<double>(i);
+    steps.points.push_back({from, 100 * histogram.share[i]});
+    steps.points.push_back({from + histogram.width(), 100 * histogram.share[i]});
+  }
+  DiagramSeries normal{.name = "normal", .stroke = SeriesStroke::Dashed, .isTheory = true};
+  for (double x = -kMost; x <= kMost; x += 0.1)
+    normal.points.push_back(
+        {x, 100 * histogram.width() * std::exp(-0.5 * x * x) / std::sqrt(2 * std::numbers::pi)});
+  diagram.series = {std::move(steps), std::move(normal)};
+  return diagram;
+}
+
+}  // namespace
+
+DiagramSheet measuredSheet(const MeasuredSummary& summary, const std::string& title) {
+  DiagramSheet sheet;
+  sheet.title = title.empty() ? Message("Measured surface") : Message(title);
+  const auto metres = [](double value) { return PrintedNumber{printedQuantity(value, "m", 4)}; };
+  const auto number = [](double value) { return PrintedNumber{printedNumber(value, 4)}; };
+  const Message rough = summary.isRoughness ? Message::name("Rq") : Message::name("Pq");
+  const Message slope = summary.isRoughness ? Message::name("Rdq") : Message::name("Pdq");
+  sheet.subtitle = listed(
+      {summary.rows > 1 ? message("row {} of {}", summary.rowInFile, summary.rows) : Message(),
+       message("{} = {} raw, {} used", rough, metres(summary.raw.pq), metres(summary.used.pq)),
+       message("{} = {} raw, {} used", slope, number(summary.raw.pdq), number(summary.used.pdq)),
+       summary.isEquivalent
+           ? message("rms slope of the equivalent line {}", number(summary.lineSlope))
+           : Message()});
+  sheet.diagrams = profileDiagrams(summary);
+  sheet.diagrams.push_back(spectrumDiagram(summary));
+  sheet.diagrams.push_back(heightDistribution(summary));
+  sheet.columns = sheet.diagrams.size() == 4 ? 2 : 1;
+  sheet.note =
+      "Summits are up, as in the file. C(q) is two-sided, h\u00B2 = 2 \u222B C dq, under a Hann "
+      "window; tinted: not roughness but the length of the profile, noise or too few points to a "
+      "wave.";
+  return sheet;
+}
+
+}  // namespace asperity

@@ -1,0 +1,137 @@
+#include "core/scene/list_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/text.h"
+#include "core/material/element_law.h"
+#include "core/scene/parameters.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<ArmMember, 2> kArmMembers{
+    {{"modulus", &Arm::modulus, 0, 1e15, "Pa"},
+     {"relaxation_time", &Arm::relaxationTime, 0, 1e12, "s"}}};
+
+constexpr std::array<ListMember<ShiftPoint>, 2> kShiftMembers{
+    {{"temperature", &ShiftPoint::temperature, 1, 2000, "K"},
+     {"log10_shift", &ShiftPoint::log10Shift, -kMostDecades, kMostDecades, ""}}};
+
+template <class Row>
+Message allowed(const ListMember<Row>& member) {
+  return rangeText(member.least, member.most, member.unit);
+}
+
+Json parsedList(std::string_view json, const std::string& key, const Message& allowedList) {
+  Json list = Json::parse(json, nullptr, false);
+  if (list.is_discarded())
+    throw InputError("", key, message("is not a list in JSON; allowed is {}", allowedList));
+  if (!list.is_array()) throw InputError("", key, message("needs {}", allowedList));
+  return list;
+}
+
+/// The sentences name the members, so each list has its own.
+struct RowTexts {
+  Message wrongType, unknownKey;
+};
+
+template <class Row, std::size_t Count>
+Row rowFrom(const Json& json, const std::string& key,
+            const std::array<ListMember<Row>, Count>& members, const RowTexts& texts) {
+  if (!json.is_object()) throw InputError("", key, texts.wrongType);
+  for (const auto& [name, value] : json.items())
+    if (std::none_of(members.begin(), members.end(),
+                     [&name = name](const ListMember<Row>& member) { return name == member.name; }))
+      throw InputError("", key + "." + shortened(name), texts.unknownKey);
+  Row row;
+  for (const ListMember<Row>& member : members) {
+    const std::string path = key + "." + member.name;
+    if (!json.contains(member.name)) throw InputError("", path, "is missing");
+    const Json& value = json[member.name];
+    if (!value.is_number())
+      throw InputError("", path, message("is not a number; allowed is {}", allowed(member)));
+    const auto number = value.get<double>();
+    if (!(number >= member.least && number <= member.most))
+      throw InputError("", path, message("{} is outside {}", plain(number), allowed(member)));
+    row.*member.value = number;
+  }
+  return row;
+}
+
+template <class Row, std::size_t Count>
+std::string listText(const std::vector<Row>& rows,
+                     const std::array<ListMember<Row>, Count>& members) {
+  Json list = Json::array();
+  for (const Row& row : rows) {
+    Json one;
+    for (const ListMember<Row>& member : members) one[member.name] = row.*member.value;
+    list.push_back(std::move(one));
+  }
+  return list.dump();
+}
+
+}  // namespace
+
+std::span<const ArmMember> armMembers() {
+  return kArmMembers;
+}
+
+std::vector<Arm> armsFrom(std::string_view json, const std::string& key) {
+  const Json list = parsedList(json, key, allowedArms());
+  if (list.size() > kMostArms)
+    throw InputError("", key, message("has {} arms; allowed is {}", list.size(), allowedArms()));
+  const RowTexts texts{"needs an object of modulus and relaxation_time",
+                       "unknown key; an arm has modulus and relaxation_time"};
+  std::vector<Arm> arms;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    arms.push_back(rowFrom(list[i], fmt::format("{}[{}]", key, i), kArmMembers, texts));
+  return arms;
+}
+
+std::vector<ShiftPoint> shiftTableFrom(std::string_view json, const std::string& key) {
+  const Json list = parsedList(json, key, allowedShiftTable());
+  if (list.empty() || list.size() > kMostShiftPoints)
+    throw InputError("", key,
+                     message("has {} rows; allowed is {}", list.size(), allowedShiftTable()));
+  const RowTexts texts{"needs an object of temperature and log10_shift",
+                       "unknown key; a row has temperature and log10_shift"};
+  std::vector<ShiftPoint> table;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string path = fmt::format("{}[{}]", key, i);
+    table.push_back(rowFrom(list[i], path, kShiftMembers, texts));
+    if (i > 0 && !(table[i].temperature > table[i - 1].temperature))
+      throw InputError("", path + ".temperature",
+                       message("{} K is not above the {} K of the row before; the rows are needed "
+                               "in the order of rising temperature",
+                               table[i].temperature, table[i - 1].temperature));
+  }
+  return table;
+}
+
+std::string textOf(const std::vector<Arm>& arms) {
+  return listText(arms, kArmMembers);
+}
+
+std::string textOf(const std::vector<ShiftPoint>& table) {
+  return listText(table, kShiftMembers);
+}
+
+Message allowedArms() {
+  return message("a list of 0 to {} {{modulus, relaxation_time}}, {} and {}", kMostArms,
+                 allowed(kArmMembers[0]), allowed(kArmMembers[1]));
+}
+
+Message allowedShiftTable() {
+  return message("a list of 1 to {} {{temperature, log10_shift}}, {} and {}", kMostShiftPoints,
+                 allowed(kShiftMembers[0]), allowed(kShiftMembers[1]));
+}
+
+}  // namespace asperity

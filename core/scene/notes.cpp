@@ -1,0 +1,61 @@
+#include "core/scene/notes.h"
+
+#include <array>
+
+namespace asperity {
+namespace {
+
+struct NoteText {
+  std::string_view word;
+  std::string_view sentence;
+};
+
+constexpr std::array<NoteText, kNotes> kTexts{{
+    {"slope_above_0.3",
+     "the rms slope of the line is above 0.3: the model takes slopes for small, and beyond this "
+     "its "
+     "friction is an estimate"},
+    {"few_contacts",
+     "few contacts carry the load: results depend on the single summits of this line and on its "
+     "length"},
+    {"extrapolated_material",
+     "sliding excites frequencies outside of those that the elastomer was measured at"},
+    {"extrapolated_temperature",
+     "the temperature lies outside of those that the elastomer was measured at"},
+    {"strain_beyond_measured", "strains are larger than those that the elastomer was measured at"},
+    {"seam_jump",
+     "the end of the profile does not meet its beginning: the period repeats with a step, which "
+     "carries load like a sharp edge; surface.seam mirror or blend make none"},
+    {"fast_enough_to_heat",
+     "so much power is dissipated that the elastomer would become warmer, which is not computed"},
+    {"unresolved_friction",
+     "too few elements are in contact for the tangential force, which is the error of their sum"},
+}};
+
+}  // namespace
+
+std::string_view wordOf(Note note) {
+  return kTexts[static_cast<std::size_t>(note)].word;
+}
+
+Message sentenceOf(Note note) {
+  return Message(kTexts[static_cast<std::size_t>(note)].sentence);
+}
+
+std::vector<Note> NoteSet::list() const {
+  std::vector<Note> notes;
+  for (std::size_t i = 0; i < kNotes; ++i)
+    if (has(static_cast<Note>(i))) notes.push_back(static_cast<Note>(i));
+  return notes;
+}
+
+std::string NoteSet::words() const {
+  std::string text;
+  for (const Note note : list()) {
+    if (!text.empty()) text += ' ';
+    text += wordOf(note);
+  }
+  return text;
+}
+
+}  // namespace asperity

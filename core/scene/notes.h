@@ -1,0 +1,54 @@
+// What a user must know about how far a result holds: one list for the column `notes` of tables,
+// for `asperity explain`, for `asperity surface` and for the window. Constant; any thread.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/message.h"
+
+namespace asperity {
+
+/// In the order in which they are said.
+enum class Note : std::uint8_t {
+  SlopeAbove,               // rms slope of the line above kSmallSlope
+  FewContacts,              // few summits carry the load (region IV)
+  ExtrapolatedMaterial,     // frequencies outside of what was measured of the elastomer
+  ExtrapolatedTemperature,  // temperature outside of it
+  StrainBeyondMeasured,     // larger strains than those the elastomer was measured at
+  SeamJump,                 // the period of the line repeats with a step
+  FastEnoughToHeat,         // the power dissipated would change the temperature
+  UnresolvedFriction,       // too few elements in contact for the tangential force
+};
+inline constexpr std::size_t kNotes = static_cast<std::size_t>(Note::UnresolvedFriction) + 1;
+
+/// The model takes slopes for small: beyond this rms slope it is an estimate.
+inline constexpr double kSmallSlope = 0.3;
+
+/// The word of tables: "slope_above_0.3".
+std::string_view wordOf(Note note);
+/// One sentence for people, without a full stop.
+Message sentenceOf(Note note);
+
+/// Some of the notes: a plain value.
+class NoteSet {
+ public:
+  void add(Note note, bool holds = true) {
+    if (holds) bits_ |= std::uint32_t{1} << static_cast<unsigned>(note);
+  }
+  void add(NoteSet others) { bits_ |= others.bits_; }
+  bool has(Note note) const { return (bits_ >> static_cast<unsigned>(note) & 1) != 0; }
+  bool empty() const { return bits_ == 0; }
+  std::vector<Note> list() const;
+  /// Their words, separated by blanks.
+  std::string words() const;
+
+  bool operator==(const NoteSet&) const = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+}  // namespace asperity

@@ -1,0 +1,374 @@
+#include "core/surface/measured_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <mutex>
+#include <numbers>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/surface/random_phases.h"
+
+namespace asperity {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kFewestPoints = 3;
+
+[[noreturn]] void fail(const char* key, const Message& what) {
+  throw InputError("", key, what);
+}
+
+/// What a file was when it was read.
+struct FileState {
+  fs::path name{};
+  std::uintmax_t size = 0;
+  fs::file_time_type time{};
+
+  static FileState of(const fs::path& file) {
+    std::error_code error;
+    return {fs::absolute(file, error), fs::file_size(file, error),
+            fs::last_write_time(file, error)};
+  }
+  bool operator==(const FileState&) const = default;
+};
+
+/// The last value made, for as long as its key stays the same.
+template <class Key, class Value>
+class LastOne {
+ public:
+  template <class Make>
+  std::shared_ptr<const Value> get(const Key& key, const Make& make) {
+    {
+      const std::lock_guard guard(lock_);
+      if (value_ && key_ == key) return value_;
+    }
+    std::shared_ptr<const Value> made = make();
+    const std::lock_guard guard(lock_);
+    key_ = key;
+    value_ = made;
+    return made;
+  }
+
+ private:
+  std::mutex lock_;
+  Key key_{};
+  std::shared_ptr<const Value> value_;
+};
+
+ReadingChoices choicesOf(const SurfaceReading& reading) {
+  return {reading.format, reading.positionUnit, reading.heightUnit,
+          static_cast<int>(reading.positionColumn), static_cast<int>(reading.heightColumn)};
+}
+
+MeasuredFile readFile(const Scene& scene, const std::stop_token& stop,
+                      const ReadingProgress& progress) {
+  const SurfaceReading& reading = scene.surface.reading;
+  MeasuredFile file =
+      readMeasuredFile(scene.folder / scene.surface.file, choicesOf(reading), stop, progress);
+  if (reading.direction == ProfileDirection::AlongY) {
+    if (file.topography.isProfile())
+      fail("surface.direction", "along_y needs a topography; the file has a single profile");
+    file.topography = transposed(file.topography);
+  }
+  return file;
+}
+
+/// What decides the lines, without what only decides how they are evaluated.
+Surface withoutEvaluation(Surface surface) {
+  surface.elements = 0;
+  return surface;
+}
+
+}  // namespace
+
+std::shared_ptr<const MeasuredFile> readMeasuredSurface(const Scene& scene,
+                                                        const std::stop_token& stop,
+                                                        const ReadingProgress& progress) {
+  using Key = std::tuple<FileState, ReadingChoices, ProfileDirection>;
+  static LastOne<Key, MeasuredFile> last;
+  const SurfaceReading& reading = scene.surface.reading;
+  const Key key{FileState::of(scene.folder / scene.surface.file), choicesOf(reading),
+                reading.direction};
+  return last.get(
+      key, [&] { return std::make_shared<const MeasuredFile>(readFile(scene, stop, progress)); });
+}
+
+std::shared_ptr<const MeasuredLines> MeasuredLines::of(const Scene& scene,
+                                                       const std::stop_token& stop,
+                                                       const ReadingProgress& progress) {
+  using Key = std::tuple<FileState, Surface>;
+  static LastOne<Key, MeasuredLines> last;
+  const Key key{FileState::of(scene.folder / scene.surface.file), withoutEvaluation(scene.surface)};
+  return last.get(key, [&] {
+    return std::make_shared<const MeasuredLines>(scene, readMeasuredSurface(scene, stop, progress),
+                                                 stop, progress);
+  });
+}
+
+std::int64_t rowOfRealization(std::int64_t realization, std::int64_t realizations,
+                              std::int64_t rows) {
+  if (realizations == 0 || realizations >= rows) return realization % rows;
+  return realization % realizations * rows / realizations;
+}
+
+MeasuredLines::MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredFile> file,
+                             const std::stop_token& stop, const ReadingProgress&)
+    : surface_(scene.surface), file_(std::move(file)) {
+  chooseRows(scene);
+  chooseStretch(scene);
+  const double spacing = file_->topography.columnSpacing;
+  const ProcessingChoices& processing = surface_.processing;
+  for (const auto& [key, cut] : {std::pair{"surface.short_wave_cut", processing.shortWaveCut},
+                                 std::pair{"surface.long_wave_cut", processing.longWaveCut}})
+    if (cut > 0 && cut < 2 * spacing)
+      fail(key, message("{} m is less than two points of the file, which are {} m apart",
+                        plain(cut), plain(spacing)));
+  if (processing.shortWaveCut > 0)
+    shortWaves_.emplace(usedPoints_, spacing, processing.shortWaveCut);
+  if (processing.longWaveCut > 0) longWaves_.emplace(usedPoints_, spacing, processing.longWaveCut);
+  transform_.emplace(periodPoints_);
+  // The form alone is removed: filters act on a row and on its equivalent line alike.
+  if (surface_.line == LineKind::IsotropicEquivalent && file_->topography.rows >= kFewestPoints)
+    equivalent_ = equivalentOf(stretches(), processing.form);
+  if (stop.stop_requested()) throw ReadingStopped{};
+  if (processing.seam == Seam::RandomPhases) setDensity();
+}
+
+/// The rows that are lines, and gaps where they are refused.
+void MeasuredLines::chooseRows(const Scene& scene) {
+  const Topography& topography = file_->topography;
+  const std::int64_t asked = scene.surface.reading.row;
+  if (asked > topography.rows)
+    fail("surface.row",
+         topography.rows == 1
+             ? message("{} is outside 0 to 1; the file has a single profile", asked)
+             : message("{} is outside 0 to {}, the rows of the file", asked, topography.rows));
+  for (std::int64_t row = 0; row < topography.rows; ++row) {
+    if (asked > 0 && row != asked - 1) continue;
+    const std::span<const double> heights = topography.row(row);
+    const std::int64_t gaps = gapCount(heights);
+    if (gaps > 0 && surface_.processing.gaps == GapHandling::Refuse) {
+      const auto place =
+          std::ranges::find_if(heights, [](double z) { return std::isnan(z); }) - heights.begin();
+      fail("surface.gaps",
+           message("refuse: row {} has {} points without a height, the first is point {}; "
+                   "interpolate fills them",
+                   row + 1, gaps, place + 1));
+    }
+    if (topography.columns - gaps < kFewestPoints)
+      ++leftOut_;
+    else
+      rows_.push_back(row);
+  }
+  if (rows_.empty())
+    fail("surface.file", message("has no row with {} measured points or more", kFewestPoints));
+  const std::int64_t realizations = scene.ensemble.realizations;
+  if (asked == 0 && !hasRandomPhases(scene.surface) && realizations > rows())
+    fail("ensemble.realizations",
+         rows() == 1 ? message("{} is more than the single profile of the file; 0 is every row",
+                               realizations)
+                     : message("{} is more than the {} rows of the file; 0 is every row",
+                               realizations, rows()));
+}
+
+/// What of each row is used: all of it, without gaps at the ends of a single profile, or as much as
+/// the period that the scene asks for needs.
+void MeasuredLines::chooseStretch(const Scene& scene) {
+  const Topography& topography = file_->topography;
+  const double spacing = topography.columnSpacing;
+  usedPoints_ = static_cast<std::size_t>(topography.columns);
+  if (topography.isProfile()) {
+    const std::span<const double> heights = topography.row(0);
+    while (std::isnan(heights[firstPoint_])) ++firstPoint_;
+    while (std::isnan(heights[usedPoints_ - 1])) --usedPoints_;
+    usedPoints_ -= firstPoint_;
+  }
+  const ProcessingChoices& processing = surface_.processing;
+  const bool mirrors = processing.seam == Seam::Mirror, blends = processing.seam == Seam::Blend;
+  double blend = blends ? processing.blendLength : 0;
+  const double there = static_cast<double>(usedPoints_) * spacing;
+  // A tenth of the profile where nothing is said; of a shorter period a tenth of what it needs.
+  if (const double period = scene.surface.length; period > 0) {
+    if (blends && blend == 0) blend = period / 9;
+    const double wanted = mirrors ? period / 2 : period + blend;
+    const double points = std::round(wanted / spacing);
+    if (points > static_cast<double>(usedPoints_))
+      fail("surface.length",
+           message("{} m is more than the period of {} m that the file gives with this seam",
+                   plain(period), plain(mirrors ? 2 * there : there - blend)));
+    if (points < static_cast<double>(kFewestPoints))
+      fail("surface.length",
+           message("{} m has less than {} points of the file", plain(period), kFewestPoints));
+    usedPoints_ = static_cast<std::size_t>(points);
+  } else if (blends && blend == 0) {
+    blend = there / 10;
+  }
+  usedLength_ = static_cast<double>(usedPoints_) * spacing;
+  if (blends) {
+    blendPoints_ = static_cast<std::size_t>(std::max(1.0, std::round(blend / spacing)));
+    if (2 * blendPoints_ > usedPoints_)
+      fail("surface.blend_length",
+           message("{} m is more than half of the profile, which is {} m long", plain(blend),
+                   plain(usedLength_)));
+  }
+  periodPoints_ = mirrors ? 2 * usedPoints_ : usedPoints_ - blendPoints_;
+  length_ = static_cast<double>(periodPoints_) * spacing;
+}
+
+std::vector<double> MeasuredLines::stretch(std::int64_t row) const {
+  const auto heights =
+      file_->topography.row(rows_[static_cast<std::size_t>(row)]).subspan(firstPoint_, usedPoints_);
+  return {heights.begin(), heights.end()};
+}
+
+ProcessedProfile MeasuredLines::profile(std::int64_t row) const {
+  const ProcessingChoices& processing = surface_.processing;
+  ProcessedProfile profile;
+  profile.spacing = file_->topography.columnSpacing;
+  profile.raw = stretch(row);
+  profile.used = profile.raw;
+  profile.gaps = gapCount(profile.used);
+  profile.outliers = markOutliers(profile.used, processing.outliers, processing.form);
+  if (profile.gaps == static_cast<std::int64_t>(usedPoints_))
+    fail("surface.length", message("row {} has no measured point within {} m", numberInFile(row),
+                                   plain(usedLength_)));
+  interpolateGaps(profile.used);
+  removeForm(profile.used, processing.form);
+  if (shortWaves_) profile.used = shortWaves_->meanLine(profile.used);
+  if (longWaves_) {
+    const std::vector<double> waviness = longWaves_->meanLine(profile.used);
+    for (std::size_t i = 0; i < waviness.size(); ++i) profile.used[i] -= waviness[i];
+  }
+  return profile;
+}
+
+std::vector<double> MeasuredLines::period(const ProcessedProfile& profile) const {
+  std::vector<double> period = profile.used;
+  switch (surface_.processing.seam) {
+    case Seam::Mirror:
+      period.insert(period.end(), profile.used.rbegin(), profile.used.rend());
+      break;
+    case Seam::Blend:
+      // The end goes over into the beginning by weights whose sum is 1, so that no height lies
+      // outside of the two. A raised cosine has no corner at either end.
+      period.resize(periodPoints_);
+      for (std::size_t i = 0; i < blendPoints_; ++i) {
+        const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(blendPoints_);
+        const double weight = 0.5 - 0.5 * std::cos(std::numbers::pi * part);
+        period[i] = weight * period[i] + (1 - weight) * profile.used[periodPoints_ + i];
+      }
+      break;
+    default:
+      break;
+  }
+  return period;
+}
+
+bool MeasuredLines::hasSeamJump(const ProcessedProfile& profile) const {
+  constexpr double kOfSteps = 4;
+  if (surface_.processing.seam != Seam::Periodic) return false;
+  const std::vector<double>& z = profile.used;
+  double square = 0;
+  for (std::size_t i = 1; i < z.size(); ++i) square += (z[i] - z[i - 1]) * (z[i] - z[i - 1]);
+  const double rms = std::sqrt(square / static_cast<double>(z.size() - 1));
+  return std::abs(z.front() - z.back()) > kOfSteps * rms;
+}
+
+/// The stretches of all rows, for the spectrum of the surface; gaps and outliers interpolated.
+Topography MeasuredLines::stretches() const {
+  const Topography& all = file_->topography;
+  Topography part{
+      static_cast<std::int64_t>(usedPoints_), all.rows, all.columnSpacing, all.rowSpacing, {}};
+  const ProcessingChoices& processing = surface_.processing;
+  std::vector<double> before;  // stands for a row without any measured point
+  for (std::int64_t row = 0; row < all.rows; ++row) {
+    const auto heights = all.row(row).subspan(firstPoint_, usedPoints_);
+    std::vector<double> filled(heights.begin(), heights.end());
+    markOutliers(filled, processing.outliers, processing.form);
+    if (gapCount(filled) == static_cast<std::int64_t>(filled.size()))
+      filled = before.empty() ? std::vector<double>(usedPoints_, 0.0) : before;
+    interpolateGaps(filled);
+    part.height.insert(part.height.end(), filled.begin(), filled.end());
+    before = std::move(filled);
+  }
+  return part;
+}
+
+/// The mean spectrum of the rows, in bands, of which random lines are made.
+void MeasuredLines::setDensity() {
+  constexpr std::int64_t kMostRows = 512;  // more of them change the mean little
+  const std::int64_t count = std::min(rows(), kMostRows);
+  std::vector<double> powers;
+  double height = 0;  // mean square, which the window leaves as it is on average only
+  for (std::int64_t i = 0; i < count; ++i) {
+    const ProcessedProfile one = profile(rowOfRealization(i, count, rows()));
+    const std::vector<double> its = hannPowers(one.used);
+    powers.resize(its.size());
+    double mean = 0;
+    for (const double z : one.used) mean += z / static_cast<double>(one.used.size());
+    for (const double z : one.used)
+      height += (z - mean) * (z - mean) /
+                static_cast<double>(one.used.size() * static_cast<std::size_t>(count));
+    for (std::size_t k = 1; k < its.size(); ++k) powers[k] += its[k] / static_cast<double>(count);
+  }
+  BandPowers bands = inBands(powers, usedLength_);
+  const double total = bands.total();
+  for (double& power : bands.power) power *= total > 0 ? height / total : 0;
+  const double slope = bands.rmsSlope();
+  if (surface_.line == LineKind::IsotropicEquivalent) {
+    const EquivalentSpectra spectra = equivalent_ ? *equivalent_ : equivalentOf(bands);
+    for (std::size_t j = 0; j < bands.bands(); ++j) {
+      const double factor = spectra.factor(bands.centre(j));
+      bands.power[j] *= factor * factor;
+    }
+  }
+  densitySlopeRatio_ = slope > 0 ? bands.rmsSlope() / slope : 1;
+  density_ = bands.density();
+}
+
+FourierLine MeasuredLines::modes(std::int64_t number) const {
+  FourierLine line;
+  line.length = length_;
+  const double lowest = 2 * std::numbers::pi / length_;
+  const std::size_t count = modeCount(periodPoints_);
+  if (surface_.processing.seam == Seam::RandomPhases) {
+    // A sum of random waves is as it is when it is turned over, so no side needs to be chosen.
+    std::vector<double> magnitudes = modeMagnitudes(density_, length_, count);
+    line.coefficients.resize(count);
+    randomModes(static_cast<std::uint64_t>(surface_.seed), static_cast<std::uint64_t>(number),
+                magnitudes, line.coefficients);
+    return line;
+  }
+  line = measuredModes(number);
+  if (surface_.line == LineKind::AsMeasured) return line;
+  // Of one profile by the Abel relation, on the very waves that are then strengthened.
+  EquivalentSpectra ofProfile;
+  if (!equivalent_) {
+    std::vector<double> powers{0};
+    for (const std::complex<double>& c : line.coefficients) powers.push_back(2 * std::norm(c));
+    ofProfile = equivalentOf(inBands(powers, length_));
+  }
+  const EquivalentSpectra& spectra = equivalent_ ? *equivalent_ : ofProfile;
+  for (std::size_t j = 0; j < line.coefficients.size(); ++j)
+    line.coefficients[j] *= spectra.factor(lowest * static_cast<double>(j + 1));
+  return line;
+}
+
+FourierLine MeasuredLines::measuredModes(std::int64_t row) const {
+  FourierLine line = transform_->analyse(period(profile(row)), length_);
+  if (surface_.contactSide == ContactSide::Summits)
+    for (std::complex<double>& c : line.coefficients) c = -c;
+  return line;
+}
+
+double MeasuredLines::slopeRatio() const {
+  if (surface_.line == LineKind::AsMeasured) return 1;
+  if (surface_.processing.seam == Seam::RandomPhases) return densitySlopeRatio_;
+  const double slope = rmsSlope(measuredModes(0));
+  return slope > 0 ? rmsSlope(modes(0)) / slope : 1;
+}
+
+}  // namespace asperity

@@ -1,0 +1,194 @@
+#include "core/surface/measured_summary.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "core/base/number_text.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+PrintedNumber metres(double value) {
+  return {printedQuantity(value, "m", 5)};
+}
+
+/// Measured heights about their mean, gaps interpolated: what a spectrum needs.
+std::vector<double> withoutGaps(std::vector<double> heights) {
+  interpolateGaps(heights);
+  removeForm(heights, FormRemoval::Mean);
+  return heights;
+}
+
+Message unitText(const UnitFact& unit) {
+  const std::string name = unit.unit.empty() ? "m" : unit.unit;
+  switch (unit.source) {
+    case UnitSource::File:
+      return message("{} as the file states", name);
+    case UnitSource::Choice:
+      return message("{} as chosen", name);
+    default:
+      return message("{}, which is assumed", name);
+  }
+}
+
+std::string_view wordOf(UnitSource source) {
+  return source == UnitSource::File ? "file" : source == UnitSource::Choice ? "choice" : "assumed";
+}
+
+Json unitJson(const UnitFact& unit) {
+  return {{"unit", unit.unit}, {"metres", unit.metres}, {"source", wordOf(unit.source)}};
+}
+
+Json spectrumJson(const SpectralDensity& spectrum) {
+  return {{"wave_number", spectrum.waveNumber}, {"power_spectral_density", spectrum.density}};
+}
+
+Json numberOrNull(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+}  // namespace
+
+MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
+  const MeasuredLines& lines = *source.measured();
+  const Topography& topography = lines.file().topography;
+  const ProcessingChoices& processing = scene.surface.processing;
+  MeasuredSummary summary;
+  summary.facts = lines.file().facts;
+  summary.columns = topography.columns;
+  summary.rows = topography.rows;
+  summary.spacing = topography.columnSpacing;
+  summary.rowSpacing = topography.rowSpacing;
+  summary.rowInFile = lines.numberInFile(source.rowOf(0));
+  summary.rowsUsed = lines.rows();
+  summary.rowsLeftOut = lines.rowsLeftOut();
+  summary.profile = lines.profile(source.rowOf(0));
+  const ProcessedProfile& profile = summary.profile;
+  summary.isRoughness = processing.longWaveCut > 0;
+  summary.raw = surfaceValues(profile.raw, profile.spacing);
+  summary.used = surfaceValues(profile.used, profile.spacing, processing.longWaveCut);
+  summary.rawSpectrum = hannSpectrum(withoutGaps(profile.raw), profile.spacing);
+  summary.usedSpectrum = hannSpectrum(withoutGaps(profile.used), profile.spacing);
+  std::vector<double> levelled = withoutGaps(profile.raw);
+  removeForm(levelled, processing.form);
+  summary.band = reliableBand(levelled, profile.spacing, processing.shortWaveCut);
+  summary.period = source.length();
+  summary.lineSlope = source.statistics().rmsSlope;
+  summary.slopeRatio = lines.slopeRatio();
+  summary.isEquivalent = scene.surface.line == LineKind::IsotropicEquivalent;
+  summary.hasTurned = scene.surface.contactSide == ContactSide::Summits;
+  summary.isMirrored = processing.seam == Seam::Mirror;
+  summary.notes = notesOf(source);
+  return summary;
+}
+
+std::vector<Message> factsOf(const MeasuredSummary& summary) {
+  const ReadingFacts& facts = summary.facts;
+  std::vector<Message> list;
+  if (summary.rows == 1)
+    list.push_back(message("read as {}: a profile of {} points, {} apart", facts.format,
+                           summary.columns, metres(summary.spacing)));
+  else
+    list.push_back(
+        message("read as {}: a topography of {} rows of {} points, {} apart along the "
+                "sliding and {} across",
+                facts.format, summary.rows, summary.columns, metres(summary.spacing),
+                metres(summary.rowSpacing)));
+  if (!facts.positionColumn.empty())
+    list.push_back(message("positions from {}", facts.positionColumn));
+  if (!facts.heightColumn.empty()) list.push_back(message("heights from {}", facts.heightColumn));
+  list.push_back(message("positions in {}; heights in {}", unitText(facts.positionUnit),
+                         unitText(facts.heightUnit)));
+  if (facts.resampled)
+    list.push_back(
+        message("positions are not uniform (by {} % of a step); heights are interpolated",
+                PrintedNumber{printedNumber(100 * facts.spacingVariation)}));
+  if (facts.gaps > 0) list.push_back(message("{} points without a height", facts.gaps));
+  for (const Message& note : facts.notes) list.push_back(note);
+  if (summary.rowsLeftOut > 0)
+    list.push_back(
+        message("{} rows with fewer than three heights are left out", summary.rowsLeftOut));
+  if (summary.rows > 1)
+    list.push_back(
+        message("shown is row {}; {} rows are lines", summary.rowInFile, summary.rowsUsed));
+  if (summary.profile.gaps + summary.profile.outliers > 0)
+    list.push_back(message("{} gaps and {} outliers are interpolated", summary.profile.gaps,
+                           summary.profile.outliers));
+  list.push_back(
+      summary.isEquivalent
+          ? message("the line is the isotropic equivalent, C_line = pi q C2; its rms slope is {} "
+                    "times that of the surface as measured",
+                    PrintedNumber{printedNumber(summary.slopeRatio, 4)})
+          : Message("the line is the surface as measured"));
+  list.push_back(summary.hasTurned ? Message("the line is turned over, because the summits touch")
+                                   : Message("the line is not turned over: the valleys touch"));
+  list.push_back(
+      summary.isMirrored
+          ? message("one period of the line is {} long, twice the profile", metres(summary.period))
+          : message("one period of the line is {} long", metres(summary.period)));
+  list.push_back(
+      summary.band.endsInNoise
+          ? message("the spectrum is reliable for wavelengths of {} to {}; shorter ones are noise",
+                    metres(2 * std::numbers::pi / summary.band.to),
+                    metres(2 * std::numbers::pi / summary.band.from))
+          : message("the spectrum is reliable for wavelengths of {} to {}, as far as the tip was "
+                    "sharper than these",
+                    metres(2 * std::numbers::pi / summary.band.to),
+                    metres(2 * std::numbers::pi / summary.band.from)));
+  return list;
+}
+
+std::vector<NamedValue> valuesOf(const MeasuredSummary& summary) {
+  const std::string letter = summary.isRoughness ? "R" : "P";
+  const SurfaceValues &raw = summary.raw, &used = summary.used;
+  return {{letter + "a", "m", raw.pa, used.pa},   {letter + "q", "m", raw.pq, used.pq},
+          {letter + "sk", "", raw.psk, used.psk}, {letter + "ku", "", raw.pku, used.pku},
+          {letter + "z", "m", raw.pz, used.pz},   {letter + "t", "m", raw.pt, used.pt},
+          {letter + "dq", "", raw.pdq, used.pdq}};
+}
+
+void addTo(Json& root, const MeasuredSummary& summary) {
+  const ReadingFacts& facts = summary.facts;
+  Json& reading = root["reading"];
+  reading = {{"format", facts.format},
+             {"columns", summary.columns},
+             {"rows", summary.rows},
+             {"spacing", summary.spacing},
+             {"row_spacing", summary.rowSpacing},
+             {"position_column", facts.positionColumn},
+             {"height_column", facts.heightColumn},
+             {"position_unit", unitJson(facts.positionUnit)},
+             {"height_unit", unitJson(facts.heightUnit)},
+             {"points", facts.points},
+             {"gaps", facts.gaps},
+             {"spacing_variation", facts.spacingVariation},
+             {"resampled", facts.resampled},
+             {"row", summary.rowInFile},
+             {"rows_used", summary.rowsUsed},
+             {"rows_left_out", summary.rowsLeftOut},
+             {"gaps_interpolated", summary.profile.gaps},
+             {"outliers_interpolated", summary.profile.outliers}};
+  reading["facts"] = Json::array();
+  for (const Message& fact : factsOf(summary)) reading["facts"].push_back(fact.english());
+  Json raw, used;
+  for (const NamedValue& value : valuesOf(summary)) {
+    raw["P" + value.name.substr(1)] = numberOrNull(value.raw);
+    used[value.name] = numberOrNull(value.used);
+  }
+  root["values"] = {{"raw", std::move(raw)},
+                    {"used", std::move(used)},
+                    {"length", summary.used.length},
+                    {"slope_ratio", summary.slopeRatio}};
+  root["spectrum_of_surface"] = {{"reliable_from", summary.band.from},
+                                 {"reliable_to", summary.band.to},
+                                 {"ends_in_noise", summary.band.endsInNoise},
+                                 {"raw", spectrumJson(summary.rawSpectrum)},
+                                 {"used", spectrumJson(summary.usedSpectrum)}};
+  root["notes"] = Json::array();
+  for (const Note note : summary.notes.list()) root["notes"].push_back(asperity::wordOf(note));
+}
+
+}  // namespace asperity

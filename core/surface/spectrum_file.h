@@ -1,0 +1,26 @@
+// Measured spectra as text: a table with a header, of wave number, spatial frequency or wavelength
+// and the spectrum. Columns may be separated by commas, semicolons, tabs or spaces; lines that
+// begin with '#' or '%' are passed over; a row of units or units in the header ("q [1/um]", "C1
+// (m^3)") are obeyed, without them all is SI.
+//
+// What the numbers are: per wave number q where the table has that column, so that <h^2> = 2
+// integral C1 dq, integral C1 dq or 2 pi integral C2 q dq by the kind; per spatial frequency f
+// where it has spatial frequencies or wavelengths 1/f, so that the same holds with f for q. Pure;
+// any thread. Failure: InputError with file, line and what is allowed.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "core/measured/roughness_spectrum.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// The spectrum of the line, C1 two-sided per wave number; of a `c2` that of the equivalent line,
+/// C_line = pi q C2.
+SpectralDensity parseSpectrum(std::string_view text, const std::string& name, SpectrumKind kind);
+
+SpectralDensity readSpectrum(const std::filesystem::path& file, SpectrumKind kind);
+
+}  // namespace asperity

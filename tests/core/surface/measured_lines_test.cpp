@@ -1,0 +1,279 @@
+// From measured rows to the lines of the model: seams, orientation, realizations, the isotropic
+// equivalent. The files are made in memory, so that no reader takes part.
+#include "core/surface/measured_lines.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "core/base/input_error.h"
+#include "tests/core/isotropic_surface.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+Scene measuredScene(Seam seam = Seam::Mirror) {
+  Scene scene;
+  scene.surface.kind = SurfaceKind::Measured;
+  scene.surface.file = "surface.x3p";
+  scene.surface.length = 0;
+  scene.surface.elements = 0;
+  scene.surface.processing.seam = seam;
+  scene.ensemble.realizations = 0;
+  return scene;
+}
+
+std::shared_ptr<const MeasuredFile> fileOf(Topography topography) {
+  MeasuredFile file;
+  file.topography = std::move(topography);
+  return std::make_shared<const MeasuredFile>(std::move(file));
+}
+
+Topography topographyOf(std::vector<double> heights, std::int64_t rows = 1, double spacing = 1e-6) {
+  const auto columns = static_cast<std::int64_t>(heights.size()) / rows;
+  return {columns, rows, spacing, rows > 1 ? spacing : 0, std::move(heights)};
+}
+
+/// A walk that is not periodic: its ends are far apart.
+std::vector<double> walk(std::size_t points, unsigned seed = 1) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal(0.0, 1e-8);
+  std::vector<double> heights{0};
+  while (heights.size() < points) heights.push_back(heights.back() + normal(random));
+  return heights;
+}
+
+std::vector<double> nodesOf(const FourierLine& line, std::size_t points) {
+  std::vector<double> heights;
+  FourierTransform(points).evaluate(line, heights);
+  return heights;
+}
+
+std::string errorOf(const Scene& scene, const Topography& topography) {
+  try {
+    const MeasuredLines lines(scene, fileOf(topography));
+    lines.modes(0);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(MeasuredLines, OfAMirroredProfileAreTwiceAsLongAndEven) {
+  const Scene scene = measuredScene();
+  const MeasuredLines lines(scene, fileOf(topographyOf(walk(500))));
+  EXPECT_DOUBLE_EQ(lines.length(), 1e-3);
+  EXPECT_EQ(lines.points(), 1000);
+  const std::vector<double> z = nodesOf(lines.modes(0), 1000);
+  for (std::size_t i = 0; i < 500; ++i) EXPECT_NEAR(z[i], z[999 - i], 1e-18);
+}
+
+/// The summits of the surface are the lowest points of the rigid line, which lies above the rubber.
+TEST(MeasuredLines, TurnTheSurfaceOverSoThatItsSummitsTouch) {
+  std::vector<double> heights(200, 0.0);
+  heights[80] = 1e-6;
+  Scene scene = measuredScene();
+  scene.surface.processing.form = FormRemoval::Mean;
+  const std::vector<double> summits =
+      nodesOf(MeasuredLines(scene, fileOf(topographyOf(heights))).modes(0), 400);
+  EXPECT_EQ(std::ranges::min_element(summits) - summits.begin(), 80);
+  EXPECT_EQ(MeasuredLines(scene, fileOf(topographyOf(heights))).profile(0).used[80], 1e-6 - 5e-9);
+  scene.surface.contactSide = ContactSide::Valleys;
+  const std::vector<double> valleys =
+      nodesOf(MeasuredLines(scene, fileOf(topographyOf(heights))).modes(0), 400);
+  for (std::size_t i = 0; i < 400; ++i) EXPECT_EQ(valleys[i], -summits[i]);
+}
+
+/// The line goes through the heights of the file, but for the mean and the highest wave of all.
+TEST(MeasuredLines, GoThroughTheHeightsOfAPeriodicFile) {
+  std::vector<double> heights;
+  for (int i = 0; i < 301; ++i)
+    heights.push_back(1e-6 * std::sin(2 * std::numbers::pi * 7 * i / 301) +
+                      2e-7 * std::cos(2 * std::numbers::pi * 40 * i / 301));
+  Scene scene = measuredScene(Seam::Periodic);
+  scene.surface.processing.form = FormRemoval::None;
+  scene.surface.contactSide = ContactSide::Valleys;
+  const MeasuredLines lines(scene, fileOf(topographyOf(heights)));
+  const std::vector<double> z = nodesOf(lines.modes(0), 301);
+  for (std::size_t i = 0; i < 301; ++i) EXPECT_NEAR(z[i], heights[i], 1e-20);
+  EXPECT_FALSE(lines.hasSeamJump(lines.profile(0)));
+}
+
+/// Steps at the seam are counted: only `periodic` makes them, and it is noticed each time.
+TEST(MeasuredLines, NeverMakeAStepAtTheSeamInSilence) {
+  int noticed = 0, steps = 0;
+  for (const Seam seam : {Seam::Mirror, Seam::Blend, Seam::Periodic})
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+      Scene scene = measuredScene(seam);
+      scene.surface.processing.form = FormRemoval::Mean;
+      const MeasuredLines lines(scene, fileOf(topographyOf(walk(600, seed))));
+      const ProcessedProfile profile = lines.profile(0);
+      const std::vector<double> period = lines.period(profile);
+      double largest = 0;
+      for (std::size_t i = 1; i < profile.used.size(); ++i)
+        largest = std::max(largest, std::abs(profile.used[i] - profile.used[i - 1]));
+      const bool isStep = std::abs(period.front() - period.back()) > 1.5 * largest;
+      EXPECT_TRUE(!isStep || lines.hasSeamJump(profile)) << seed;
+      EXPECT_TRUE(seam == Seam::Periodic || !lines.hasSeamJump(profile));
+      steps += isStep ? 1 : 0;
+      noticed += lines.hasSeamJump(profile) ? 1 : 0;
+    }
+  EXPECT_GT(steps, 20);  // of 40 walks that are left as they are
+  EXPECT_GE(noticed, steps);
+}
+
+TEST(MeasuredLines, BlendTheEndIntoTheBeginning) {
+  Scene scene = measuredScene(Seam::Blend);
+  scene.surface.processing.form = FormRemoval::None;
+  scene.surface.processing.blendLength = 1e-4;
+  const std::vector<double> heights = walk(600);
+  const MeasuredLines lines(scene, fileOf(topographyOf(heights)));
+  EXPECT_EQ(lines.points(), 500);
+  EXPECT_DOUBLE_EQ(lines.length(), 5e-4);
+  const std::vector<double> period = lines.period(lines.profile(0));
+  for (std::size_t i = 100; i < 500; ++i) EXPECT_EQ(period[i], heights[i]);
+  EXPECT_NEAR(period[0], heights[500], 1e-4 * std::abs(heights[500] - heights[0]));
+  for (std::size_t i = 0; i < 100; ++i) {
+    EXPECT_LE(period[i], std::max(heights[i], heights[500 + i]));
+    EXPECT_GE(period[i], std::min(heights[i], heights[500 + i]));
+  }
+}
+
+TEST(MeasuredLines, TakeAsMuchOfTheFileAsThePeriodNeeds) {
+  Scene scene = measuredScene();
+  scene.surface.length = 6e-4;
+  EXPECT_EQ(MeasuredLines(scene, fileOf(topographyOf(walk(500)))).points(), 600);
+  scene.surface.length = 2e-3;
+  EXPECT_EQ(errorOf(scene, topographyOf(walk(500))),
+            "surface.length: 0.002 m is more than the period of 0.001 m that the file gives with "
+            "this seam");
+}
+
+TEST(MeasuredLines, RefuseGapsUnlessTheyAreToBeFilled) {
+  std::vector<double> heights = walk(100);
+  heights[7] = heights[8] = kNone;
+  Scene scene = measuredScene();
+  EXPECT_EQ(errorOf(scene, topographyOf(heights)),
+            "surface.gaps: refuse: row 1 has 2 points without a height, the first is point 8; "
+            "interpolate fills them");
+  scene.surface.processing.gaps = GapHandling::Interpolate;
+  scene.surface.processing.form = FormRemoval::None;
+  const ProcessedProfile filled = MeasuredLines(scene, fileOf(topographyOf(heights))).profile(0);
+  EXPECT_EQ(filled.gaps, 2);
+  EXPECT_TRUE(std::isnan(filled.raw[7]));
+  EXPECT_DOUBLE_EQ(filled.used[7], heights[6] + (heights[9] - heights[6]) / 3);
+}
+
+/// Gaps at the ends of a profile are no part of it; rows of a topography keep their length.
+TEST(MeasuredLines, LeaveOutGapsAtTheEndsAndEmptyRows) {
+  std::vector<double> heights = walk(100);
+  heights[0] = heights[99] = heights[98] = kNone;
+  Scene scene = measuredScene();
+  scene.surface.processing.gaps = GapHandling::Interpolate;
+  EXPECT_EQ(MeasuredLines(scene, fileOf(topographyOf(heights))).points(), 194);
+  std::vector<double> rows(100, kNone);
+  rows.insert(rows.end(), heights.begin(), heights.end());
+  const MeasuredLines lines(scene, fileOf(topographyOf(rows, 2)));
+  EXPECT_EQ(lines.points(), 200);
+  EXPECT_EQ(lines.rows(), 1);
+  EXPECT_EQ(lines.rowsLeftOut(), 1);
+  EXPECT_EQ(lines.numberInFile(0), 2);
+}
+
+TEST(MeasuredLines, AreTheRowsOfATopographyInTurnOrOneOfThem) {
+  std::vector<double> heights;
+  for (unsigned row = 0; row < 5; ++row)
+    for (const double z : walk(64, row + 1)) heights.push_back(z);
+  Scene scene = measuredScene();
+  const MeasuredLines all(scene, fileOf(topographyOf(heights, 5)));
+  EXPECT_EQ(all.rows(), 5);
+  for (std::int64_t row = 0; row < 5; ++row) {
+    scene.surface.reading.row = row + 1;
+    const MeasuredLines one(scene, fileOf(topographyOf(heights, 5)));
+    EXPECT_EQ(one.rows(), 1);
+    EXPECT_EQ(one.modes(0).coefficients, all.modes(row).coefficients);
+  }
+  scene.surface.reading.row = 6;
+  EXPECT_EQ(errorOf(scene, topographyOf(heights, 5)),
+            "surface.row: 6 is outside 0 to 5, the rows of the file");
+  scene.surface.reading.row = 0;
+  scene.ensemble.realizations = 6;
+  EXPECT_EQ(errorOf(scene, topographyOf(heights, 5)),
+            "ensemble.realizations: 6 is more than the 5 rows of the file; 0 is every row");
+}
+
+TEST(MeasuredLines, OfFewerRealizationsAreSpreadOverTheRows) {
+  EXPECT_EQ(rowOfRealization(3, 0, 10), 3);
+  EXPECT_EQ(rowOfRealization(0, 2, 10), 0);
+  EXPECT_EQ(rowOfRealization(1, 2, 10), 5);
+  EXPECT_EQ(rowOfRealization(9, 10, 10), 9);
+}
+
+/// Random lines have the height of the profile and other phases each time.
+TEST(MeasuredLines, OfRandomPhasesKeepTheSpectrum) {
+  const IsotropicSurface surface;
+  Scene scene = measuredScene(Seam::RandomPhases);
+  scene.ensemble.realizations = 10;
+  scene.surface.processing.form = FormRemoval::Mean;
+  const MeasuredLines lines(scene, fileOf(surface.make(1)));
+  double square = 0;
+  for (std::int64_t row = 0; row < lines.rows(); ++row) {
+    for (const double z : lines.profile(row).used)
+      square += z * z / static_cast<double>(lines.rows() * 256);
+  }
+  EXPECT_NEAR(rmsHeight(lines.modes(3)) / std::sqrt(square), 1, 0.01);
+  EXPECT_NE(lines.modes(3).coefficients, lines.modes(4).coefficients);
+  EXPECT_EQ(lines.modes(3).coefficients, lines.modes(3).coefficients);
+}
+
+struct Squares {
+  double height = 0, slope = 0;
+};
+
+/// Mean squares of the lines of 200 surfaces, one row of each, relative to the surfaces' own.
+Squares meanOfLines(const IsotropicSurface& surface, LineKind kind, bool fromProfile, Seam seam) {
+  constexpr unsigned kSurfaces = 200;
+  Scene scene = measuredScene(seam);
+  scene.surface.processing.form = FormRemoval::None;
+  scene.surface.line = kind;
+  Squares mean;
+  for (unsigned r = 0; r < kSurfaces; ++r) {
+    Topography topography = surface.make(r + 1);
+    if (fromProfile) {
+      const auto row = topography.row(100);
+      topography = topographyOf({row.begin(), row.end()}, 1, surface.spacing);
+    } else {
+      scene.surface.reading.row = 101;
+    }
+    const FourierLine line = MeasuredLines(scene, fileOf(std::move(topography))).modes(0);
+    mean.height += std::pow(rmsHeight(line) / surface.height, 2) / kSurfaces;
+    mean.slope += std::pow(rmsSlope(line), 2) / surface.squareGradient() / kSurfaces;
+  }
+  return mean;
+}
+
+/// C_line = pi q C2: <h^2> of the line is that of the surface, and <z'^2> its <|grad h|^2>; a row
+/// as it is has half of it.
+TEST(IsotropicEquivalent, HasTheHeightAndTheGradientOfItsSurface) {
+  const IsotropicSurface surface;
+  const Squares line = meanOfLines(surface, LineKind::IsotropicEquivalent, false, Seam::Mirror);
+  const Squares row = meanOfLines(surface, LineKind::AsMeasured, false, Seam::Mirror);
+  EXPECT_NEAR(std::sqrt(line.height), 1, 0.03);
+  EXPECT_NEAR(std::sqrt(line.slope), 1, 0.03);
+  EXPECT_NEAR(std::sqrt(2 * row.slope), 1, 0.03);
+}
+
+TEST(IsotropicEquivalent, OfCutProfilesIsThatOfTheSurface) {
+  const IsotropicSurface surface;
+  const Squares line = meanOfLines(surface, LineKind::IsotropicEquivalent, true, Seam::Mirror);
+  EXPECT_NEAR(std::sqrt(line.height), 1, 0.03);
+  EXPECT_NEAR(std::sqrt(line.slope), 1, 0.03);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,94 @@
+// Tables of spectra in the forms that people write, against the height that each convention means.
+#include "core/surface/spectrum_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/input_error.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+double squareHeight(const SpectralDensity& density) {
+  return 2 * density.integralTo(density.waveNumber.back());
+}
+
+/// A constant density of 1e-18 m^3 from q = 1e4 to 1e5 1/m, in other words each time.
+TEST(SpectrumFile, MeansTheSameHeightInEveryConvention) {
+  const double expected = 2 * 1e-18 * 9e4;
+  const struct {
+    const char* text;
+    SpectrumKind kind;
+  } cases[] = {
+      {"wave_number,C1\n1e4,1e-18\n1e5,1e-18\n", SpectrumKind::C1TwoSided},
+      {"q [1/um];C1 [um^3]\n0,01;1\n0,1;1\n", SpectrumKind::C1TwoSided},
+      {"q (rad/m)\tpsd (nm^3)\n1e5\t1e9\n1e4\t1e9\n", SpectrumKind::C1TwoSided},
+      {"wave_number spectrum\n1e4 2e-18\n1e5 2e-18\n", SpectrumKind::C1OneSided},
+      {"# q, C\n1e4,1e-18\n1e5,1e-18\n", SpectrumKind::C1TwoSided},
+      {"q,C\n1/mm,mm^3\n10,1e-9\n100,1e-9\n", SpectrumKind::C1TwoSided},
+  };
+  for (const auto& one : cases)
+    EXPECT_NEAR(squareHeight(parseSpectrum(one.text, "s", one.kind)) / expected, 1, 1e-12)
+        << one.text;
+}
+
+/// Per spatial frequency: <h^2> = 2 integral C df, so numbers are 2 pi times those over q.
+TEST(SpectrumFile, TakesDensitiesPerSpatialFrequency) {
+  const double f = 1e4 / kTwoPi;
+  const std::string byFrequency = "spatial_frequency,C1\n" + std::to_string(f) + ",6e-18\n" +
+                                  std::to_string(10 * f) + ",6e-18\n";
+  EXPECT_NEAR(
+      squareHeight(parseSpectrum(byFrequency, "s", SpectrumKind::C1TwoSided)) / (2 * 6e-18 * 9 * f),
+      1, 1e-6);
+  const SpectralDensity byWavelength =
+      parseSpectrum("wavelength [um],psd\n100,6e-18\n10,6e-18\n", "s", SpectrumKind::C1TwoSided);
+  EXPECT_NEAR(squareHeight(byWavelength) / (2 * 6e-18 * 9e4), 1, 1e-12);
+  EXPECT_NEAR(byWavelength.waveNumber.front(), kTwoPi * 1e4, 1e-6);
+}
+
+/// <h^2> = 2 pi integral C2 q dq = 2 integral C_line dq.
+TEST(SpectrumFile, MakesTheEquivalentLineOfAnIsotropicSpectrum) {
+  std::string text = "q,C2\n";
+  double exact = 0;
+  for (int i = 0; i <= 20; ++i) {
+    const double q = 1e4 * std::pow(10, i / 20.0);
+    text += std::to_string(q) + "," + std::to_string(std::pow(q / 1e4, -3.4)) + "e-22\n";
+  }
+  exact = kTwoPi * 1e-22 * 1e8 * (1 - std::pow(10, -1.4)) / 1.4;
+  EXPECT_NEAR(squareHeight(parseSpectrum(text, "s", SpectrumKind::C2)) / exact, 1, 1e-4);
+}
+
+TEST(SpectrumFile, SaysWhatIsWrongAndWhere) {
+  const struct {
+    const char* text;
+    const char* error;
+  } cases[] = {
+      {"x,y\n1,2\n2,3\n",
+       "s: line 1: a spectrum is a table whose header names wave_number, "
+       "spatial_frequency or wavelength, and the spectrum in another column"},
+      {"q,C\n1,1\n", "s: has 1 rows; at least 2 are needed"},
+      {"q,C\n1,1\n1,2\n", "s: has two rows for the wave number 1 1/m"},
+      {"q,C\n1,1\n2,-1\n", "s: line 3: the spectrum -1 is below 0"},
+      {"q,C\n1,1\n2,nan\n", "s: line 3: 'nan' is not a finite number"},
+      {"q,C\n1,1\n2\n", "s: line 3: has 1 fields; 2 are needed"},
+      {"q,C\n1,0\n2,0\n", "s: has no wave with a strength above 0"},
+      {"q [furlong],C\n1,1\n2,1\n",
+       "s: line 1: furlong is not a unit of q; allowed is 1/m, with "
+       "mm, um or nm as well"},
+  };
+  for (const auto& one : cases) {
+    try {
+      parseSpectrum(one.text, "s", SpectrumKind::C1TwoSided);
+      ADD_FAILURE() << one.text;
+    } catch (const InputError& error) {
+      EXPECT_STREQ(error.what(), one.error);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace asperity
