@@ -19,7 +19,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/paper/figure.h"
-#include "core/scene/parameter_table.h"
+#include "core/scene/parameter_help.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/window/main/scene_library.h"
@@ -107,7 +107,8 @@ class CommandLine {
         ->type_name("KEY=VALUE")
         ->take_all()
         ->allow_extra_args(false);
-    limitWhole(app.add_option("--threads", common.threads, "Number of threads; 0: as many as the machine has"),
+    limitWhole(app.add_option("--threads", common.threads,
+                              "Number of threads; 0: as many as the machine has"),
                0, 1024);
     if (&app != &app_) {  // the window says nothing
       app.add_flag("--quiet", common.quiet, "Show neither progress nor summary");
@@ -180,16 +181,19 @@ class CommandLine {
                      "power (dissipated) (default: pressure)");
     addViewOptions(*verb, render_.view);
     addCurveOptions(*verb, render_.curves);
-    TimeChoice& time = render_.time;
-    limitWhole(
-        verb->add_option("--frames", time.frames, "Number of frames (default: 60 per period, or 60 for a motion)"),
-        1, 1000000);
-    limit(verb->add_option("--fps", time.framesPerSecond, "Frames per second of film (default: 25)"),
-          0.001, 1000);
-    limit(verb->add_option("--duration", time.duration, "Length of the film in seconds, instead of --frames"),
+    TimeArguments& time = render_.time;
+    limitWhole(verb->add_option("--frames", time.frames,
+                                "Number of frames (default: 60 per period, or 60 for a motion)"),
+               1, 1000000);
+    limit(
+        verb->add_option("--fps", time.framesPerSecond, "Frames per second of film (default: 25)"),
+        0.001, 1000);
+    limit(verb->add_option("--duration", time.duration,
+                           "Length of the film in seconds, instead of --frames"),
           0.001, 1e6, "s");
-    limit(verb->add_option("--cycles", time.cycles, "Number of periods of the line that pass (default: 1)"), 1e-6,
-          1e6);
+    limit(verb->add_option("--cycles", time.cycles,
+                           "Number of periods of the line that pass (default: 1)"),
+          1e-6, 1e6);
     limit(
         verb->add_option("--slow-motion", time.slowMotion, "Seconds of film per simulated second"),
         1e-12, 1e15);
@@ -197,8 +201,9 @@ class CommandLine {
                            "One picture, after this time of sliding (default: the start of steady "
                            "sliding, the end of a motion)"),
           0, 1e12, "s");
-    limit(verb->add_option("--slid", time.slid,
-                           "One picture of steady sliding, after this sliding distance, instead of --at"),
+    limit(verb->add_option(
+              "--slid", time.slid,
+              "One picture of steady sliding, after this sliding distance, instead of --at"),
           0, 1e12, "m");
     verb->add_flag("--resume", render_.resume,
                    "Keep the frames of an interrupted run and make the missing ones");
@@ -213,7 +218,8 @@ class CommandLine {
   }
   void addFigure() {
     CLI::App* verb = app_.add_subcommand(
-        "figure", "The figures of Li et al. (2013): data, pictures, and a check of the paper's claims");
+        "figure",
+        "The figures of Li et al. (2013): data, pictures, and a check of the paper's claims");
     std::string words;
     for (const FigureEntry& entry : figureEntries())
       words += fmt::format("  {:8} {}\n", entry.word, entry.headline);
@@ -222,10 +228,10 @@ class CommandLine {
         ->required();
     verb->add_option("-o,--output", figure_.output, "Folder for CSV, PNG, SVG and claims.json")
         ->required();
-    limitWhole(
-        verb->add_option("--realizations", figure_.realizations, "Number of random lines to average over")
-            ->capture_default_str(),
-        1, 1000000);
+    limitWhole(verb->add_option("--realizations", figure_.realizations,
+                                "Number of random lines to average over")
+                   ->capture_default_str(),
+               1, 1000000);
     addShared(*verb, figure_.common);
     verb->footer("Figures:\n" + words);
     verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
@@ -242,7 +248,8 @@ class CommandLine {
   }
   void addBatch() {
     CLI::App* verb = app_.add_subcommand(
-        "batch", "Run many scenes and sweeps of their keys: pictures, data and one page that shows all");
+        "batch",
+        "Run many scenes and sweeps of their keys: pictures, data and one page that shows all");
     verb->add_option("FILE", batch_.common.scene, "The batch (JSON), see below")->required();
     verb->add_option("-o,--output", batch_.output, "Folder for all files")->required();
     addPictureOptions(*verb, batch_.picture, "the batch's", "light");
@@ -257,8 +264,9 @@ class CommandLine {
     verb->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")->required();
   }
   void addExplain() {
-    CLI::App* verb = addVerb("explain", "The plan: what runs, what does not run and why, and the expected cost",
-                             explain_.common, [this] { return runExplain(explain_); });
+    CLI::App* verb =
+        addVerb("explain", "The plan: what runs, what does not run and why, and the expected cost",
+                explain_.common, [this] { return runExplain(explain_); });
     verb->add_flag("--analyze", explain_.analyze, "Run it as well and add the measured cost");
   }
   void addColumns() {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/curve_choice.h"
+#include "app/curve_arguments.h"
 #include "app/frame_source.h"
 #include "app/picture_options.h"
 #include "core/base/input_error.h"
@@ -33,14 +33,14 @@ struct CommonOptions {
 struct CurveCommand {
   CommonOptions common;
   std::vector<std::string> outputs;
-  PictureChoice picture;
-  CurveChoice curves;
+  PictureArguments picture;
+  CurveArguments curves;
 };
 
 struct MotionCommand {
   CommonOptions common;
   std::vector<std::string> outputs;
-  PictureChoice picture;
+  PictureArguments picture;
   std::int64_t every = 1;  // time steps to a row
   std::int64_t lines = 1;  // realizations
 };
@@ -48,12 +48,12 @@ struct MotionCommand {
 struct RenderCommand {
   CommonOptions common;
   std::string output;
-  TimeChoice time;
-  PictureChoice picture;
+  TimeArguments time;
+  PictureArguments picture;
   std::string layout = "contact";
   std::string overlay;  // empty: not said, and pressure
-  ViewChoice view;
-  CurveChoice curves;
+  ViewArguments view;
+  CurveArguments curves;
   bool resume = false;
 };
 
@@ -86,7 +86,7 @@ struct AccuracyCommand {
 struct BatchCommand {
   CommonOptions common;  // its scene: the batch's file
   std::string output;    // folder
-  PictureChoice picture;
+  PictureArguments picture;
 };
 
 /// The scene of a command, with its assignments: of a file or, where no file has the name, of a

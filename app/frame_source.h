@@ -14,7 +14,7 @@
 namespace asperity {
 
 /// As written on the command line; 0: not said.
-struct TimeChoice {
+struct TimeArguments {
   std::int64_t frames = 0;
   double framesPerSecond = 0;
   double duration = 0;    // s of film
@@ -33,12 +33,13 @@ struct FramePlan {
 };
 
 /// `single`: one picture is asked for. length: of the period, m. Throws InputError.
-FramePlan planFrames(const Scene& scene, double length, const TimeChoice& choice, bool single);
+FramePlan planFrames(const Scene& scene, double length, const TimeArguments& arguments,
+                     bool single);
 
 class FrameSource {
  public:
   /// fields: what frames hold besides; seen: m, of the line in a picture, 0: the whole period.
-  FrameSource(const Scene& scene, const TimeChoice& choice, bool single,
+  FrameSource(const Scene& scene, const TimeArguments& arguments, bool single,
               const FrameFields& fields = {}, double seen = 0);
 
   const FramePlan& plan() const { return plan_; }
@@ -52,7 +53,7 @@ class FrameSource {
   Frame momentFrame();
   void march(double time);
 
-  TimeChoice choice_;
+  TimeArguments choice_;
   double velocity_ = 0;  // m/s, of steady sliding
   double length_ = 0;
   std::optional<SteadyFrames> steady_;

@@ -7,8 +7,6 @@
 #include "core/base/input_error.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pdf_file.h"
-#include "ui/draw/pixel_context.h"
-#include "ui/draw/png_file.h"
 #include "ui/draw/svg_file.h"
 
 namespace asperity {
@@ -40,24 +38,24 @@ HeadlessPictures::~HeadlessPictures() {
 }
 
 void HeadlessPictures::write(const std::string& file, const DrawList& list,
-                             const PictureFacts& facts) {
+                             const PictureProperties& properties) {
   const std::string extension = extensionOf(file);
   if (extension == ".png")
-    writePng(file, list, facts);
+    writePng(file, list, properties);
   else if (extension == ".svg")
-    writeSvg(file, list, {facts.title, facts.metadata});
+    writeSvg(file, list, {properties.title, properties.metadata});
   else if (extension == ".pdf")
-    writePdf(file, list, {facts.title, facts.metadata, 0.75 / facts.scale});
+    writePdf(file, list, {properties.title, properties.metadata, 0.75 / properties.scale});
   else
     throw unknownExtension(file, extension, {".png", ".svg", ".pdf"});
 }
 
 void HeadlessPictures::writePng(const std::string& file, const DrawList& list,
-                                const PictureFacts& facts) {
+                                const PictureProperties& properties) {
   QImage image = draw(list);
   finish();
-  writing_ = std::async(std::launch::async, [file, facts, image = std::move(image)] {
-    asperity::writePng(file, image, {facts.title, facts.metadata, 96 * facts.scale});
+  writing_ = std::async(std::launch::async, [file, properties, image = std::move(image)] {
+    asperity::writePng(file, image, {properties.title, properties.metadata, 96 * properties.scale});
   });
 }
 

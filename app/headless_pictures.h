@@ -11,17 +11,11 @@
 #include <string>
 
 #include "ui/draw/pixel_context.h"
+#include "ui/draw/png_file.h"
 
 class QGuiApplication;
 
 namespace asperity {
-
-/// What a picture file says of itself besides what it shows.
-struct PictureFacts {
-  std::string title;     // of the document; empty: none
-  std::string metadata;  // where it came from, any UTF-8 text; empty: none
-  double scale = 1;      // pixels to one at 96 per inch: how large it is on paper
-};
 
 class HeadlessPictures {
  public:
@@ -31,9 +25,10 @@ class HeadlessPictures {
   HeadlessPictures& operator=(const HeadlessPictures&) = delete;
 
   /// As PNG, SVG or PDF, by the extension (.png, .svg, .pdf); throws InputError for any other. The
-  /// file keeps what `facts` says. Draws at once; the file may be written later, but before
+  /// file keeps the given properties. Draws at once; the file may be written later, but before
   /// finish() returns.
-  void write(const std::string& file, const DrawList& list, const PictureFacts& facts = {});
+  void write(const std::string& file, const DrawList& list,
+             const PictureProperties& properties = {});
 
   /// Shapes and texts, at once.
   QImage draw(const DrawList& list);
@@ -42,7 +37,7 @@ class HeadlessPictures {
   void finish();
 
  private:
-  void writePng(const std::string& file, const DrawList& list, const PictureFacts& facts);
+  void writePng(const std::string& file, const DrawList& list, const PictureProperties& properties);
 
   std::unique_ptr<QGuiApplication> application_;
   std::unique_ptr<PixelContext> context_;

@@ -25,18 +25,18 @@ ContactOverlay overlayFrom(const std::string& name);
 
 /// Throws InputError naming --size where not all of several diagrams on a sheet would find room
 /// under so many pixels of something else; those pixels grow with the picture.
-void checkPanels(const DiagramSheet& sheet, const PictureStyle& style, int above);
+void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above);
 
 struct PictureContent {
   PictureLayout layout = PictureLayout::Contact;
   CurveSet curves{};  // the scene's own and others, for the layouts that show them
   ContactOverlay overlay = ContactOverlay::Pressure;
-  ViewChoice view{};
+  ViewArguments view{};
 };
 
 class PictureComposer {
  public:
-  PictureComposer(const PictureStyle& style, PictureContent content);
+  PictureComposer(const PictureSettings& settings, PictureContent content);
 
   /// Throws InputError naming --size where a panel of the curve, or a strip over time of this
   /// scene, would find no room.
@@ -53,7 +53,7 @@ class PictureComposer {
   void checkStrips(const Scene& scene) const;
   DiagramSheet curveWithMarker(const Frame& frame) const;
 
-  PictureStyle style_;
+  PictureSettings settings_;
   PictureContent content_;
   std::optional<ContactView> view_;
   ContactPictureOptions contact_;  // of the last one

@@ -19,7 +19,7 @@ class App;
 namespace asperity {
 
 /// As written on the command line.
-struct PictureChoice {
+struct PictureArguments {
   std::string size;     // WxH in pixels; empty: the verb's own at this scale
   std::string scale;    // empty: 1
   std::string theme;    // empty: the verb's own
@@ -28,7 +28,7 @@ struct PictureChoice {
 };
 
 /// Read and found good.
-struct PictureStyle {
+struct PictureSettings {
   int width = 0, height = 0;  // pixels
   float scale = 1;            // pixels to one at 96 per inch
   std::string themeName;
@@ -45,20 +45,20 @@ struct PictureDefaults {
   std::string theme;
 };
 
-void addPictureOptions(CLI::App& verb, PictureChoice& choice, const std::string& defaultSize,
+void addPictureOptions(CLI::App& verb, PictureArguments& arguments, const std::string& defaultSize,
                        const std::string& defaultTheme);
 
 /// Throws InputError where an option is given that none of the files has a use for.
-void checkUseful(const PictureChoice& choice, const std::vector<std::string>& files);
+void checkUseful(const PictureArguments& arguments, const std::vector<std::string>& files);
 
 /// The language of all texts from now on. Throws InputError naming --language.
 void chooseLanguage(const std::string& code);
 
 /// Throws InputError naming the option.
-PictureStyle styleOf(const PictureChoice& choice, const PictureDefaults& defaults);
+PictureSettings pictureSettings(const PictureArguments& arguments, const PictureDefaults& defaults);
 
 /// As written on the command line; empty: not said, and fitted to the scene.
-struct ViewChoice {
+struct ViewArguments {
   std::string along;                   // FROM:TO, m
   std::string heights;                 // FROM:TO, m
   std::optional<double> exaggeration;  // of heights against lengths
@@ -78,12 +78,12 @@ struct ViewChoice {
   void addTo(nlohmann::ordered_json& picture) const;
 };
 
-void addViewOptions(CLI::App& verb, ViewChoice& choice);
+void addViewOptions(CLI::App& verb, ViewArguments& arguments);
 
 /// Throws InputError naming the option where it cannot be meant so. length: of the period, m.
-void checkView(const ViewChoice& choice, ContactOverlay overlay, double length);
+void checkView(const ViewArguments& arguments, ContactOverlay overlay, double length);
 
 /// Into options that have everything else; their view is fitted to the frame where nothing is said.
-void applyView(const ViewChoice& choice, const Frame& frame, ContactPictureOptions& options);
+void applyView(const ViewArguments& arguments, const Frame& frame, ContactPictureOptions& options);
 
 }  // namespace asperity

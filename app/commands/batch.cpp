@@ -54,9 +54,9 @@ class BatchRun {
  public:
   explicit BatchRun(const BatchCommand& command)
       : command_(command), batch_(readBatch(command.common.scene)) {
-    style_ = readStyle();
-    grid_.emplace(static_cast<int>(batch_.items.size()), style_.width, style_.height);
-    small_ = style_;
+    settings_ = readSettings();
+    grid_.emplace(static_cast<int>(batch_.items.size()), settings_.width, settings_.height);
+    small_ = settings_;
     small_.width = grid_->cellWidth();
     small_.height = grid_->cellHeight();
     small_.scale = 0.5F;
@@ -64,7 +64,7 @@ class BatchRun {
       DrawList& sheet = sheets_.emplace_back();
       sheet.width = grid_->widthOf(i);
       sheet.height = grid_->heightOf(i);
-      sheet.background = style_.theme.background;
+      sheet.background = settings_.theme.background;
     }
     makeFolder(command.output);
     checkWritable(fileIn("index.html"));
@@ -72,7 +72,7 @@ class BatchRun {
   }
 
   int run() {
-    HeadlessPictures pictures(style_.backend);
+    HeadlessPictures pictures(settings_.backend);
     {
       ProgressBar bar(Words::tr("scenes"), command_.common.quiet);
       const auto total = static_cast<std::int64_t>(batch_.items.size());
@@ -88,7 +88,7 @@ class BatchRun {
     writeFileAtomically(fileIn("results.csv"), "# asperity: " + made + "\n" + batchTable(results_));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
     for (std::size_t i = 0; i < sheets_.size(); ++i)
-      pictures.write(fileIn(names[i]), sheets_[i], {batch_.title, made, style_.scale});
+      pictures.write(fileIn(names[i]), sheets_[i], {batch_.title, made, settings_.scale});
     pictures.finish();
     return report();
   }
@@ -127,12 +127,12 @@ class BatchRun {
   }
 
   /// A size that the file gives is said of the file.
-  PictureStyle readStyle() const {
-    PictureChoice choice = command_.picture;
-    const bool isOfFile = choice.size.empty();
-    if (isOfFile) choice.size = batch_.size;
+  PictureSettings readSettings() const {
+    PictureArguments arguments = command_.picture;
+    const bool isOfFile = arguments.size.empty();
+    if (isOfFile) arguments.size = batch_.size;
     try {
-      return styleOf(choice, {960, 900, "light"});
+      return pictureSettings(arguments, {960, 900, "light"});
     } catch (const InputError& error) {
       if (!isOfFile || error.key() != "--size") throw;
       throw InputError(command_.common.scene, "size", error.message());
@@ -154,7 +154,7 @@ class BatchRun {
       const auto [sheet, left, top] = cell();
       addLabel(sheets_[sheet], filled(Words::tr("%1 failed"), {item.name}),
                {static_cast<float>(left + 16), static_cast<float>(top + 32)}, 16, TextAnchor::Left,
-               style_.theme.text);
+               settings_.theme.text);
     }
     return result;
   }
@@ -184,10 +184,10 @@ class BatchRun {
     result.lineContactFraction = frame.contactFraction;
 
     const std::string& name = result.item.name;
-    PictureComposer composer(style_, content);
+    PictureComposer composer(settings_, content);
     composer.checkRoom(scene);
     pictures.write(fileIn(name + ".png"), composer.compose(frame),
-                   {shown.title, pictureOrigin("batch", scene), style_.scale});
+                   {shown.title, pictureOrigin("batch", scene), settings_.scale});
     result.files = {name + ".png"};
     const std::vector<CurvePoint>& curve = content.curves.present.points;
     if (!curve.empty()) {
@@ -266,7 +266,7 @@ class BatchRun {
 
   const BatchCommand& command_;
   Batch batch_;
-  PictureStyle style_, small_;
+  PictureSettings settings_, small_;
   std::optional<ContactSheets> grid_;
   std::vector<DrawList> sheets_;
   std::vector<BatchResult> results_;

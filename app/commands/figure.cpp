@@ -73,10 +73,11 @@ void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPic
                       provenanceComment("figure", figure.scene) + figure.csv);
   const DrawList picture =
       composeFigure(figure, contactOf(figure).get(), printOptions(figure.sheet));
-  const PictureFacts facts{translated(figure.sheet.title), pictureOrigin("figure", figure.scene),
-                           printOptions(figure.sheet).scale};
+  const PictureProperties properties{translated(figure.sheet.title),
+                                     pictureOrigin("figure", figure.scene),
+                                     printOptions(figure.sheet).scale};
   for (const char* extension : {".png", ".svg"})
-    pictures.write(fileOf(command, figure.name, extension), picture, facts);
+    pictures.write(fileOf(command, figure.name, extension), picture, properties);
 }
 
 std::string claimLines(const Figure& figure) {

@@ -57,7 +57,7 @@ class Rendering {
       : command_(command),
         scene_(sceneOf(command.common)),
         kind_(kindOf(command.output)),
-        style_(styleOf(command.picture, {1280, 720, "light"})),
+        settings_(pictureSettings(command.picture, {1280, 720, "light"})),
         layout_(layoutFrom(command.layout)),
         overlay_(command.overlay.empty() ? ContactOverlay::Pressure
                                          : overlayFrom(command.overlay)) {
@@ -71,7 +71,7 @@ class Rendering {
       checkView(command_.view, overlay_, frames_->length());
       if (showsCurve()) computeCurves();
     });
-    composer_.emplace(style_, content());
+    composer_.emplace(settings_, content());
     composer_->checkRoom(scene_);
   }
 
@@ -137,7 +137,7 @@ class Rendering {
     checkUseful(command_.picture, {command_.output});
     checkNoInput(command_.output, inputsOf(command_.common, scene_));
     if (kind_ != Kind::Sequence) checkWritable(command_.output);
-    if (kind_ == Kind::Film) checkFilm(command_.output, style_.transparent);
+    if (kind_ == Kind::Film) checkFilm(command_.output, settings_.transparent);
     if (command_.resume && kind_ != Kind::Sequence)
       throw InputError("", "--resume",
                        "goes on with a folder of frames; a single file is made anew");
@@ -145,7 +145,7 @@ class Rendering {
 
   /// Refuses options of time, which one picture does not have.
   void checkStill() const {
-    const TimeChoice& time = command_.time;
+    const TimeArguments& time = command_.time;
     for (const auto& [option, given] : {std::pair{"--frames", time.frames > 1},
                                         {"--fps", time.framesPerSecond > 0},
                                         {"--duration", time.duration > 0},
@@ -200,7 +200,7 @@ class Rendering {
   Json origin() const {
     Json origin = provenance("render", scene_);
     if (showsCurve()) addCurveOversampling(origin, scene_);
-    Json& picture = origin["picture"] = style_.json();
+    Json& picture = origin["picture"] = settings_.json();
     picture["layout"] = command_.layout;
     if (overlay_ != ContactOverlay::Pressure) picture["overlay"] = command_.overlay;
     command_.view.addTo(picture);
@@ -224,9 +224,9 @@ class Rendering {
   PictureContent content() const { return {layout_, curves_, overlay_, command_.view}; }
 
   void writePicture() {
-    HeadlessPictures pictures(style_.backend);
+    HeadlessPictures pictures(settings_.backend);
     pictures.write(command_.output, compose(0),
-                   {translated(scene_.title), provenanceLine(origin()), style_.scale});
+                   {translated(scene_.title), provenanceLine(origin()), settings_.scale});
     pictures.finish();
     files_ = {command_.output};
   }
@@ -248,21 +248,21 @@ class Rendering {
     if (indices.empty()) return;
     FrameSource frames(scene_, command_.time, false, command_.view.fields(overlay_),
                        command_.view.finest());
-    PictureComposer composer(style_, content());
+    PictureComposer composer(settings_, content());
     for (const std::int64_t index : indices)
       film.add(pictures.draw(composer.compose(frames.frame(index))));
   }
 
   void writeFilm() {
     const std::vector<std::int64_t> samples = sampledIndices();
-    FilmOptions options{style_.width,
-                        style_.height,
+    FilmOptions options{settings_.width,
+                        settings_.height,
                         frames_->plan().framesPerSecond,
-                        style_.transparent,
+                        settings_.transparent,
                         static_cast<int>(samples.size()),
                         translated(scene_.title),
                         provenanceLine(origin())};
-    HeadlessPictures pictures(style_.backend);
+    HeadlessPictures pictures(settings_.backend);
     FilmFile film(command_.output, options);
     addSamples(samples, pictures, film);
     PipelineStages stages = stagesOf(pictures);
@@ -280,14 +280,15 @@ class Rendering {
     SequenceFiles sequence(command_.output, count(), origin());
     files_ = sequence.files();
     const std::vector<std::int64_t> missing = command_.resume ? sequence.missing() : allIndices();
-    HeadlessPictures pictures(style_.backend);
+    HeadlessPictures pictures(settings_.backend);
     PipelineStages stages = stagesOf(pictures);
     stages.workers = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 4U));
     stages.sink = [&](std::int64_t index, const QImage& image, StageSeconds& seconds) {
       std::string png;
       {
         const StageTimer timer(seconds.encode);
-        png = pngOf(image, {translated(scene_.title), sequence.metadata(index), 96 * style_.scale});
+        png = pngOf(image,
+                    {translated(scene_.title), sequence.metadata(index), 96 * settings_.scale});
       }
       const StageTimer timer(seconds.write);
       writeFileAtomically(sequence.file(index), png);
@@ -334,7 +335,7 @@ class Rendering {
   const RenderCommand& command_;
   Scene scene_;
   Kind kind_;
-  PictureStyle style_;
+  PictureSettings settings_;
   PictureLayout layout_;
   ContactOverlay overlay_;
   CurveSet curves_;

@@ -45,9 +45,9 @@ class Pilot {
   std::vector<double> slide(std::int64_t realization) {
     const double begin = threadSeconds();
     source_.makeInto(line_, realization);
-    prepareProfileInto(travel_, line_, scene_.accuracy.scheme);
+    prepareProfileInto(prepared_, line_, scene_.accuracy.scheme);
     const double made = threadSeconds();
-    sliding_.sweep(travel_, scene_.load, velocities_, row_);
+    sliding_.sweep(prepared_, scene_.load, velocities_, row_);
     making_.push_back(made - begin);
     sweeping_.push_back(threadSeconds() - made);
     std::vector<double> mu;
@@ -76,7 +76,7 @@ class Pilot {
   std::vector<double> velocities_;
   std::vector<SteadyResult> row_;
   Line line_;
-  PreparedProfile travel_;
+  PreparedProfile prepared_;
   double residual_ = 0;
   std::vector<double> making_, sweeping_;  // s, of each line
 };

@@ -187,10 +187,10 @@ void fixDifferenceAxis(DiagramAxis& axis, const DiagramSeries& series) {
 
 /// In per cent, over the axis of the curves. What lies beyond the axis stands at its end as a
 /// triangle.
-Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& along) {
+Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& x) {
   Diagram diagram;
   diagram.height = kDifferenceHeight;
-  diagram.x = along;
+  diagram.x = x;
   diagram.y = {"difference \u0394", "%", AxisScale::Linear};
   const double factor = factorsOf(set.present.points, set.axes).velocity;
   DiagramSeries series, zero;

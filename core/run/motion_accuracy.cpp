@@ -159,7 +159,7 @@ Measured measure(const Scene& scene, const std::shared_ptr<const RigidLine>& rig
 /// Bytes of the march: what every element has, and its amplitudes; with the march on fewer nodes
 /// that tells its error.
 double memoryOf(const Transient& transient, double elements) {
-  constexpr double kOfElement = 36;  // numbers of march, line, travel line and transform
+  constexpr double kOfElement = 36;  // numbers of march, line, prepared profile and transform
   const auto modes = static_cast<double>(transient.march().modes().modes());
   return elements * (kOfElement + modes) * sizeof(double);
 }

@@ -24,7 +24,7 @@ struct RigidLine {
   RigidLine coarser(std::size_t every) const;
 
   std::shared_ptr<const Line> line;
-  PreparedProfile travel;
+  PreparedProfile prepared;
 
  private:
   RigidLine(Line made, Scheme scheme);

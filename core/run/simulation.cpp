@@ -70,10 +70,10 @@ struct Simulation::Ready {
       return;
     }
     sliding.emplace(*scene);
-    steady = sliding->at(rigid->travel, scene->sliding.velocity);
+    steady = sliding->at(rigid->prepared, scene->sliding.velocity);
     requireBalance(steady.result, velocity());
     if (!std::isfinite(steady.result.mu)) throw balanceError(steady.result, velocity());
-    const SteadyShape shape = sliding->shape(rigid->travel, velocity(), steady);
+    const SteadyShape shape = sliding->shape(rigid->prepared, velocity(), steady);
     greatestPressure = std::ranges::max(shape.nodes.pressure);
   }
 
@@ -108,7 +108,8 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   still_.reset();
   if (!goesOn) return reset();
   if (shape == Shape::Steady) return settle(march_->distance());
-  TimeMarch march(ready_->rigid->line, ready_->rigid->travel.lowestHeight, ready_->sliding->law());
+  TimeMarch march(ready_->rigid->line, ready_->rigid->prepared.lowestHeight,
+                  ready_->sliding->law());
   march.goOnFrom(*march_);
   march_ = std::move(march);
   settlesUntil_ = time_ + longestMemory();

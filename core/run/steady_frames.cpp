@@ -65,31 +65,31 @@ Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
                  const SteadySolver& sliding, const SteadyState& shown, const SteadyResult& facts,
                  const FrameFields& fields) {
   const Line& line = *rigid.line;
-  const PreparedProfile& travel = rigid.travel;
+  const PreparedProfile& profile = rigid.prepared;
   const double velocity = scene->sliding.velocity;
-  const SteadyShape shape = sliding.shape(travel, velocity, shown);
+  const SteadyShape shape = sliding.shape(profile, velocity, shown);
   Frame frame;
   frame.scene = std::move(scene);
   frame.length = line.length;
   frame.spacing = line.spacing;
-  frame.surfaceHeight = inLineOrder(travel, shape.nodes.depth);
-  frame.pressure = inLineOrder(travel, shape.nodes.pressure);
+  frame.surfaceHeight = inLineOrder(profile, shape.nodes.depth);
+  frame.pressure = inLineOrder(profile, shape.nodes.pressure);
   for (double& height : frame.surfaceHeight) height = -height;
   for (const double height : line.height)
-    frame.lineHeight.push_back(height - travel.lowestHeight - shown.result.indentation);
+    frame.lineHeight.push_back(height - profile.lowestHeight - shown.result.indentation);
   setSteadyFacts(frame, facts);
   frame.rmsHeight = line.rmsHeight;
   frame.rmsSlope = line.rmsSlope;
   frame.velocity = velocity;
   if (fields.lineSlope) {
     // The line's slope on the side from which a point is met, as the pass has it: a corner has two.
-    frame.lineSlope = inLineOrder(travel, travel.slopeIn);
+    frame.lineSlope = inLineOrder(profile, profile.slopeIn);
     for (double& slope : frame.lineSlope) slope = -slope;
   }
   if (fields.sinceContact)
     frame.sinceContact = steadyContactAge(frame.pressure, frame.spacing, velocity);
   if (fields.power) {
-    frame.power = inLineOrder(travel, steadyPower(sliding, shape));
+    frame.power = inLineOrder(profile, steadyPower(sliding, shape));
     addLocalFriction(frame.power, frame.pressure, frame.scene->interface, velocity);
   }
   return frame;
@@ -113,7 +113,7 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields
   const LineSource own(*scene_, pointsPerElement(*scene_));
   result_ = solve(sliding, prepareProfile(own.make(0), accuracy.scheme), velocity).result;
   const RigidLine drawn = RigidLine::withPoints(*scene_, pointsToDraw(*scene_, own, seen));
-  const SteadyState shown = solve(sliding, drawn.travel, velocity);
+  const SteadyState shown = solve(sliding, drawn.prepared, velocity);
   still_ = stillFrame(scene_, drawn, sliding, shown, result_, fields);
 }
 

@@ -25,7 +25,7 @@ TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
     return restingMarch(rigid, scene);
   }
   const SteadySolver sliding(scene);
-  const SteadyState state = sliding.at(rigid.travel, scene.sliding.velocity);
+  const SteadyState state = sliding.at(rigid.prepared, scene.sliding.velocity);
   requireBalance(state.result, scene.sliding.velocity);
   return steadyMarch(rigid, sliding, scene.sliding.velocity, state);
 }

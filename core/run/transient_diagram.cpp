@@ -19,11 +19,11 @@ constexpr double kAir = 0.12;                // of the range, on either side
 constexpr double kContactFloor = 0.2;        // of a contact fraction
 constexpr std::size_t kLongestTrace = 2000;  // samples of a motion
 
-Diagram strip(const Scene& scene, std::span<const TransientSample> samples, DiagramAxis up,
+Diagram strip(const Scene& scene, std::span<const TransientSample> samples, DiagramAxis yAxis,
               double TransientSample::*member, double least) {
   Diagram diagram;
   diagram.x = {"time t", "s", AxisScale::Linear, 0, scene.sliding.duration};
-  diagram.y = std::move(up);
+  diagram.y = std::move(yAxis);
   DiagramSeries series;
   series.colour = 0;
   double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -66,7 +66,7 @@ void findSpan(const ChartGeometry& geometry, const Diagram& diagram, QPointF pla
 }
 
 /// Whether the straight line between two places on the axes passes through the window.
-bool crosses(const ChartWindow& window, QPointF a, QPointF b) {
+bool crosses(const VisibleRange& window, QPointF a, QPointF b) {
   const double ax = a.x(), ay = a.y();
   const double dx = b.x() - ax, dy = b.y() - ay;
   double from = 0, to = 1;  // the part of it within the ends of both axes
@@ -86,8 +86,8 @@ bool crosses(const ChartWindow& window, QPointF a, QPointF b) {
 
 }  // namespace
 
-QPointF ChartGeometry::at(double along, double up) const {
-  return {xOf(along), yOf(up)};
+QPointF ChartGeometry::at(double xValue, double yValue) const {
+  return {xOf(xValue), yOf(yValue)};
 }
 
 double ChartGeometry::xOf(double value) const {
@@ -141,9 +141,9 @@ ZoomAxes axesAt(const ChartGeometry& geometry, QPointF place) {
   return {isAlong && place.y() >= area.top(), isUp && place.x() <= area.right()};
 }
 
-ChartWindow zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes) {
+VisibleRange zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes) {
   const QRectF& area = geometry.area;
-  ChartWindow window{geometry.x, geometry.y};
+  VisibleRange window{geometry.x, geometry.y};
   if (axes.x && area.width() > 0) {
     const double at =
         geometry.x.from + (about.x() - area.left()) / area.width() * geometry.x.size();
@@ -157,18 +157,18 @@ ChartWindow zoomed(const ChartGeometry& geometry, QPointF about, double factor, 
   return window;
 }
 
-ChartWindow panned(const ChartGeometry& geometry, QPointF by) {
+VisibleRange panned(const ChartGeometry& geometry, QPointF by) {
   const QRectF& area = geometry.area;
   if (!(area.width() > 0) || !(area.height() > 0)) return {geometry.x, geometry.y};
   return {moved(geometry.x, -by.x() / area.width() * geometry.x.size()),
           moved(geometry.y, by.y() / area.height() * geometry.y.size())};
 }
 
-ChartWindow heldWithin(const ChartWindow& window, const ChartWindow& whole) {
+VisibleRange heldWithin(const VisibleRange& window, const VisibleRange& whole) {
   return {held(window.x, whole.x), held(window.y, whole.y)};
 }
 
-bool showsCurves(const ChartWindow& window, const Diagram& diagram) {
+bool showsCurves(const VisibleRange& window, const Diagram& diagram) {
   for (const DiagramSeries& series : diagram.series) {
     std::vector<QPointF> places;
     for (const DiagramPoint& point : series.points)

@@ -12,10 +12,10 @@
 namespace asperity {
 
 /// What is shown of a chart: the axis that all its diagrams share, and the first one's own.
-struct ChartWindow {
+struct VisibleRange {
   AxisRange x, y;
 
-  bool operator==(const ChartWindow&) const = default;
+  bool operator==(const VisibleRange&) const = default;
 };
 
 /// Maps the values of one diagram to positions inside its frame.
@@ -27,7 +27,7 @@ struct ChartGeometry {
   double scale = 1;   // of marks and pens, which grow with large letters
 
   /// Values without a place on the axes give NaN.
-  QPointF at(double along, double up) const;
+  QPointF at(double xValue, double yValue) const;
   double xOf(double value) const;
   double yOf(double value) const;
   /// The value at a place along x.
@@ -64,16 +64,16 @@ ZoomAxes axesAt(const ChartGeometry& geometry, QPointF place);
 
 /// Zooms about a place, which stays where it is: the range becomes `factor` times as wide, within
 /// 0.1 to 60 decades.
-ChartWindow zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes);
+VisibleRange zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes);
 
 /// Moves the range by this many pixels.
-ChartWindow panned(const ChartGeometry& geometry, QPointF by);
+VisibleRange panned(const ChartGeometry& geometry, QPointF by);
 
 /// Moves the range as little as possible so that on each axis at least half of it lies within
 /// `whole`.
-ChartWindow heldWithin(const ChartWindow& window, const ChartWindow& whole);
+VisibleRange heldWithin(const VisibleRange& window, const VisibleRange& whole);
 
 /// Whether any curve of the diagram passes through the window.
-bool showsCurves(const ChartWindow& window, const Diagram& diagram);
+bool showsCurves(const VisibleRange& window, const Diagram& diagram);
 
 }  // namespace asperity

@@ -131,15 +131,15 @@ bool ChartView::hasMarker() const {
 }
 
 /// Returns the axes of the first diagram as its sheet has them, without zoom.
-ChartWindow ChartView::whole() const {
+VisibleRange ChartView::whole() const {
   if (sheet_.diagrams.empty()) return {};
   const AxisRange along = rangeAlong(sheet_.diagrams[0]);
   return {along, rangeUp(sheet_.diagrams[0], along)};
 }
 
-ChartWindow ChartView::window() const {
+VisibleRange ChartView::visibleRange() const {
   if (zoom_) return *zoom_;
-  ChartWindow all = whole();
+  VisibleRange all = whole();
   if (held_) all.x = *held_;
   return all;
 }
@@ -239,7 +239,7 @@ void ChartView::placeFrames() {
     return std::floor((room - static_cast<double>(count - 1) * gap) * diagrams[i].height / share);
   };
   while (count > 1 && heightOf(count - 1) < kLeastLines * line) share -= diagrams[--count].height;
-  const ChartWindow shown = window();
+  const VisibleRange shown = visibleRange();
   const double width = view_->width() - left - right;
   double top = above;
   for (std::size_t i = 0; i < count; ++i) {
@@ -298,9 +298,9 @@ void ChartView::pan(QPointF by) {
   if (frames_.empty()) return;
   const ChartGeometry map = frames_[0];
   const Diagram& diagram = sheet_.diagrams[0];
-  const bool isEmpty = !showsCurves(window(), diagram);
+  const bool isEmpty = !showsCurves(visibleRange(), diagram);
   for (const QPointF way : {by, QPointF(by.x(), 0), QPointF(0, by.y())}) {
-    const ChartWindow next = heldWithin(panned(map, way), whole());
+    const VisibleRange next = heldWithin(panned(map, way), whole());
     if (isEmpty || showsCurves(next, diagram)) return setZoom(next);
   }
 }
@@ -366,10 +366,10 @@ void ChartView::fit() {
   setZoom(std::nullopt);
 }
 
-void ChartView::setZoom(const std::optional<ChartWindow>& wanted) {
+void ChartView::setZoom(const std::optional<VisibleRange>& wanted) {
   const bool isZoomable =
       !sheet_.diagrams.empty() && sheet_.diagrams[0].x.scale == AxisScale::Logarithmic;
-  std::optional<ChartWindow> window = isZoomable ? wanted : std::nullopt;
+  std::optional<VisibleRange> window = isZoomable ? wanted : std::nullopt;
   if (window) window = heldWithin(*window, whole());
   if (window == zoom_) return;
   const bool was = isZoomed();

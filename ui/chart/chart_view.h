@@ -46,12 +46,12 @@ class ChartView : public QWidget {
   QPointF positionOf(double x, double y, std::size_t diagram = 0) const;
 
   /// What is shown: the axes as the sheet has them unless zoomed.
-  ChartWindow window() const;
+  VisibleRange visibleRange() const;
   bool isZoomed() const { return zoom_.has_value(); }
   void zoom(double factor);  // about the middle; below 1: nearer
   void fit();
   /// Shows this part; none: all, as fit().
-  void setZoom(const std::optional<ChartWindow>& window);
+  void setZoom(const std::optional<VisibleRange>& window);
 
   /// The reading of a point: its series' id and its row. May be empty.
   using Describe = std::function<QString(int id, int row)>;
@@ -84,7 +84,7 @@ class ChartView : public QWidget {
 
  private:
   bool hasMarker() const;
-  ChartWindow whole() const;
+  VisibleRange whole() const;
   void showAll();
   void placeFrames();
   double besideWidth() const;
@@ -104,7 +104,7 @@ class ChartView : public QWidget {
   ChartLook look_;
   Describe describe_;
   bool isDue_ = false;  // what is on the screen is of another sheet
-  std::optional<ChartWindow> zoom_;
+  std::optional<VisibleRange> zoom_;
   ChartLegend* legend_;
   QGraphicsView* view_;
   std::vector<std::unique_ptr<ChartPanel>> panels_;

@@ -65,7 +65,7 @@ void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
 void addNumbersBeside(DrawList& list, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const Box& bar = layout.legend.bar;
-  const std::vector<LegendTick> ticks = layout.scale.ticks(2);
+  const std::vector<ColourTick> ticks = layout.scale.ticks(2);
   const float gap = kNumberGap * s.unit, baseline = layout.legend.titleEnd.y;
   addLabel(list, ticks.front().label, {bar.x - gap, baseline}, s.small, TextAnchor::Right,
            layout.theme.faintText);
@@ -77,18 +77,18 @@ void addNumbersBeside(DrawList& list, const ContactLayout& layout) {
 void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const Box& bar = layout.legend.bar;
-  const std::vector<LegendTick> ticks = layout.scale.ticks(6);
+  const std::vector<ColourTick> ticks = layout.scale.ticks(6);
   const float baseline = std::round(bar.bottom() + s.small * 1.15F);
   const float wide = std::max(1.0F, std::round(s.unit));
-  const auto write = [&](const LegendTick& tick, TextAnchor anchor) {
-    addLabel(list, tick.label, {bar.x + tick.share * bar.width, baseline}, s.small, anchor,
+  const auto write = [&](const ColourTick& tick, TextAnchor anchor) {
+    addLabel(list, tick.label, {bar.x + tick.position * bar.width, baseline}, s.small, anchor,
              layout.theme.faintText);
   };
-  for (const LegendTick& tick : ticks)
-    addRule(layer, std::min(bar.x + tick.share * bar.width, bar.right() - wide), bar.bottom(), wide,
-            3 * s.unit, layout.theme.axis);
-  const auto half = [&](const LegendTick& tick) { return textWidth(tick.label, s.small) / 2; };
-  const LegendTick &first = ticks.front(), &last = ticks.back();
+  for (const ColourTick& tick : ticks)
+    addRule(layer, std::min(bar.x + tick.position * bar.width, bar.right() - wide), bar.bottom(),
+            wide, 3 * s.unit, layout.theme.axis);
+  const auto half = [&](const ColourTick& tick) { return textWidth(tick.label, s.small) / 2; };
+  const ColourTick &first = ticks.front(), &last = ticks.back();
   const bool isZero = first.label == "0";
   write(first, isZero ? TextAnchor::Centre : TextAnchor::Left);
   write(last, TextAnchor::Right);
@@ -96,7 +96,7 @@ void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layo
   float from = bar.x + (isZero ? 1 : 2) * half(first) + gap;
   const float to = bar.right() - 2 * half(last) - gap;
   for (std::size_t i = 1; i + 1 < ticks.size(); ++i) {
-    const float x = bar.x + ticks[i].share * bar.width;
+    const float x = bar.x + ticks[i].position * bar.width;
     if (x - half(ticks[i]) < from || x + half(ticks[i]) > to) continue;
     write(ticks[i], TextAnchor::Centre);
     from = x + half(ticks[i]) + gap;

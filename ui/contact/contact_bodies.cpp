@@ -202,8 +202,8 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
   const double hairlines = columns.pixelsPerMetre / std::max(1.0F, layout.sizes.unit);
   std::vector<Curve> stretches;
   if (layout.scale.isShown() && !coloursAge)
-    stretches =
-        stretchesAbove(frame, range, {columns.left, hairlines}, values, layout.scale.leastShown());
+    stretches = stretchesAbove(frame, range, {columns.left, hairlines}, values,
+                               layout.scale.minimumShown());
 
   DrawLayer rigid = rigidLayer(frame, line, layout);
   DrawLayer elastomer = elastomerLayer(line, surface, layout);

@@ -64,7 +64,7 @@ void sampleSurface(Strip& rows, const std::vector<CurveVertex>& surface,
 void markStretch(Strip& shares, const std::vector<CurveVertex>& stretch,
                  const ContactLayout& layout) {
   const auto share = [&](const CurveVertex& v) {
-    return std::clamp(layout.scale.share(v.value), 0.02F, 1.0F);
+    return std::clamp(layout.scale.position(v.value), 0.02F, 1.0F);
   };
   const auto mark = [&](float x, float value) {
     if (shares.covers(x)) {

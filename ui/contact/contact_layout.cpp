@@ -51,7 +51,7 @@ LineNeeds lineNeeds(const ContactLayout& layout, const std::string& title) {
   const Sizes& s = layout.sizes;
   const float wide = title.empty() ? 0 : textWidth(title, s.small) + kTitleGap * s.unit;
   if (!layout.scale.isShown()) return {wide, 0};
-  const std::vector<LegendTick> ends = layout.scale.ticks(2);
+  const std::vector<ColourTick> ends = layout.scale.ticks(2);
   const float numbers = textWidth(ends.front().label, s.small) +
                         textWidth(ends.back().label, s.small) + 2 * kNumberGap * s.unit;
   const float bar =
@@ -148,7 +148,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.sizes = sizesFor(options);
   layout.theme = options.theme;
   layout.view = resolvedView(frame, options.view);
-  layout.scale = {options.overlay, endIn(layout.view, options.overlay)};
+  layout.scale = {options.overlay, colourMaximum(layout.view, options.overlay)};
   if (valuesOf(frame, options.overlay).size() != frame.lineHeight.size())
     layout.scale = {};  // the frame lacks them
   const std::string reason = layout.scale.isShown() ? "" : reasonUncoloured(frame, options.overlay);

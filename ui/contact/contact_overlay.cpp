@@ -68,20 +68,20 @@ std::string_view wordFor(ContactOverlay overlay) {
   }
 }
 
-float ColourScale::share(double value) const {
-  if (!(end > 0) || std::isnan(value)) return 0;
-  double share = value / end;
+float ColourScale::position(double value) const {
+  if (!(maximum > 0) || std::isnan(value)) return 0;
+  double position = value / maximum;
   if (overlay == ContactOverlay::Power)
-    share = share > 0 ? 1 + std::log10(share) / kPowerDecades : 0;
-  return static_cast<float>(std::clamp(share, 0.0, 1.0));
+    position = position > 0 ? 1 + std::log10(position) / kPowerDecades : 0;
+  return static_cast<float>(std::clamp(position, 0.0, 1.0));
 }
 
-double ColourScale::leastShown() const {
-  return overlay == ContactOverlay::Power ? end * std::pow(10, -kPowerDecades) : 0;
+double ColourScale::minimumShown() const {
+  return overlay == ContactOverlay::Power ? maximum * std::pow(10, -kPowerDecades) : 0;
 }
 
-Rgba ColourScale::colourAt(float share) const {
-  return overlay == ContactOverlay::Relaxation ? ageColour(share) : pressureColour(share);
+Rgba ColourScale::colourAt(float position) const {
+  return overlay == ContactOverlay::Relaxation ? ageColour(position) : pressureColour(position);
 }
 
 std::string ColourScale::title() const {
@@ -106,20 +106,20 @@ std::string ColourScale::shortTitle() const {
   }
 }
 
-std::vector<LegendTick> ColourScale::ticks(int most) const {
-  const AxisTicks round = linearTicks(0, end, most, unitOf(overlay));
-  const std::string last = lastLabel(end, round, unitOf(overlay));
-  std::vector<LegendTick> ticks;
+std::vector<ColourTick> ColourScale::ticks(int most) const {
+  const AxisTicks round = linearTicks(0, maximum, most, unitOf(overlay));
+  const std::string last = lastLabel(maximum, round, unitOf(overlay));
+  std::vector<ColourTick> ticks;
   if (overlay == ContactOverlay::Power) {
     // One unit for all: numbers alone are short enough to stand at each decade.
     for (int decade = kPowerDecades; decade > 0; --decade) {
-      const double value = end * std::pow(10, -decade);
-      ticks.push_back({share(value), shortNumber(value / round.unitSize)});
+      const double value = maximum * std::pow(10, -decade);
+      ticks.push_back({position(value), shortNumber(value / round.unitSize)});
     }
   } else {
     for (const Tick& tick : round.ticks)
-      if (tick.value < end * (1 - 1e-9))
-        ticks.push_back({share(tick.value), tick.value == 0 ? "0" : tick.label});
+      if (tick.value < maximum * (1 - 1e-9))
+        ticks.push_back({position(tick.value), tick.value == 0 ? "0" : tick.label});
   }
   ticks.push_back({1, last});
   return ticks;
@@ -158,7 +158,7 @@ const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay) 
   }
 }
 
-double scaleEnd(const Frame& frame, ContactOverlay overlay, double last) {
+double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last) {
   constexpr double kInHand = 1.1;  // or it would change often
   if (overlay == ContactOverlay::Pressure && frame.steadyPressure > 0)
     return roundUp(kInHand * frame.steadyPressure);
@@ -169,7 +169,7 @@ double scaleEnd(const Frame& frame, ContactOverlay overlay, double last) {
   return roundUp(overlay == ContactOverlay::Relaxation ? greatest : kInHand * greatest);
 }
 
-double endIn(const ContactView& view, ContactOverlay overlay) {
+double colourMaximum(const ContactView& view, ContactOverlay overlay) {
   switch (overlay) {
     case ContactOverlay::Pressure:
       return view.pressure;

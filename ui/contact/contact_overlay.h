@@ -16,28 +16,28 @@ FrameFields fieldsFor(ContactOverlay overlay);
 /// "none", "pressure", "relaxation", "power".
 std::string_view wordFor(ContactOverlay overlay);
 
-struct LegendTick {
-  float share;  // of the bar
+struct ColourTick {
+  float position;  // of the bar
   std::string label;
 };
 
-/// The way from a value to its colour; nothing is coloured where `end` is 0.
+/// The way from a value to its colour; nothing is coloured where `maximum` is 0.
 struct ColourScale {
   ContactOverlay overlay = ContactOverlay::None;
-  double end = 0;  // N/m, s or W/m at the bar's end
+  double maximum = 0;  // N/m, s or W/m at the bar's end
 
-  bool isShown() const { return overlay != ContactOverlay::None && end > 0; }
+  bool isShown() const { return overlay != ContactOverlay::None && maximum > 0; }
   /// Place on the bar, 0 to 1. Linear; of power three decades, because a few elements at the edges
   /// of contact take a hundred times what a free surface does.
-  float share(double value) const;
+  float position(double value) const;
   /// Only values above are coloured.
-  double leastShown() const;
-  Rgba colour(double value) const { return colourAt(share(value)); }
-  Rgba colourAt(float share) const;
+  double minimumShown() const;
+  Rgba colour(double value) const { return colourAt(position(value)); }
+  Rgba colourAt(float position) const;
   std::string title() const;
   std::string shortTitle() const;  // where there is no room for it
   /// Both ends, and between them round values or, of power, decades; the last one has the unit.
-  std::vector<LegendTick> ticks(int most) const;
+  std::vector<ColourTick> ticks(int most) const;
 };
 
 /// A few words on why the frame has nothing to colour; empty where it has, or where it is not known
@@ -49,9 +49,9 @@ const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay);
 
 /// A round end of the scale for this frame, 0 where it has nothing to show. `last`: kept as long as
 /// it does; of pressures only where those of the steady state are not known.
-double scaleEnd(const Frame& frame, ContactOverlay overlay, double last);
+double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last);
 
 /// The end in a view.
-double endIn(const ContactView& view, ContactOverlay overlay);
+double colourMaximum(const ContactView& view, ContactOverlay overlay);
 
 }  // namespace asperity

@@ -59,9 +59,9 @@ ContactView fittedView(const Frame& frame, const std::optional<ContactView>& las
     view.bottom = std::floor((extent.low - kBelow * extent.size()) / grid) * grid;
     view.top = std::ceil((extent.high + kAbove * extent.size()) / grid) * grid;
   }
-  view.pressure = scaleEnd(frame, ContactOverlay::Pressure, view.pressure);
-  view.age = scaleEnd(frame, ContactOverlay::Relaxation, view.age);
-  view.power = scaleEnd(frame, ContactOverlay::Power, view.power);
+  view.pressure = scaleMaximum(frame, ContactOverlay::Pressure, view.pressure);
+  view.age = scaleMaximum(frame, ContactOverlay::Relaxation, view.age);
+  view.power = scaleMaximum(frame, ContactOverlay::Power, view.power);
   return view;
 }
 

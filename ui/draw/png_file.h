@@ -10,6 +10,13 @@
 
 namespace asperity {
 
+/// What a picture file of any format says about the picture besides the picture itself.
+struct PictureProperties {
+  std::string title;     // of the document; empty: none
+  std::string metadata;  // any UTF-8 text; the program writes the provenance; empty: none
+  double scale = 1;      // pixels of the picture to one pixel at 96 per inch: its size on paper
+};
+
 struct PngOptions {
   std::string title;       // kept as the text chunk "Title"; empty: none
   std::string metadata;    // any UTF-8 text, kept as the text chunk "asperity"; empty: none

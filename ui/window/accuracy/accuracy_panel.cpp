@@ -12,7 +12,7 @@
 
 #include "core/accuracy/work_precision_sheet.h"
 #include "core/run/motion_accuracy.h"
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"

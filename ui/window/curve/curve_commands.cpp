@@ -23,10 +23,12 @@ constexpr double kZoom = 1.5;
 
 CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObject* parent)
     : QObject(parent), session_(session), view_(view), run_(std::move(run)) {
-  pin_ = add("pinCurve", [this] { session_.editCurve([](FrictionChart& plot) { plot.pin(); }); });
+  pin_ =
+      add("pinCurve", [this] { session_.editCurve([](FrictionChartModel& plot) { plot.pin(); }); });
   pin_->setShortcut(Qt::Key_P);
-  unpinAll_ =
-      add("unpinAll", [this] { session_.editCurve([](FrictionChart& plot) { plot.unpinAll(); }); });
+  unpinAll_ = add("unpinAll", [this] {
+    session_.editCurve([](FrictionChartModel& plot) { plot.unpinAll(); });
+  });
   unpinAll_->setShortcut(Qt::SHIFT | Qt::Key_P);
   dimensionless_ = add("dimensionlessAxes", [] {});
   dimensionless_->setCheckable(true);
@@ -86,7 +88,7 @@ void CurveCommands::fillUnpin() {
   unpin_->clear();
   for (const PinnedCurve& pinned : session_.friction().pinned()) {
     QAction* action = unpin_->addAction(session_.friction().nameOf(pinned), this, [this, pinned] {
-      session_.editCurve([&](FrictionChart& plot) { plot.unpin(pinned.id); });
+      session_.editCurve([&](FrictionChartModel& plot) { plot.unpin(pinned.id); });
     });
     action->setObjectName(QStringLiteral("unpin:%1").arg(pinned.id));
   }
@@ -106,7 +108,7 @@ void CurveCommands::showState() {
 /// Ranges that were zoomed to belong to the other axes.
 void CurveCommands::setAxes(bool dimensionless) {
   view_.fit();
-  session_.editCurve([dimensionless](FrictionChart& plot) {
+  session_.editCurve([dimensionless](FrictionChartModel& plot) {
     plot.setAxes(dimensionless ? CurveAxes::Dimensionless : CurveAxes::Physical);
   });
 }

@@ -17,7 +17,7 @@ void CurveComparison::setSetting(const std::optional<CurveSetting>& setting) {
   compared_.reset();
   work_.cancel();
   if (setting_) return follow();
-  session_.editCurve([](FrictionChart& plot) { plot.showDifference(std::nullopt); });
+  session_.editCurve([](FrictionChartModel& plot) { plot.showDifference(std::nullopt); });
 }
 
 /// Begins when the scene's own curve is complete: the curve comes first.
@@ -46,7 +46,7 @@ void CurveComparison::start() {
 
 void CurveComparison::take(const CurveDifference& difference) {
   emit shown();
-  session_.editCurve([&](FrictionChart& plot) { plot.showDifference(difference); });
+  session_.editCurve([&](FrictionChartModel& plot) { plot.showDifference(difference); });
 }
 
 }  // namespace asperity

@@ -34,8 +34,9 @@ CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
   connect(&view_, &ChartView::pointChosen, this, [this](int id, int row) {
     if (const auto velocity = session_.friction().velocityOf(id, row)) setVelocity(*velocity);
   });
-  connect(&view_, &ChartView::unpinWanted, this,
-          [this](int id) { session_.editCurve([id](FrictionChart& plot) { plot.unpin(id); }); });
+  connect(&view_, &ChartView::unpinWanted, this, [this](int id) {
+    session_.editCurve([id](FrictionChartModel& plot) { plot.unpin(id); });
+  });
   show();
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/chart/curve_regions.h"
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 

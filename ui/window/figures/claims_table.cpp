@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 #include "ui/language/translated.h"
 #include "ui/window/figures/claim_text.h"
 

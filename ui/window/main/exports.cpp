@@ -111,7 +111,7 @@ QStringList viewWords(const RenderCommandOptions& options) {
     words += {"--view", range(seen(view.left, width), seen(view.left + width, width))};
   const double size = view.top - view.bottom;
   words += {"--heights", range(seen(view.bottom, size), seen(view.top, size))};
-  if (const double end = endIn(view, picture.overlay); end > 0)
+  if (const double end = colourMaximum(view, picture.overlay); end > 0)
     words += {"--colours-to", numberText(roundedToDigits(end, 6))};
   if (picture.probe) words += {"--probe", numberText(probed(*picture.probe, frame, width))};
   if (picture.magnifier)

@@ -42,7 +42,7 @@
 #include "ui/window/main/status_line.h"
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_layout.h"
-#include "ui/window/main/window_sight.h"
+#include "ui/window/main/window_visibility.h"
 
 namespace asperity {
 
@@ -131,8 +131,8 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   poll_ = new QTimer(this);
   poll_->setTimerType(Qt::PreciseTimer);
   connect(poll_, &QTimer::timeout, session_, &Session::poll);
-  sight_ = new WindowSight(*this);
-  connect(sight_, &WindowSight::changed, this, &MainWindow::followSight);
+  visibility_ = new WindowVisibility(*this);
+  connect(visibility_, &WindowVisibility::changed, this, &MainWindow::followVisibility);
   session_->begin();
   poll_->start(kPollInterval);
 }
@@ -312,7 +312,7 @@ void MainWindow::connectFrames() {
   connect(figures_, &FigurePages::switched, this, [this](bool areShown) {
     // Space presses the buttons of the page of figures; it does not pause the run behind it.
     for (QAction* action : commands_->get({"play", "step", "reset"})) action->setEnabled(!areShown);
-    followSight();
+    followVisibility();
     if (areShown) return;
     if (session_->frame()) canvas_->setFrame(session_->frame());
     canvas_->setFocus();
@@ -334,9 +334,9 @@ void MainWindow::showFrame() {
 }
 
 /// Pauses the moving picture while the window is hidden; curves are computed further.
-void MainWindow::followSight() {
-  poll_->setInterval(sight_->isSeen() ? kPollInterval : kUnseenPoll);
-  session_->setSeen(sight_->isSeen() && !figures_->isShowingFigures());
+void MainWindow::followVisibility() {
+  poll_->setInterval(visibility_->isSeen() ? kPollInterval : kUnseenPoll);
+  session_->setSeen(visibility_->isSeen() && !figures_->isShowingFigures());
 }
 
 /// Asks for the fields that the contact shows and the statistics count, and no more.

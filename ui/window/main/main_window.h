@@ -36,7 +36,7 @@ class StatusLine;
 class Tour;
 class TourBar;
 class WindowLayout;
-class WindowSight;
+class WindowVisibility;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -45,9 +45,9 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const Scene& scene, RunnerOptions options = {}, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  SceneDocument& document() { return *document_; }       // the scene and its history
-  DocumentCommands& documents() { return *documents_; }  // files, undo, what is not saved
-  Session& session() { return *session_; }               // the scene as it runs
+  SceneDocument& document() { return *document_; }              // the scene and its history
+  DocumentCommands& documentCommands() { return *documents_; }  // files, undo, what is not saved
+  Session& session() { return *session_; }                      // the scene as it runs
   ParameterPanel& panel() { return *panel_; }
   ContactCanvas& canvas() { return *canvas_; }
   SceneTabs& tabs() { return *tabs_; }  // under the contact
@@ -85,7 +85,7 @@ class MainWindow : public QMainWindow {
   void showShortcuts();
   void showAbout();
 
-  void followSight();
+  void followVisibility();
   void wantFields();
   void showScene(const Scene& scene);
   void showDescription();
@@ -111,7 +111,7 @@ class MainWindow : public QMainWindow {
   CurveCommands* curveCommands_ = nullptr;
   WindowLayout* windowLayout_ = nullptr;
   Tour* tour_ = nullptr;
-  WindowSight* sight_ = nullptr;
+  WindowVisibility* visibility_ = nullptr;
   QTimer* poll_ = nullptr;
   std::optional<std::string> described_;  // what the bar of the description said last
 };

@@ -11,6 +11,7 @@
 
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/draw_list.h"
+#include "ui/draw/png_file.h"
 
 class QWidget;
 
@@ -29,13 +30,6 @@ struct ContactShot {
   ContactPictureOptions options;
 };
 
-/// The metadata of a picture's file.
-struct PictureLabel {
-  std::string title;   // of the document; empty: none
-  std::string origin;  // one line of provenance, so that the file opens as its scene
-  double scale = 1;    // pixels to one at 96 per inch
-};
-
 /// Without what is said of a picture that moves: how fast its time passes on the screen, and in
 /// steady sliding what its last steps read.
 std::shared_ptr<const Frame> stillOf(const Frame& frame);
@@ -44,7 +38,7 @@ QImage imageOf(const ContactShot& shot);
 
 /// Write PNG, SVG or PDF, by the extension; InputError for any other, and as writeFileAtomically.
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
-                  const PictureLabel& label);
+                  const PictureProperties& properties);
 void writeContact(const std::filesystem::path& file, const ContactShot& shot);
 
 }  // namespace asperity

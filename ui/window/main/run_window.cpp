@@ -90,7 +90,7 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   window->show();
   if (start.found)
     QTimer::singleShot(0, window.get(), [&start, shown = window.get()] {
-      shown->documents().showFound(QString::fromStdString(start.file), *start.found);
+      shown->documentCommands().showFound(QString::fromStdString(start.file), *start.found);
     });
   return runUntilClosed(application, std::move(window));
 }

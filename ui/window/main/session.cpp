@@ -60,7 +60,7 @@ RunnerOptions Session::withNews(RunnerOptions options) {
   return options;
 }
 
-void Session::editCurve(const std::function<void(FrictionChart&)>& edit) {
+void Session::editCurve(const std::function<void(FrictionChartModel&)>& edit) {
   edit(friction_);
   emit plotChanged();
 }

@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "core/run/runner.h"
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 
 namespace asperity {
 
@@ -62,9 +62,9 @@ class Session : public QObject {
   void poll();
 
   std::shared_ptr<const Frame> frame() const { return frame_; }
-  const FrictionChart& friction() const { return friction_; }
+  const FrictionChartModel& friction() const { return friction_; }
   /// Changes what the diagram shows beside the present curve: pins, axes, a difference.
-  void editCurve(const std::function<void(FrictionChart&)>& edit);
+  void editCurve(const std::function<void(FrictionChartModel&)>& edit);
 
   /// The newest state of a curve of the present scene; null before the first and once it is stale.
   const CurveUpdate* curve() const { return curve_ && !friction_.isStale() ? &*curve_ : nullptr; }
@@ -100,7 +100,7 @@ class Session : public QObject {
   std::uint64_t brokenNumber_ = 0;   // newest scene that the runner complained about
   QString trouble_;                  // said of that scene's frames
   std::shared_ptr<const Frame> frame_;
-  FrictionChart friction_;
+  FrictionChartModel friction_;
   std::optional<CurveUpdate> curve_;
   QElapsedTimer sceneTime_, curveTime_;  // since the scene came, and since its curve was begun
   bool isStopped_ = false;

@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "core/material/element_law.h"
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_canvas.h"

@@ -18,7 +18,7 @@ namespace asperity {
 struct CommonOptions;
 
 /// As written on the command line; empty: not said.
-struct CurveChoice {
+struct CurveArguments {
   std::string axes = "physical";
   std::string xRange, yRange;     // FROM:TO, in the units of the axes
   std::string compare;            // SCHEME[:OVERSAMPLING[:LINES]]
@@ -31,13 +31,13 @@ struct CurveChoice {
   void addTo(nlohmann::ordered_json& picture) const;
 };
 
-void addCurveOptions(CLI::App& verb, CurveChoice& choice);
+void addCurveOptions(CLI::App& verb, CurveArguments& arguments);
 
 /// Reads all of it before anything is computed. Throws InputError naming the option.
-void checkCurves(const CurveChoice& choice, const Scene& scene);
+void checkCurves(const CurveArguments& arguments, const Scene& scene);
 
 /// Axes are a picture's: throws InputError where one is said and no file is a picture.
-void checkUseful(const CurveChoice& choice, const std::vector<std::string>& files);
+void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files);
 
 /// The scene's curve with the options that all verbs share (core/accuracy/compute_curve.h); shows
 /// progress. A target that is missed is no error yet: requireTarget() makes it one.
@@ -45,7 +45,7 @@ Curve computeCurve(const Scene& scene, const CommonOptions& common);
 
 /// The curves: the scene's own as given, and what is asked for beside. Shows progress. Throws
 /// InputError.
-CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<CurvePoint> own,
+CurveSet curvesOf(const CurveArguments& arguments, const Scene& scene, std::vector<CurvePoint> own,
                   const CommonOptions& common);
 
 /// The curves as JSON, one object for each beside the scene's own; nothing is added to `answer`

@@ -38,8 +38,8 @@ struct PinnedCurve {
   std::shared_ptr<const CurveUpdate> curve;
 };
 
-class FrictionChart {
-  Q_DECLARE_TR_FUNCTIONS(asperity::FrictionChart)
+class FrictionChartModel {
+  Q_DECLARE_TR_FUNCTIONS(asperity::FrictionChartModel)
 
  public:
   /// A scene was posted: its velocities are in the range at once; the curve at hand is stale unless
@@ -88,7 +88,7 @@ class FrictionChart {
   std::optional<double> velocityAt(double x) const;
 
   /// What is shown in this window, to be written; nothing before the first curve.
-  std::optional<CurveSet> shown(const std::optional<ChartWindow>& zoom) const;
+  std::optional<CurveSet> shown(const std::optional<VisibleRange>& zoom) const;
 
  private:
   const CurveUpdate* find(int id) const;

@@ -1,4 +1,4 @@
-#include "ui/window/main/window_sight.h"
+#include "ui/window/main/window_visibility.h"
 
 #include <QtGui/qguiapplication_platform.h>
 #include <QEvent>
@@ -63,18 +63,18 @@ std::optional<bool> coverOf(const QWindow&, const QByteArray&, const void*) {
 
 }  // namespace
 
-WindowSight::WindowSight(QWidget& window) : QObject(&window), window_(window) {
+WindowVisibility::WindowVisibility(QWidget& window) : QObject(&window), window_(window) {
   window_.installEventFilter(this);
   qGuiApp->installNativeEventFilter(this);
   watchHandle();
 }
 
-WindowSight::~WindowSight() {
+WindowVisibility::~WindowVisibility() {
   qGuiApp->removeNativeEventFilter(this);
 }
 
 /// The window system's window comes with the first showing, and may be made anew.
-void WindowSight::watchHandle() {
+void WindowVisibility::watchHandle() {
   QWindow* handle = window_.windowHandle();
   if (!handle || !handle->handle()) return;
   if (handle != handle_) handle->installEventFilter(this);
@@ -83,7 +83,7 @@ void WindowSight::watchHandle() {
   askForVisibility(window_);
 }
 
-bool WindowSight::eventFilter(QObject* watched, QEvent* event) {
+bool WindowVisibility::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
     case QEvent::WinIdChange:
       watchHandle();
@@ -104,7 +104,7 @@ bool WindowSight::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-bool WindowSight::nativeEventFilter(const QByteArray& type, void* message, qintptr*) {
+bool WindowVisibility::nativeEventFilter(const QByteArray& type, void* message, qintptr*) {
   const std::optional<bool> cover = handle_ ? coverOf(*handle_, type, message) : std::nullopt;
   if (!cover) return false;
   isCovered_ = *cover;
@@ -112,7 +112,7 @@ bool WindowSight::nativeEventFilter(const QByteArray& type, void* message, qintp
   return false;
 }
 
-void WindowSight::judge() {
+void WindowVisibility::judge() {
   const bool isSeen = window_.isVisible() && !window_.isMinimized() && handle_ &&
                       handle_->isExposed() && !isCovered_;
   if (std::exchange(isSeen_, isSeen) != isSeen) emit changed(isSeen);

@@ -13,12 +13,12 @@ class QWindow;
 
 namespace asperity {
 
-class WindowSight : public QObject, private QAbstractNativeEventFilter {
+class WindowVisibility : public QObject, private QAbstractNativeEventFilter {
   Q_OBJECT
 
  public:
-  explicit WindowSight(QWidget& window);
-  ~WindowSight() override;
+  explicit WindowVisibility(QWidget& window);
+  ~WindowVisibility() override;
 
   bool isSeen() const { return isSeen_; }
 
