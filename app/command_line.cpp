@@ -60,7 +60,7 @@ class CommandLine {
 
   int run(int argc, char** argv) {
     try {
-      // From the last to the first, as the parser takes them.
+      // The parser takes the words in reverse order.
       std::vector<std::string> words(std::make_reverse_iterator(argv + argc),
                                      std::make_reverse_iterator(argv + std::min(argc, 1)));
       if (!words.empty() && words.back() == "help" && !std::filesystem::exists("help")) {
@@ -78,7 +78,7 @@ class CommandLine {
     return selected_ ? selected_() : runWindowCommand(window_);
   }
 
-  /// A first word that is neither an option, a verb nor a file is a verb misspelt.
+  /// Treats a first word that is neither an option, a command nor a file as a misspelt command.
   void checkVerb(int argc, char** argv) const {
     const bool asksForHelp = argc > 2 && argv[1] == std::string_view("help");
     const std::string word = asksForHelp ? argv[2] : argc > 1 ? argv[1] : "";
@@ -110,7 +110,7 @@ class CommandLine {
     limitWhole(app.add_option("--threads", common.threads,
                               "Number of threads; 0: as many as the machine has"),
                0, 1024);
-    if (&app != &app_) {  // the window says nothing
+    if (&app != &app_) {  // the command that opens the window prints nothing
       app.add_flag("--quiet", common.quiet, "Show neither progress nor summary");
       app.add_flag("--json", common.json, "Write the answer as JSON to standard output");
     }
@@ -254,7 +254,7 @@ class CommandLine {
     verb->add_option("-o,--output", batch_.output, "Folder for all files")->required();
     addPictureOptions(*verb, batch_.picture, "the batch's", "light");
     addShared(*verb, batch_.common);
-    verb->remove_option(verb->get_option("--set"));  // an entry's own set says it
+    verb->remove_option(verb->get_option("--set"));  // each entry of the batch has its own "set"
     verb->footer(kBatchFormat);
     verb->callback([this] { selected_ = [this] { return runBatch(batch_); }; });
   }
@@ -273,7 +273,7 @@ class CommandLine {
     CLI::App* verb =
         app_.add_subcommand("columns", "All columns of all tables: name, unit, meaning, equation");
     addShared(*verb, columns_);
-    verb->remove_option(verb->get_option("--set"));  // there is no scene
+    verb->remove_option(verb->get_option("--set"));  // this command has no scene
     verb->callback([this] { selected_ = [this] { return runColumns(columns_); }; });
   }
   static void addOutputs(CLI::App* verb, std::vector<std::string>& outputs, const char* sentence) {
@@ -295,14 +295,15 @@ class CommandLine {
   std::function<int()> selected_;
 };
 
-/// To a stderr that may be closed or full: there is nobody else to tell.
+/// Prints an error to stderr. Errors of stderr itself (closed, full) are ignored: nothing else can
+/// report them.
 int complain(const std::string& sentence, int status) {
-  while (isInterrupted()) ::pause();  // that was the reason, and is said already
+  while (isInterrupted()) ::pause();  // the interruption was the reason, and has been reported
   std::fputs(("asperity: " + printable(sentence) + "\n").c_str(), stderr);
   return status;
 }
 
-/// Files opened later must not get the numbers of the standard streams.
+/// Opens the closed standard streams, so that files opened later do not get their numbers.
 void fillClosedStreams() {
   for (const int stream : {0, 1, 2})
     if (::fcntl(stream, F_GETFD) == -1) ::open("/dev/null", O_RDONLY);
@@ -324,7 +325,7 @@ std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const 
 int runCommandLine(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
   fillClosedStreams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that reaches its size limit gives an error, like a full disk
   endCleanlyOnInterruption();
   try {
     chooseVectorTarget();
@@ -334,7 +335,7 @@ int runCommandLine(int argc, char** argv) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (commandLine.timing())
       std::fputs(fmt::format("time {:.3f} s\n", elapsed.count()).c_str(), stderr);
-    // A full disk shows itself only when the last bytes leave.
+    // A full disk may appear only when the last bytes are written.
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
       return complain("standard output cannot be written", kRunFailed);
     return status;

@@ -50,13 +50,13 @@ void limitNumber(CLI::Option* option, Number least, Number most, const char* wha
   option->check(check)->type_name(allowed);
 }
 
-/// The verb that was given, or the app itself.
+/// Returns the command that was given, or the program itself.
 const CLI::App& spokenTo(const CLI::App& app) {
   const auto verbs = app.get_subcommands();
   return verbs.empty() ? app : *verbs.front();
 }
 
-/// "--frames", or "SCENE" of what has no dashes.
+/// Returns the option as the user writes it: "--frames", or "SCENE" for one without dashes.
 std::string nameOf(const CLI::Option& option) {
   return option.get_positional() ? option.get_name() : option.get_name(false, false);
 }
@@ -88,10 +88,10 @@ InputError unexpected(const CLI::App& app) {
                         : message("unexpected argument '{}' for '{}'", shortened(words.front()), call)};
 }
 
-/// "--size: At Most 1 required but received 2" and its like.
+/// Translates CLI11's messages such as "--size: At Most 1 required but received 2".
 InputError mismatch(const std::string& said) {
   std::string name = said.substr(0, said.find_first_of(": "));
-  if (std::islower(static_cast<unsigned char>(name.front()))) name = "--" + name;  // of a flag
+  if (std::islower(static_cast<unsigned char>(name.front()))) name = "--" + name;  // the name of a flag
   if (said.find("received") != std::string::npos) return {"", name, "is given more than once"};
   if (said.find("flag") != std::string::npos) return {"", name, "takes no value"};
   return {"", name, "needs a value"};

@@ -9,7 +9,7 @@
 namespace asperity {
 namespace {
 
-constexpr int kWidest = 480, kHighest = 960;  // pixels of one picture on a sheet
+constexpr int kWidest = 480, kHighest = 960;  // largest width and height in pixels of one picture on a sheet
 constexpr std::string_view kName = "contact_sheet", kEnd = ".png";
 
 }  // namespace

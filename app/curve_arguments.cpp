@@ -84,7 +84,7 @@ NumberRange positiveRange(const char* option, const std::string& text) {
   return range;
 }
 
-/// The scene with the assignments set over it.
+/// Returns the scene with the assignments applied.
 Scene sceneWith(const Scene& scene, const std::string& assignments) {
   const std::vector<std::string> each = separatedAssignments(assignments);
   for (const std::string& assignment : each)

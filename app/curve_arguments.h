@@ -1,5 +1,5 @@
-// What a user says about the curves in a friction diagram: axes and their ranges, another setting
-// to compare with, other curves beside. Main thread.
+// Command-line options for the curves of a friction diagram: axes and their ranges, another setting
+// to compare with, and further curves. Main thread.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -17,38 +17,39 @@ namespace asperity {
 
 struct CommonOptions;
 
-/// As written on the command line; empty: not said.
+/// The options as text from the command line; empty: not given.
 struct CurveArguments {
   std::string axes = "physical";
   std::string xRange, yRange;     // FROM:TO, in the units of the axes
   std::string compare;            // SCHEME[:OVERSAMPLING[:LINES]]
-  std::vector<std::string> with;  // KEY=VALUE[;KEY=VALUE...], one for each curve beside
+  std::vector<std::string> with;  // KEY=VALUE[;KEY=VALUE...], one for each further curve
 
-  /// One that is said; null where none is.
+  /// Returns the name of an option that is given; null where none is.
   const char* firstOption() const;
-  /// Whether there are more curves than the scene's own.
+  /// Returns whether there are more curves than the scene's own.
   bool hasMore() const { return !compare.empty() || !with.empty(); }
   void addTo(nlohmann::ordered_json& picture) const;
 };
 
 void addCurveOptions(CLI::App& verb, CurveArguments& arguments);
 
-/// Reads all of it before anything is computed. Throws InputError naming the option.
+/// Checks all options before anything is computed. Throws InputError naming the option.
 void checkCurves(const CurveArguments& arguments, const Scene& scene);
 
-/// Axes are a picture's: throws InputError where one is said and no file is a picture.
+/// Throws InputError where an axis is given but no output file is a picture.
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files);
 
-/// The scene's curve with the options that all verbs share (core/accuracy/compute_curve.h); shows
-/// progress. A target that is missed is no error yet: requireTarget() makes it one.
+/// Computes the scene's curve with the options that all commands share
+/// (core/accuracy/compute_curve.h), and shows progress. A missed target is not yet an error here;
+/// requireTarget() makes it one.
 Curve computeCurve(const Scene& scene, const CommonOptions& common);
 
-/// The curves: the scene's own as given, and what is asked for beside. Shows progress. Throws
-/// InputError.
+/// Returns the given curve of the scene together with the requested further curves. Shows progress.
+/// Throws InputError.
 CurveSet curvesOf(const CurveArguments& arguments, const Scene& scene, std::vector<CurvePoint> own,
                   const CommonOptions& common);
 
-/// The curves as JSON, one object for each beside the scene's own; nothing is added to `answer`
+/// Adds the curves to `answer`, one object for each curve beside the scene's own; adds nothing
 /// where there is none.
 void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set);
 

@@ -14,8 +14,8 @@ namespace {
 constexpr std::int64_t kUsualFrames = 60;
 constexpr double kUsualFps = 25;
 constexpr double kMostFrames = 1e6;
-constexpr std::int64_t kSamples = 200;  // over a motion, at least
-constexpr double kMostPeriods = 1e9;    // slid
+constexpr std::int64_t kSamples = 200;  // minimum number of samples over a motion
+constexpr double kMostPeriods = 1e9;    // maximum distance of sliding, in periods
 
 double fpsOf(const TimeArguments& arguments) {
   return arguments.framesPerSecond > 0 ? arguments.framesPerSecond : kUsualFps;
@@ -136,18 +136,18 @@ Frame FrameSource::steadyFrame(std::int64_t index) const {
                             static_cast<std::uint64_t>(index));
   const double slid = choice_.slid ? *choice_.slid : *choice_.at * velocity_;
   Frame frame = steady_->frameAt(slid / steady_->length(), 0, 0);
-  frame.distance = slid;  // to the last digit
+  frame.distance = slid;  // exact to the last digit
   if (choice_.at) frame.time = *choice_.at;
   return frame;
 }
 
-/// On to that time, as far as whole steps go.
+/// Marches to this time in whole steps.
 void FrameSource::march(double time) {
   const double part = (time - motion_->frame().time) / duration_;
   if (part > 0) motion_->advance(part, 1 / plan_.framesPerSecond);
 }
 
-/// Of a motion, as the window shows it when it has come there.
+/// Returns the frame of a motion at the present time, as the window shows it.
 Frame FrameSource::momentFrame() {
   const RunnerOptions window;
   motion_->advanceTo(choice_.at.value_or(duration_), window.partPerFrame(),
@@ -161,10 +161,10 @@ Frame FrameSource::frame(std::int64_t index) {
   if (steady_) return steadyFrame(index);
   if (plan_.count == 1) return momentFrame();
   const std::int64_t intervals = plan_.count - 1;
-  const std::int64_t parts = (kSamples + intervals - 1) / intervals;  // of an interval
+  const std::int64_t parts = (kSamples + intervals - 1) / intervals;  // parts of an interval
   const std::int64_t target = index * parts;
   while (advanced_ < target) {
-    // Whole steps fall short of a part: the next one makes up for it.
+    // Whole steps end before the part does; the next part makes up for it.
     ++advanced_;
     march(duration_ * static_cast<double>(advanced_) / static_cast<double>(intervals * parts));
   }

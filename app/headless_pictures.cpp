@@ -12,12 +12,13 @@
 namespace asperity {
 namespace {
 
-/// What Qt has to say of desktops is of no use to a program without one; errors are ours to tell.
+/// Qt's warnings about desktops do not concern a program without a window; the program reports
+/// errors itself.
 void sayOnlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message) {
   if (type == QtFatalMsg) std::fprintf(stderr, "asperity: %s\n", qPrintable(message));
 }
 
-/// No window is wanted, whatever the desktop: text needs only fonts.
+/// Makes an application that needs no display: text needs only fonts.
 std::unique_ptr<QGuiApplication> offscreenApplication() {
   qInstallMessageHandler(sayOnlyFatal);
   static int count = 3;

@@ -17,8 +17,8 @@
 namespace asperity {
 namespace {
 
-// Strips are low, which would make their texts small; where they are lower than so many heights of
-// a number, the texts make room for them all the same.
+// Sizes of texts in strips, which are low and would make their texts small. Where a strip is lower
+// than several heights of a number, the texts get smaller still, so that they fit.
 constexpr float kStripText = 0.8F, kLeastStripText = 0.5F;
 constexpr float kGoodStrip = 3, kLeastStrip = 2;
 
@@ -79,7 +79,7 @@ DrawList PictureComposer::compose(const Frame& frame) {
     return stacked(contact(frame, above), *below_);
   } else {
     sheet = curveWithMarker(frame);
-    sheet.title = {};  // it stands above
+    sheet.title = {};  // the title is drawn above the contact
     options.above->unit = contactUnit(contactOptions(above));
   }
   DrawList picture = contact(frame, above);
@@ -155,7 +155,7 @@ DiagramOptions PictureComposer::optionsFor(int height, float leastText) const {
   return {settings_.width, height, settings_.scale, settings_.theme, leastText};
 }
 
-/// The curve with the line and the velocity of the frame, and the way that a motion came.
+/// Returns the curve with the line, the marker at the frame's velocity, and the trace of a motion.
 DiagramSheet PictureComposer::curveWithMarker(const Frame& frame) const {
   DiagramSheet sheet = curveSheet(content_.curves);
   sheet.diagrams.front().marker = markerOf(frame, content_.curves.axes);

@@ -17,7 +17,7 @@
 namespace asperity {
 namespace {
 
-constexpr int kSmallest = 160, kLargest = 16384;  // pixels
+constexpr int kSmallest = 160, kLargest = 16384;  // of width and height in pixels
 constexpr double kPixelsPerInch = 96;
 
 void readSize(const std::string& text, PictureSettings& settings) {
@@ -134,9 +134,9 @@ namespace {
 
 constexpr double kFarthest = 1e9;  // m, a million periods of the longest line
 
-constexpr double kMostPeriods = 50;       // as wide as a view may be
-constexpr double kLeastPeriods = 1e-9;    // and as narrow
-constexpr double kFarthestPeriods = 1e6;  // from 0
+constexpr double kMostPeriods = 50;       // largest width of a view
+constexpr double kLeastPeriods = 1e-9;    // smallest width of a view
+constexpr double kFarthestPeriods = 1e6;  // largest distance from 0
 constexpr const char *kAlong = "--view", *kHeights = "--heights", *kColours = "--colours-to",
                      *kExaggeration = "--exaggeration", *kProbe = "--probe",
                      *kMagnify = "--magnify";
@@ -148,8 +148,9 @@ void checkPlace(const char* option, const std::optional<double>& place, double l
                              printedNumber(kFarthestPeriods * length, 6)));
 }
 
-/// The heights around the middle of the fitted ones at which heights are so many times as large as
-/// lengths. Labels of other heights are of another width, which moves the plot's edge a little.
+/// Sets heights around the middle of the fitted ones so that they are drawn `exaggeration` times as
+/// large as lengths. The labels of the new heights change the plot's width a little, so the
+/// computation is repeated.
 void exaggerate(double exaggeration, const Frame& frame, ContactPictureOptions& options) {
   const ContactView fitted = resolvedView(frame, options.view);
   const double middle = 0.5 * (fitted.bottom + fitted.top);
@@ -185,7 +186,7 @@ double ViewArguments::width() const {
 }
 
 double ViewArguments::finest() const {
-  constexpr double kNothing = 1e-300;  // as fine as lines are drawn
+  constexpr double kNothing = 1e-300;  // finer than any line
   return probe ? kNothing : width();
 }
 

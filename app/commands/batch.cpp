@@ -1,4 +1,4 @@
-// asperity batch: many scenes and sweeps into pictures, data and a page to look through.
+// asperity batch: runs many scenes and sweeps; writes pictures, data and a page with all of them.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -36,10 +36,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rows of a motion's table.
+/// Number of rows in the table of a motion.
 constexpr std::int64_t kMotionRows = 2000;
 
-/// One over the scene's lines at its own velocity; none of a motion, or of a line at rest.
+/// Returns the mean over the scene's lines at its own velocity. It is empty for a motion, and for a
+/// line at rest.
 std::optional<CurvePoint> meanOverLines(const Scene& scene, const CurveOptions& options) {
   if (scene.sliding.kind != SlidingKind::Steady || !(scene.sliding.velocity > 0))
     return std::nullopt;
@@ -82,7 +83,7 @@ class BatchRun {
       }
     }
     finishPictures(pictures);
-    // What is small and says what was found comes first: sheets are large, and may fail.
+    // The small files with the results are written first: the sheets are large, and may fail.
     const std::string made = provenanceLine(origin());
     const std::vector<std::string> names = grid_->names();
     writeFileAtomically(fileIn("results.csv"), "# asperity: " + made + "\n" + batchTable(results_));
@@ -98,9 +99,9 @@ class BatchRun {
     return (std::filesystem::path(command_.output) / name).string();
   }
 
-  /// No output may replace a file that the batch is read from.
+  /// Throws where an output would replace a file from which the batch is read.
   void checkInputs() const {
-    std::error_code missing;  // what is not there cannot be replaced
+    std::error_code missing;  // a file that does not exist cannot be replaced
     std::set<std::filesystem::path> inputs{
         std::filesystem::canonical(command_.common.scene, missing)};
     for (const BatchItem& item : batch_.items)
@@ -117,7 +118,7 @@ class BatchRun {
     check("results.csv");
   }
 
-  /// The last picture may fail after its scene was done.
+  /// Waits for the last picture, whose writing may fail after its scene has been finished.
   void finishPictures(HeadlessPictures& pictures) {
     try {
       pictures.finish();
@@ -126,7 +127,7 @@ class BatchRun {
     }
   }
 
-  /// A size that the file gives is said of the file.
+  /// Reads the settings of pictures. An error in a size that the batch file gives names that file.
   PictureSettings readSettings() const {
     PictureArguments arguments = command_.picture;
     const bool isOfFile = arguments.size.empty();
@@ -139,7 +140,7 @@ class BatchRun {
     }
   }
 
-  /// What goes wrong with one scene is said of it, and the rest go on.
+  /// Runs one scene. An error belongs to that scene only; the other scenes go on.
   BatchResult resultOf(const BatchItem& item, HeadlessPictures& pictures) {
     BatchResult result;
     result.item = item;
@@ -159,12 +160,12 @@ class BatchRun {
     return result;
   }
 
-  /// Where the next scene stands.
+  /// Returns the cell of the next scene.
   ContactSheets::Cell cell() const { return grid_->cell(static_cast<int>(results_.size())); }
 
   void fill(BatchResult& result, HeadlessPictures& pictures) {
     const Scene& scene = result.item.scene;
-    Scene shown = scene;  // as pictures have it, in the language in use
+    Scene shown = scene;  // with translated texts, as pictures show them
     shown.title = translated(result.item.title);
     const PictureLayout layout = layoutFrom(result.item.show);
     PictureContent content{layout};
@@ -218,7 +219,7 @@ class BatchRun {
         {"schema", "asperity-batch-results/1"}, {"verb", "batch"}, {"version", ASPERITY_VERSION}};
   }
 
-  /// Of what shows all scenes together.
+  /// Returns the provenance of the files that show all scenes together.
   Json origin() const {
     Json origin = header();
     Json& scenes = origin["scenes"] = Json::array();

@@ -1,5 +1,5 @@
-// asperity motion: what friction, indentation, contact and power do in time while the velocity
-// changes, as a table and as a picture.
+// asperity motion: friction, indentation, contact and power over time while the velocity changes,
+// as a table and as a picture.
 #include "core/run/motion_table.h"
 
 #include <fmt/format.h>
@@ -22,8 +22,8 @@
 namespace asperity {
 namespace {
 
-/// Of the usual size of texts, times the scale: as small as four strips make them in the usual
-/// picture, so that a picture of few pixels for print has larger ones.
+/// The size of texts relative to the usual one, times the scale. Four strips make texts this small
+/// in the usual picture; a picture of few pixels for print then has relatively larger texts.
 constexpr float kMotionText = 0.6F;
 
 MotionTable compute(const Scene& scene, const MotionCommand& command) {

@@ -50,7 +50,7 @@ double frictionOf(const Frame& frame) {
   return frame.transient ? frame.muMarch : frame.muSteady;
 }
 
-/// One run of the verb, from what was asked to what was written.
+/// One run of the command, from its options to the files it writes.
 class Rendering {
  public:
   explicit Rendering(const RenderCommand& command)
@@ -121,7 +121,7 @@ class Rendering {
  private:
   std::int64_t count() const { return frames_->plan().count; }
 
-  /// "wrote 60 frames in out".
+  /// Returns a summary: "wrote 60 frames in out".
   std::string framesText() const {
     const bool isFilm = kind_ == Kind::Film;
     if (drawn_ == 1)
@@ -143,7 +143,7 @@ class Rendering {
                        "goes on with a folder of frames; a single file is made anew");
   }
 
-  /// Refuses options of time, which one picture does not have.
+  /// Throws for options of time, which a single picture does not have.
   void checkStill() const {
     const TimeArguments& time = command_.time;
     for (const auto& [option, given] : {std::pair{"--frames", time.frames > 1},
@@ -160,7 +160,7 @@ class Rendering {
     return layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both;
   }
 
-  /// Refuses options of a part of the picture that the layout does not have.
+  /// Throws for options of a part of the picture that the layout does not have.
   void checkParts() const {
     const auto refuse = [&](const char* option, const char* part) {
       throw InputError("", option,
@@ -187,7 +187,7 @@ class Rendering {
       throw InputError("", "--layout", "curve does not move; --layout both shows the contact too");
   }
 
-  /// The curves are those of steady sliding, whatever motion the scene has.
+  /// Computes the curves. They belong to steady sliding, whatever motion the scene has.
   void computeCurves() {
     Scene steady = scene_;
     steady.sliding.kind = SlidingKind::Steady;
@@ -196,7 +196,8 @@ class Rendering {
     curves_ = curvesOf(command_.curves, steady, std::move(curve.points), command_.common);
   }
 
-  /// Returns the provenance of the whole run: scene, verb, version, seed and how it is shown.
+  /// Returns the provenance of the whole run: scene, command, version, seed and the options of the
+  /// picture.
   Json origin() const {
     Json origin = provenance("render", scene_);
     if (showsCurve()) addCurveOversampling(origin, scene_);
@@ -231,7 +232,8 @@ class Rendering {
     files_ = {command_.output};
   }
 
-  /// Frames over the whole film, from which a gif takes its colours; none for other films.
+  /// Returns frames spread over the whole film, from which a gif takes its colours. It is empty for
+  /// other films.
   std::vector<std::int64_t> sampledIndices() const {
     constexpr std::int64_t kSamples = 8;
     if (extensionOf(command_.output) != ".gif") return {};
@@ -242,7 +244,7 @@ class Rendering {
     return indices;
   }
 
-  /// Simulates and draws these frames once more than the film needs them.
+  /// Simulates and draws these frames in addition to those of the film.
   void addSamples(const std::vector<std::int64_t>& indices, HeadlessPictures& pictures,
                   FilmFile& film) const {
     if (indices.empty()) return;
@@ -318,8 +320,8 @@ class Rendering {
     seconds_ = runPipeline(indices, stages);
   }
 
-  /// Returns the shares of time of the stages, the only part of an answer that differs from run to
-  /// run.
+  /// Returns the fractions of time of the stages. They are the only part of an answer that differs
+  /// from run to run.
   Json pipelineJson() const {
     const double total = seconds_.simulate + seconds_.draw + seconds_.encode + seconds_.write;
     const auto share = [total](double part) { return total > 0 ? part / total : 0; };
@@ -341,7 +343,7 @@ class Rendering {
   CurveSet curves_;
   std::optional<FrameSource> frames_;
   std::optional<PictureComposer> composer_;
-  Frame last_;  // touched by the composing thread only while it runs
+  Frame last_;  // only the composing thread uses it while it runs
   std::vector<std::string> files_;
   std::int64_t drawn_ = 0, removed_ = 0;
   StageSeconds seconds_;

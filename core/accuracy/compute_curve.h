@@ -1,5 +1,5 @@
 // The friction curve of a scene, computed in one way for every caller: the window's runner, the
-// verbs curve, render and batch, and curves drawn beside another one. What a caller wants to be
+// commands curve, render and batch, and curves drawn beside another one. What a caller wants to be
 // different (number of lines, scheme, target accuracy, velocities) it sets in the scene, which is a
 // plain value. Progress and cancelling go through CurveOptions alone: `progress` is called with the
 // points so far, `stop` ends the computation within a pass over a line.

@@ -1,6 +1,6 @@
 // A diagram as a plain value: what a chart has to show, without saying how it is drawn. The one
 // model of every chart: made by core beside the data that it shows, composed as a picture by
-// ui/chart/diagram_picture.h, shown to a person who points into it by ui/chart/chart_view.h.
+// ui/chart/diagram_picture.h, shown to a user who points into it by ui/chart/chart_view.h.
 // Copied freely; any thread.
 // All values are SI; an axis with a unit shows its numbers with a fitting prefix where it is
 // linear, and as powers of ten where it is logarithmic. Texts are English templates with their
@@ -59,12 +59,12 @@ struct DiagramSpan {
   double from = 0, to = 0;
   Message label{};
   std::string shortLabel{};      // "I": where the label has no room
-  std::vector<Message> notes{};  // what to know of it, for a person who points at its name
+  std::vector<Message> notes{};  // what to know of it, for a user who points at its name
   bool isFaded = false;          // belongs to a state that is over
 };
 
 /// A vertical line at x with a dot at y where y has a place: what is so now, on a curve of what may
-/// be. A person can drag it in the window.
+/// be. A user can drag it in the window.
 struct DiagramMarker {
   Message name{};   // for the legend
   Message label{};  // beside the line: "v = 1 m/s"

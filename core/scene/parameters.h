@@ -98,7 +98,7 @@ ParameterValue defaultOf(const Parameter& parameter);
 /// where the value is of the wrong type, outside its range or not finite.
 void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
 
-/// The same, from text as a person types it ("1e7", "cubic").
+/// The same, from text as a user types it ("1e7", "cubic").
 void setFromText(const Parameter& parameter, Scene& scene, std::string_view text);
 
 /// Of numbers; nothing for other rows.

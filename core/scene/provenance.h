@@ -1,4 +1,4 @@
-// How a result came about, in every machine-readable answer and inside every file: schema, verb,
+// How a result came about, in every machine-readable answer and inside every file: schema, command,
 // version, the canonical scene and its seed; never a date, the threads or a file's name. And the
 // way back: the scene out of a file that the program wrote. Pure but for what reads one file; any
 // thread.
@@ -15,8 +15,8 @@
 
 namespace asperity {
 
-/// {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random),
-/// "oversampling_used", "scene"}. The number used is that of a friction curve for the verbs that
+/// {"schema": "asperity-VERB/1", "command", "version", "seed" (null where nothing is random),
+/// "oversampling_used", "scene"}. The number used is that of a friction curve for the commands that
 /// compute one, else that of a single line; null where a curve to a target accuracy chooses at each
 /// velocity.
 nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);

@@ -1,4 +1,4 @@
-// A sheet of diagrams that a person can point into: the friction curve, and a motion in time. Shows
+// A sheet of diagrams that a user can point into: the friction curve, and a motion in time. Shows
 // the diagrams one under the other over their common axis, by Qt Charts (chart_panel.h); as many
 // from the first on as have room.
 // Pointer: the marker is dragged (with Shift at a tenth of the pace); a click takes a point; the

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFramesPerSecond = 25;  // of the film whose first frame a contact is
 
-/// Its title is the figure's own, not a person's.
+/// Its title is the figure's own, not a user's.
 Frame inPresentLanguage(Frame contact, const Figure& figure) {
   Scene scene = *contact.scene;
   scene.title = translated(figure.sheet.title);

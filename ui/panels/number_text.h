@@ -1,4 +1,4 @@
-// Numbers as a person types and reads them in the panels: parsing what was typed, units and
+// Numbers as a user types and reads them in the panels: parsing what was typed, units and
 // prefixes, what is allowed. Pure; window's thread (the language may change).
 #pragma once
 

@@ -46,7 +46,7 @@ QString sectionTitle(const QString& section) {
   return section.left(1).toUpper() + section.mid(1);
 }
 
-/// What a person changes most comes first; sections the list does not know follow as in the table.
+/// What a user changes most comes first; sections the list does not know follow as in the table.
 QStringList sections() {
   QStringList names{"sliding", "load", "elastomer", "surface", "interface", "sweep", "accuracy"};
   for (const Parameter& parameter : parameters())

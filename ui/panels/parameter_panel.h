@@ -22,7 +22,7 @@ namespace asperity {
 class ParameterRow;
 struct Parameter;
 
-/// Asks a person for a file, beginning in a folder; empty where none was chosen.
+/// Asks a user for a file, beginning in a folder; empty where none was chosen.
 using FileChooser = std::function<QString(QWidget* parent, const QString& folder)>;
 
 class ParameterPanel : public QWidget {

@@ -3,7 +3,7 @@
 // of an elastomer's arms; the sentence and the allowed range as tooltip, a button back to the
 // default, and the reason beneath where a text is refused. Object names: "slider:KEY", "entry:KEY",
 // "text:KEY", "arms:KEY", "choice:KEY", "browse:KEY", "reset:KEY", "note:KEY", "error:KEY",
-// "row:KEY". The row holds no scene; it shows one and says what a person gave. GUI thread.
+// "row:KEY". The row holds no scene; it shows one and says what a user gave. GUI thread.
 #pragma once
 
 #include <QWidget>

@@ -40,7 +40,7 @@ class ValueSlider : public QSlider {
   QSize minimumSizeHint() const override;
 
  signals:
-  /// The person moved the handle.
+  /// The user moved the handle.
   void valuePicked(double value);
 
  protected:

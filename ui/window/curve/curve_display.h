@@ -1,5 +1,5 @@
 // The friction diagram in the window: follows the session at a pace that leaves time for the rest,
-// and turns what a person does in it into velocities. A new curve is shown at once; what has become
+// and turns what a user does in it into velocities. A new curve is shown at once; what has become
 // stale a moment later, if nothing new is there by then; refinements now and then. GUI thread;
 // belongs to its parent. Cannot fail.
 #pragma once

@@ -1,4 +1,4 @@
-// What a person does with the document: opening, saving, dropping a file on the window, undo and
+// What a user does with the document: opening, saving, dropping a file on the window, undo and
 // redo; and the question before something that is not saved would be lost. Knows the files that
 // were opened or saved last. Owned by the main window; GUI thread. Failure: the reason appears in
 // the bar of messages, and the document stays as it is.

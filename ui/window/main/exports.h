@@ -1,5 +1,5 @@
 // What leaves the window: the contact as it is shown, as a picture in a file or on the clipboard,
-// and the calls of `asperity` that make picture and curve without the window, as a person pastes
+// and the calls of `asperity` that make picture and curve without the window, as a user pastes
 // them into a shell. Files are written in the background, each in its turn. Owned by the main
 // window; GUI thread. Failure: the reason appears in the bar of messages.
 #pragma once

@@ -1,4 +1,4 @@
-// The main window's menus and tool bar, in the order in which a person sees them, and the dialogs
+// The main window's menus and tool bar, in the order in which a user sees them, and the dialogs
 // of its help menu.
 #include <QAction>
 #include <QActionGroup>

@@ -1,4 +1,4 @@
-// Pictures of the window as images and files, drawn as the headless verbs draw them, and the
+// Pictures of the window as images and files, drawn as the headless commands draw them, and the
 // question where a file is to be written. Images and files: any thread on which no OpenGL context
 // of the window is current, one at a time. The question: GUI thread.
 #pragma once
@@ -17,7 +17,7 @@ class QWidget;
 
 namespace asperity {
 
-/// Asks a person for a file to write; empty where none was chosen. A name without an ending gets
+/// Asks a user for a file to write; empty where none was chosen. A name without an ending gets
 /// the first one of the filter that is chosen in the dialog, before it is asked whether the file
 /// may be replaced. `name` is proposed, with or without a folder; `filters` as for QFileDialog,
 /// separated by ";;".

@@ -1,5 +1,5 @@
 // The window as a program: fonts, style, language, one MainWindow, the event loop, and an end that
-// does not keep a person waiting.
+// does not keep a user waiting.
 #pragma once
 
 #include <QObject>

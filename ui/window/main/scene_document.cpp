@@ -26,7 +26,7 @@ QString capitalized(const QString& text) {
 
 }  // namespace
 
-/// Numbers the gestures of a person: a press of a button or of a key begins a new one; what moves,
+/// Numbers the gestures of a user: a press of a button or of a key begins a new one; what moves,
 /// repeats and turns meanwhile belongs to it. Watches the whole application.
 class GestureCounter : public QObject {
  public:

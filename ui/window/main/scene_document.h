@@ -41,7 +41,7 @@ class SceneDocument : public QObject {
   void open(const SceneOrigin& origin);
   void open(const Scene& scene) { open(SceneOrigin{{}, {}, scene}); }
 
-  /// The next step, within the present gesture of the person. `what` names it in the menu, a source
+  /// The next step, within the present gesture of the user. `what` names it in the menu, a source
   /// text of this class; null: it is named after the parameters that differ. Nothing happens where
   /// the scene is the present one.
   void edit(const Scene& scene, const char* what = nullptr);

@@ -9,7 +9,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPatience = 200;  // ms, until a person is told what is waited for
+constexpr int kPatience = 200;  // ms, until a user is told what is waited for
 
 bool sameOrBothMissing(double a, double b) {
   return a == b || (!std::isfinite(a) && !std::isfinite(b));

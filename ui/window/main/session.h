@@ -55,7 +55,7 @@ class Session : public QObject {
   /// first.
   double simulationsPerSecond() const { return rate_; }
 
-  /// Whether the present scene's first frame keeps a person waiting.
+  /// Whether the present scene's first frame keeps a user waiting.
   bool isWaiting() const;
 
   /// Takes what the runner has made since the last call.
