@@ -83,7 +83,7 @@ void CurveCommands::fill(QMenu& menu) {
   showState();
 }
 
-/// One entry for each pinned curve, named as in the legend.
+/// Adds one entry for each pinned curve, with its name in the legend.
 void CurveCommands::fillUnpin() {
   unpin_->clear();
   for (const PinnedCurve& pinned : session_.friction().pinned()) {
@@ -105,7 +105,7 @@ void CurveCommands::showState() {
   copy_->setEnabled(hasCurve);
 }
 
-/// Ranges that were zoomed to belong to the other axes.
+/// Changes the axes. Zoomed ranges belong to the former axes.
 void CurveCommands::setAxes(bool dimensionless) {
   view_.fit();
   session_.editCurve([dimensionless](FrictionChartModel& plot) {
@@ -130,7 +130,7 @@ void CurveCommands::save(const QString& file) {
        [this, file] { emit exported(file); });
 }
 
-/// As large as on the screen, in its colours.
+/// Copies the diagram in the size and colours of the screen.
 void CurveCommands::copyPicture() {
   const std::optional<CurveSet> set = shown();
   if (!set) return;

@@ -15,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-/// "png" of "Pictures (*.png *.svg)".
+/// Returns the first extension of a filter: "png" of "Pictures (*.png *.svg)".
 QString firstEnding(const QString& filter) {
   static const QRegularExpression ending(QStringLiteral(R"(\*\.(\w+))"));
   return ending.match(filter).captured(1);
