@@ -7,7 +7,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNarrowest = 0.1, kWidest = 60;  // decades
+constexpr double kNarrowest = 0.1, kWidest = 60;  // decades, of a zoomed axis
 
 double fraction(double place, const AxisRange& range) {
   return (place - range.from) / (range.isEmpty() ? 1 : range.size());
@@ -38,7 +38,7 @@ bool isFinite(QPointF at) {
   return std::isfinite(at.x()) && std::isfinite(at.y());
 }
 
-/// The nearest drawn point of a diagram's curves, the upper one where they lie on each other.
+/// Finds the nearest drawn point of a diagram's curves; the upper one where two coincide.
 void findPoint(const ChartGeometry& geometry, const Diagram& diagram, bool isSlim, QPointF place,
                ChartTarget& target) {
   double nearest = kPointReach * geometry.scale;
@@ -65,11 +65,11 @@ void findSpan(const ChartGeometry& geometry, const Diagram& diagram, QPointF pla
       target.span = static_cast<int>(i);
 }
 
-/// Whether the straight line between two places on the axes passes through the window.
+/// Returns whether the straight line between two positions on the axes passes through the range.
 bool crosses(const VisibleRange& window, QPointF a, QPointF b) {
   const double ax = a.x(), ay = a.y();
   const double dx = b.x() - ax, dy = b.y() - ay;
-  double from = 0, to = 1;  // the part of it within the ends of both axes
+  double from = 0, to = 1;  // the part of the line within both axes
   const auto cut = [&](double start, double way, const AxisRange& range) {
     if (way == 0) {
       if (start < range.from || start > range.to) to = -1;

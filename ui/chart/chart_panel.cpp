@@ -22,16 +22,16 @@ namespace asperity {
 
 namespace {
 
-// Between the grid (2), the axes (3) and the series (4) of a chart.
+// Depths between the grid (2), the axes (3) and the series (4) of a chart.
 constexpr double kUnderDepth = 1.5, kOverDepth = 3.5;
 
 constexpr double kMarkSize = 8, kSmallestMark = 3;  // pixels across, times the scale
 constexpr double kTheory = 2, kCurve = 1.6, kBar = 1.3;
 constexpr double kCap = 3.5;   // half the width of an error bar's caps
 constexpr double kAside = 4;   // pixels between a shade's edges and its name
-constexpr double kLeft = 6;    // from the edge to a title at the left
-constexpr double kBelow = 8;   // from the frame to the title below it, beside the labels
-constexpr double kBeside = 8;  // from the frame to a title at its right
+constexpr double kLeft = 6;    // from the edge to a title on the left
+constexpr double kBelow = 8;   // from the frame to the title below it, including the labels
+constexpr double kBeside = 8;  // from the frame to a title on its right
 constexpr double kBandOpacity = 0.2;
 
 QColor mixed(const QColor& a, const QColor& b, double share) {
@@ -45,7 +45,7 @@ bool isDark(const Theme& theme) {
   return colourOf(theme.background).lightness() < 128;
 }
 
-/// Fonts of the ticks, as the layout of pictures wants them.
+/// Returns the font sizes of the ticks, in the form that the layout of pictures uses.
 DiagramSizes sizesOf(const ChartLook& look) {
   DiagramSizes sizes;
   sizes.unit = static_cast<float>(look.scale());
@@ -60,10 +60,10 @@ double markSizeOf(const DiagramSeries& series, double room, const ChartLook& loo
   return look.scale() * std::clamp(0.84 * apart / look.scale(), kSmallestMark, kMarkSize);
 }
 
-/// A mark with its rim, as an image for a QScatterSeries.
+/// Returns a mark with its rim as an image for a QScatterSeries.
 QImage imageOf(SeriesMark mark, double size, const QColor& colour, const QColor& rim,
                double* side) {
-  constexpr int kFiner = 4;  // pixels of the image to one of the screen
+  constexpr int kFiner = 4;  // image pixels per screen pixel
   const int across = static_cast<int>(std::ceil(1.5 * size)) + 4;
   *side = across;
   QImage image(kFiner * across, kFiner * across, QImage::Format_ARGB32_Premultiplied);
@@ -123,7 +123,7 @@ double ChartLook::line() const {
 }
 
 double markScale(const QFont& font) {
-  constexpr double kUsual = 17;  // pixels, a line of a desktop's letters
+  constexpr double kUsual = 17;  // pixels, height of a usual line of text on a desktop
   return std::max(1.0, QFontMetricsF(font).height() / kUsual);
 }
 
@@ -138,7 +138,9 @@ void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size) 
 }
 
 void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap) {
-  const auto sharp = [](double pixel) { return std::floor(pixel) + 0.5; };  // covers whole pixels
+  const auto sharp = [](double pixel) {
+    return std::floor(pixel) + 0.5;
+  };  // the line covers whole pixels
   const double middle = sharp(x);
   painter.drawLine(QPointF(middle, top), QPointF(middle, bottom));
   for (const double y : {sharp(top), sharp(bottom)})
@@ -153,7 +155,7 @@ QPen strokeOf(const DiagramSeries& series, const ChartLook& look) {
   return pen;
 }
 
-/// Regions with their names, tints, the grid and the titles of the axes.
+/// Paints regions with their names, shades, the grid and the titles of the axes.
 class ChartPanel::UnderItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
@@ -239,8 +241,8 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     painter.setOpacity(1);
   }
 
-  /// Lines on whole pixels: smoothed ones between pixels would be dull, and take most of the time
-  /// that painting a diagram takes.
+  /// Paints lines on whole pixels: smoothed lines between pixels would be faint, and take most of
+  /// the time that painting a diagram takes.
   void paintGrid(QPainter& painter) const {
     const auto upright = [this](double place) {
       const double part = (place - map_.x.from) / map_.x.size();
@@ -308,7 +310,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   QRectF frame_;
 };
 
-/// Error bars, and why there is nothing to see.
+/// Paints error bars, or the reason why there are no curves.
 class ChartPanel::OverItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
@@ -324,7 +326,7 @@ class ChartPanel::OverItem : public QGraphicsItem {
       Bars bars{look.of(series), series.isFaded ? kFadedOpacity : 1, {}};
       for (const DiagramPoint& point : series.points) {
         if (!hasPlace(diagram, point) || !(point.high > point.low)) continue;
-        const double low = map.yOf(point.low);  // may have no place: then down to the axis
+        const double low = map.yOf(point.low);  // may have no place; the bar then reaches the axis
         bars.lines += QLineF(map.xOf(point.x), map.yOf(point.high), map.xOf(point.x),
                              std::isfinite(low) ? low : map.area.bottom() + kCap * map.scale + 1);
       }
@@ -365,7 +367,7 @@ class ChartPanel::OverItem : public QGraphicsItem {
   struct Bars {
     QColor colour;
     double opacity = 1;
-    QList<QLineF> lines;  // from high to low
+    QList<QLineF> lines;  // from the high end to the low end
   };
   std::vector<Bars> bars_;
   ChartGeometry map_;
@@ -410,7 +412,7 @@ void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const Ch
   if (chart_->geometry() != whole || chart_->plotArea() != frame) {
     chart_->setGeometry(whole);
     chart_->setPlotArea(frame);
-    // The library leaves its axes behind until something else makes it lay them out.
+    // The library does not move its axes until something else makes it do the layout.
     chart_->layout()->invalidate();
     chart_->layout()->activate();
   }
@@ -436,7 +438,7 @@ void ChartPanel::lookAt(QCategoryAxis& axis, const ChartLook& look) {
   if (axis.linePen() != pen) axis.setLinePen(pen);
 }
 
-/// Only what has changed: laying an axis out is dear.
+/// Updates only what has changed: the layout of an axis takes much time.
 void ChartPanel::showAxis(QCategoryAxis& axis, const TickedAxis& ticked, const AxisRange& range) {
   QStringList labels;
   for (const AxisTick& tick : ticked.ticks) labels += QString::fromStdString(tick.label);
@@ -449,7 +451,7 @@ void ChartPanel::showAxis(QCategoryAxis& axis, const TickedAxis& ticked, const A
     axis.append(labels[static_cast<qsizetype>(i)], ticked.ticks[i].value);
 }
 
-/// Bands first, then theory, then the data, as in pictures.
+/// Shows bands first, then theory, then the data, as in pictures.
 void ChartPanel::showSeries(const Diagram& diagram, const ChartGeometry& map,
                             const ChartLook& look) {
   linesUsed_ = marksUsed_ = bandsUsed_ = 0;
@@ -476,7 +478,7 @@ void ChartPanel::showSeries(const Diagram& diagram, const ChartGeometry& map,
   for (std::size_t i = bandsUsed_; i < bands_.size(); ++i) bands_[i]->hide();
 }
 
-/// One stretch of a curve without gaps.
+/// Shows one part of a curve without gaps.
 void ChartPanel::showRun(const DiagramSeries& series, const QList<QPointF>& run,
                          const ChartLook& look) {
   if (series.stroke == SeriesStroke::None || run.size() < 2) return;
@@ -543,7 +545,8 @@ QLineSeries& ChartPanel::nextLine() {
   return *lines_[linesUsed_++];
 }
 
-/// Its own items, one for each point, are hidden: the images are drawn in one go.
+/// Returns an unused series of marks. The image of a mark is drawn for all points at once, and the
+/// library's own items, one for each point, are hidden.
 QScatterSeries& ChartPanel::nextMarks() {
   if (marksUsed_ == marks_.size()) {
     marks_.push_back(added(new QScatterSeries));

@@ -16,7 +16,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr float kLeastText = 7;    // pixels, of a font
 constexpr double kFarthest = 1e6;  // pixels; keeps coordinates small enough for floats
 
-/// Grows with what it is given; empty at first.
+/// The range of the values added to it; empty at first.
 struct Extent {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ struct Extent {
   bool empty() const { return !(least <= most); }
 };
 
-/// What the axis itself asks for, or NaN.
+/// Returns the range that the axis itself prescribes, or NaN.
 AxisRange askedFor(const DiagramAxis& axis) {
   const double a = axisPlace(axis.scale, axis.from), b = axisPlace(axis.scale, axis.to);
   if (axis.from == axis.to || !std::isfinite(a) || !std::isfinite(b)) return {kNaN, kNaN};
@@ -39,7 +39,7 @@ bool isKnown(const AxisRange& range) {
   return range.from < range.to;
 }
 
-/// Down (-1) or up (1) to 1, 2 or 5 times a power of ten, as decimal logarithms.
+/// Rounds down (-1) or up (1) to 1, 2 or 5 times a power of ten, as decimal logarithms.
 double roundedDecade(double decade, int direction) {
   const double floor = std::floor(decade);
   const double places[] = {0, std::log10(2.0), std::log10(5.0), 1};
@@ -80,13 +80,13 @@ AxisRange padded(const DiagramAxis& axis, const Extent& data, const Extent& theo
                                          : paddedLogarithmic(extent, upwards);
 }
 
-/// The end of an error bar; on a logarithmic axis it may reach to zero, which is not shown.
+/// Returns the end of an error bar. On a logarithmic axis it may reach to zero, which is not shown.
 double barEnd(AxisScale scale, double end, double value) {
   const double place = axisPlace(scale, end);
   return scale == AxisScale::Logarithmic ? std::max(place, value - 1) : place;
 }
 
-/// "position (mm)"; the name alone without a unit.
+/// Returns "position (mm)"; the name alone without a unit.
 std::string titleWithUnit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " (" + unit + ")";
 }
@@ -101,7 +101,7 @@ TickedAxis linearAxis(const DiagramAxis& axis, const AxisRange& range, const Axi
   return ticked;
 }
 
-/// Ticks at multiples of powers of ten; where that gives no two, those of a linear axis.
+/// Puts ticks at multiples of powers of ten; where this gives fewer than two, as on a linear axis.
 TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int most, float pixels,
                            float unit) {
   TickedAxis ticked{
@@ -122,15 +122,15 @@ TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int 
   return ticked;
 }
 
-/// The symbol that ends a name, "v" of "velocity v"; empty where none does.
+/// Returns the symbol that ends a name, "v" of "velocity v"; empty where there is none.
 std::string symbolOf(const std::string& name) {
   constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
   const std::size_t space = name.rfind(' ');
   return space != name.npos && name.size() - space - 1 <= kLongest ? name.substr(space + 1) : "";
 }
 
-/// "velocity v (m/s)" in the largest size down to `least` that fits; then "v (m/s)" likewise; none
-/// where neither does.
+/// Fits "velocity v (m/s)" in the largest size down to `least`; then "v (m/s)" likewise; none where
+/// neither fits.
 std::optional<FittedTitle> saidInFull(const std::string& title, float size, float least,
                                       float pixels) {
   const std::size_t unit = title.rfind(" (");
@@ -200,7 +200,7 @@ FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
   const std::size_t at = title.rfind(" (");
   if (at == title.npos) return {elided(title, least, false, pixels), least};
   const std::string unit = title.substr(at);
-  constexpr std::size_t kWorthReading = 6;  // letters of a name
+  constexpr std::size_t kWorthReading = 6;  // minimum number of letters of a shortened name
   const std::string cut =
       elided(title.substr(0, at), least, false, pixels - textWidth(unit, least));
   if (cut.size() > kWorthReading) return {cut + unit, least};
@@ -250,7 +250,7 @@ TickedAxis tickedAlong(const DiagramAxis& axis, const AxisRange& range, float pi
   for (int most = std::clamp(static_cast<int>(pixels / (3.5F * size)), 2, 20);; --most) {
     TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
     if (most <= 1 || ticked.ticks.size() < 2) return ticked;
-    // Labels must not touch; unequal distances between multiples of a decade count.
+    // Labels must not touch; the distances between multiples of a decade are unequal.
     bool clear = true;
     for (std::size_t i = 0; i + 1 < ticked.ticks.size(); ++i) {
       const double distance = (ticked.ticks[i + 1].value - ticked.ticks[i].value) / range.size() *

@@ -18,7 +18,7 @@ constexpr AxisRange kEmptyVelocities{-5, 3};  // shown before anything is known
 constexpr AxisRange kEmptyCoefficients{-6, -2};
 
 constexpr double kAir = 1.15;
-// 1e-5 written in binary may lie a little below the decade: that is not a reason for one more.
+// The binary value of 1e-5 may lie a little below the decade; this must not add another decade.
 constexpr double kSlack = 1e-9;
 
 bool isKnown(const CurvePoint& point) {
@@ -41,7 +41,7 @@ Scene withoutPresent(Scene scene) {
   return scene;
 }
 
-/// Smallest and largest of the positive finite numbers given to it.
+/// The smallest and largest positive finite number added to it.
 struct Extent {
   double low = 0, high = 0;
 
@@ -50,7 +50,7 @@ struct Extent {
     low = high > 0 ? std::min(low, value) : value;
     high = std::max(high, value);
   }
-  /// `air` keeps that factor between the data and the ends.
+  /// Returns whole decades around the numbers; `air` is a factor kept between them and the ends.
   AxisRange decades(double air = 1) const {
     return high > 0 ? decadesAround(low / air, high * air) : AxisRange{};
   }
@@ -72,7 +72,7 @@ void setRange(DiagramAxis& axis, const AxisRange& decades, const AxisRange& othe
   axis.to = std::pow(10, range.to);
 }
 
-/// What there is of a curve while it is averaged.
+/// Returns a text for the finished part of a curve while it is averaged.
 Message shareOf(const CurveUpdate& curve) {
   if (curve.isComplete) return {};
   return message("{} of {} lines", curve.realizationsDone, curve.realizationsTotal);
@@ -195,7 +195,7 @@ bool FrictionChartModel::isDifferenceStale() const {
   return difference_ && (isStale() || !haveSameCurve(*difference_->scene, present()));
 }
 
-/// The curve at hand with those that are pinned, named by how they differ from a scene.
+/// Returns the present curve and the pinned ones, named by their differences from a scene.
 CurveSet FrictionChartModel::curves(const Scene& present) const {
   CurveSet set;
   set.axes = axes_;
@@ -343,7 +343,7 @@ void FrictionChartModel::fitRanges(bool newCurve) {
   for (const PinnedCurve& pinned : pinned_)
     addCurve(*pinned.curve, axes_, velocities, coefficients);
   if (const std::optional<DiagramMarker> shown = marker(); shown && shown->isFixed) {
-    // A motion comes to rest again and again: the axes go up with it, not down.
+    // A motion often comes to rest: the axes then grow with it, but do not shrink.
     velocities.add(fastest_ * (axes_ == CurveAxes::Physical ? 1 : markerFactor_));
     if (shown->y > coefficients.high) coefficients.add(shown->y);
   } else if (shown) {
@@ -355,7 +355,7 @@ void FrictionChartModel::fitRanges(bool newCurve) {
       steadyRange(coefficients_, neededCoefficients(coefficients.decades(kAir)), newCurve);
 }
 
-/// Before there is a curve, some decades of friction stand around the marker.
+/// Before there is a curve, the axis shows some decades of friction around the marker.
 AxisRange FrictionChartModel::neededCoefficients(const AxisRange& data) const {
   if (curve_ || axes_ == CurveAxes::Dimensionless) return data;
   return steadyRange(kEmptyCoefficients, data, false);

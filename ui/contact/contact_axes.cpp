@@ -8,7 +8,7 @@
 namespace asperity {
 namespace {
 
-/// A line one or more whole pixels wide, sharp.
+/// Adds a sharp line, one or more whole pixels wide.
 void addRule(DrawLayer& layer, float x, float y, float width, float height, const Rgba& colour) {
   addRectangle(layer, {std::round(x), std::round(y), std::round(width), std::round(height)},
                colour);
@@ -24,7 +24,7 @@ void addFrame(DrawLayer& layer, const ContactLayout& layout) {
   addRule(layer, p.right(), p.y, w, p.height, colour);
 }
 
-/// Labels near an end are pushed inwards so that they stay on the picture.
+/// Adds the x-axis. Labels near an end are pushed inwards so that they stay on the picture.
 void addAlong(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const float w = std::max(1.0F, std::round(s.unit));
@@ -61,7 +61,7 @@ void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
            s.small, TextAnchor::Centre, layout.theme.text, 1.57079633F);
 }
 
-/// Both ends, on the title's line.
+/// Adds the numbers of both ends, on the title's line.
 void addNumbersBeside(DrawList& list, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const Box& bar = layout.legend.bar;
@@ -73,7 +73,7 @@ void addNumbersBeside(DrawList& list, const ContactLayout& layout) {
            layout.theme.faintText);
 }
 
-/// Both ends always, within the bar or nearly so; others where there is room.
+/// Adds the labels of both ends, within the bar or nearly so, and others where they fit.
 void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const Box& bar = layout.legend.bar;
@@ -105,7 +105,7 @@ void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layo
 
 void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Box& bar = layout.legend.bar;
-  constexpr int kSteps = 20;  // twice the control colours of the maps, or finer
+  constexpr int kSteps = 20;  // twice the number of control colours of the maps, or more
   const float step = bar.width / kSteps;
   for (int i = 0; i < kSteps; ++i) {
     const Box part{bar.x + static_cast<float>(i) * step, bar.y, step, bar.height};
@@ -115,7 +115,7 @@ void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   layout.legend.inLine ? addNumbersBeside(list, layout) : addLegendLabels(list, layer, layout);
 }
 
-/// As many of the notes as have room, the more important first.
+/// Adds as many notes as fit, the more important ones first.
 void addFooter(DrawList& list, const ContactLayout& layout, const Notes& notes) {
   const float size = layout.sizes.small;
   std::string footer;

@@ -17,7 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPowerDecades = 3;
-// A free surface has come back after so many of its longest relaxation times.
+// A free surface has recovered after this many of its longest relaxation times.
 constexpr double kRelaxationTimes = 4;
 
 std::string_view unitOf(ContactOverlay overlay) {
@@ -25,8 +25,8 @@ std::string_view unitOf(ContactOverlay overlay) {
   return overlay == ContactOverlay::Power ? "W/m" : "N/m";
 }
 
-/// The end with the unit that the numbers before it count in: "200 N/m" or, where there is no
-/// prefix any more, "5×10⁻²⁹ N/m".
+/// Returns the maximum with the unit of the numbers before it: "200 N/m" or, where there is no
+/// prefix, "5×10⁻²⁹ N/m".
 std::string lastLabel(double end, const AxisTicks& axis, std::string_view unit) {
   const bool hasPrefix = axis.unitSize == prefixFor(end).size;
   return hasPrefix ? shortNumber(end / axis.unitSize) + " " + axis.unit : quantity(end, unit);
@@ -39,7 +39,7 @@ double greatestOf(const std::vector<double>& values) {
   return greatest;
 }
 
-/// s; infinite where nothing relaxes to rest.
+/// Returns the longest relaxation time, s; infinite where nothing relaxes to rest.
 double longestRelaxation(const Frame& frame) {
   if (!frame.scene) return std::numeric_limits<double>::infinity();
   const RetardationModes modes = retardationModes(lawOf(frame.scene->elastomer));
@@ -111,7 +111,7 @@ std::vector<ColourTick> ColourScale::ticks(int most) const {
   const std::string last = lastLabel(maximum, round, unitOf(overlay));
   std::vector<ColourTick> ticks;
   if (overlay == ContactOverlay::Power) {
-    // One unit for all: numbers alone are short enough to stand at each decade.
+    // All numbers share one unit; without units they are short enough to fit at each decade.
     for (int decade = kPowerDecades; decade > 0; --decade) {
       const double value = maximum * std::pow(10, -decade);
       ticks.push_back({position(value), shortNumber(value / round.unitSize)});
@@ -130,7 +130,7 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
   if (!isDrawable(frame) || values.size() != frame.lineHeight.size() || greatestOf(values) > 0)
     return {};
   const bool rests = velocityOf(frame) == 0;
-  // Points that are all in contact would bear pressure.
+  // If all points were in contact, they would bear pressure.
   const bool touches =
       frame.contactFraction < 1 && (frame.normalForce > 0 || frame.contactFraction > 0);
   if (touches && !(greatestOf(frame.pressure) > 0))
@@ -159,7 +159,7 @@ const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay) 
 }
 
 double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last) {
-  constexpr double kInHand = 1.1;  // or it would change often
+  constexpr double kInHand = 1.1;  // margin, so that the scale rarely changes
   if (overlay == ContactOverlay::Pressure && frame.steadyPressure > 0)
     return roundUp(kInHand * frame.steadyPressure);
   double greatest = greatestOf(valuesOf(frame, overlay));

@@ -6,8 +6,8 @@
 namespace asperity {
 namespace {
 
-// Heights shown at least and at most, in fitted ones: down to single elements, and up to where
-// along and up have one scale on almost any line.
+// The smallest and largest height range, relative to the fitted one: from single elements to a
+// range at which x and y have the same scale on almost any line.
 constexpr double kLeastUp = 1e-4, kMostUp = 1e6;
 
 double wrapped(double share) {
@@ -34,7 +34,8 @@ ContactView ViewNavigation::applied(const ContactView& fitted, double period,
   return view;
 }
 
-/// Never wider than the period; enlarged heights stay within the fitted ones, others hold them.
+/// Limits the view: never wider than the period; enlarged heights stay within the fitted ones,
+/// others contain them.
 ViewNavigation ViewNavigation::within(double finest) const {
   ViewNavigation held = *this;
   const double middle = left_ + 0.5 * width_;
@@ -45,7 +46,7 @@ ViewNavigation ViewNavigation::within(double finest) const {
   const double low = std::min(0.0, 1 - size), high = std::max(0.0, 1 - size);
   held.bottom_ = std::clamp(centre - 0.5 * size, low, high);
   held.top_ = held.bottom_ + size;
-  // All but everything is everything: no view is a hair away from the fitted one.
+  // A view that differs from the fitted one only by rounding becomes exactly that one.
   if (std::abs(size - 1) < 1e-9) held.bottom_ = 0, held.top_ = 1;
   return held;
 }
