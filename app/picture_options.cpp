@@ -137,7 +137,7 @@ constexpr double kFarthest = 1e9;  // m, a million periods of the longest line
 constexpr double kMostPeriods = 50;       // largest width of a view
 constexpr double kLeastPeriods = 1e-9;    // smallest width of a view
 constexpr double kFarthestPeriods = 1e6;  // largest distance from 0
-constexpr const char *kAlong = "--view", *kHeights = "--heights", *kColours = "--colours-to",
+constexpr const char *kView = "--view", *kHeights = "--heights", *kColours = "--colours-to",
                      *kExaggeration = "--exaggeration", *kProbe = "--probe",
                      *kMagnify = "--magnify";
 
@@ -171,7 +171,7 @@ double& endOf(ContactView& view, ContactOverlay overlay) {
 }  // namespace
 
 const char* ViewArguments::firstOption() const {
-  if (!along.empty()) return kAlong;
+  if (!xRange.empty()) return kView;
   if (!heights.empty()) return kHeights;
   if (exaggeration) return kExaggeration;
   if (coloursTo) return kColours;
@@ -180,8 +180,8 @@ const char* ViewArguments::firstOption() const {
 }
 
 double ViewArguments::width() const {
-  if (along.empty()) return 0;
-  const NumberRange range = rangeFrom(kAlong, along, "m");
+  if (xRange.empty()) return 0;
+  const NumberRange range = rangeFrom(kView, xRange, "m");
   return range.to - range.from;
 }
 
@@ -197,7 +197,7 @@ FrameFields ViewArguments::fields(ContactOverlay overlay) const {
 }
 
 void ViewArguments::addTo(nlohmann::ordered_json& picture) const {
-  if (!along.empty()) picture["view"] = along;
+  if (!xRange.empty()) picture["view"] = xRange;
   if (!heights.empty()) picture["heights"] = heights;
   if (exaggeration) picture["exaggeration"] = *exaggeration;
   if (coloursTo) picture["colours_to"] = *coloursTo;
@@ -206,7 +206,7 @@ void ViewArguments::addTo(nlohmann::ordered_json& picture) const {
 }
 
 void addViewOptions(CLI::App& verb, ViewArguments& arguments) {
-  verb.add_option(kAlong, arguments.along, "Part of the line to show, in m (default: one period)")
+  verb.add_option(kView, arguments.xRange, "Part of the line to show, in m (default: one period)")
       ->type_name("FROM:TO");
   verb.add_option(kHeights, arguments.heights,
                   "Heights to show, in m above the undeformed surface (default: all that occur)")
@@ -225,16 +225,16 @@ void addViewOptions(CLI::App& verb, ViewArguments& arguments) {
 }
 
 void checkView(const ViewArguments& arguments, ContactOverlay overlay, double length) {
-  if (!arguments.along.empty()) {
-    const NumberRange range = rangeFrom(kAlong, arguments.along, "m");
+  if (!arguments.xRange.empty()) {
+    const NumberRange range = rangeFrom(kView, arguments.xRange, "m");
     const double width = arguments.width();
     if (width > kMostPeriods * length || width < kLeastPeriods * length)
       throw InputError(
-          "", kAlong,
+          "", kView,
           message("{} is not {} wide, of which the most are {} periods of the line",
-                  shortened(arguments.along),
+                  shortened(arguments.xRange),
                   rangeText(kLeastPeriods * length, kMostPeriods * length, "m"), kMostPeriods));
-    checkPlace(kAlong, range.from, length);
+    checkPlace(kView, range.from, length);
   }
   if (!arguments.heights.empty()) rangeFrom(kHeights, arguments.heights, "m");
   if (!arguments.heights.empty() && arguments.exaggeration)
@@ -247,8 +247,8 @@ void checkView(const ViewArguments& arguments, ContactOverlay overlay, double le
 
 void applyView(const ViewArguments& arguments, const Frame& frame, ContactPictureOptions& options) {
   ContactView& view = options.view;
-  if (!arguments.along.empty()) {
-    const NumberRange range = rangeFrom(kAlong, arguments.along, "m");
+  if (!arguments.xRange.empty()) {
+    const NumberRange range = rangeFrom(kView, arguments.xRange, "m");
     view.left = range.from;
     view.width = arguments.width();
   }

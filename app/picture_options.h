@@ -59,7 +59,7 @@ PictureSettings pictureSettings(const PictureArguments& arguments, const Picture
 
 /// The options from the command line. An empty one is not given, and is fitted to the scene.
 struct ViewArguments {
-  std::string along;                   // FROM:TO, m
+  std::string xRange;                  // FROM:TO, m
   std::string heights;                 // FROM:TO, m
   std::optional<double> exaggeration;  // factor of heights relative to lengths
   std::optional<double> coloursTo;     // N/m, s or W/m, depending on the overlay

@@ -136,9 +136,9 @@ ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const Diagram
 
 ZoomAxes axesAt(const ChartGeometry& geometry, QPointF place) {
   const QRectF& area = geometry.area;
-  const bool isAlong = place.x() >= area.left() && place.x() <= area.right();
-  const bool isUp = place.y() >= area.top() && place.y() <= area.bottom();
-  return {isAlong && place.y() >= area.top(), isUp && place.x() <= area.right()};
+  const bool isWithinX = place.x() >= area.left() && place.x() <= area.right();
+  const bool isWithinY = place.y() >= area.top() && place.y() <= area.bottom();
+  return {isWithinX && place.y() >= area.top(), isWithinY && place.x() <= area.right()};
 }
 
 VisibleRange zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes) {

@@ -161,15 +161,15 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   using QGraphicsItem::QGraphicsItem;
 
   void show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look,
-            const TickedAxis& along, const TickedAxis& up, bool saysAlong, double titleBeside) {
+            const TickedAxis& xAxis, const TickedAxis& yAxis, bool hasXLabels, double titleBeside) {
     prepareGeometryChange();
     spans_ = diagram.spans;
     shades_ = diagram.shades;
     map_ = map;
     look_ = look;
-    along_ = along;
-    up_ = up;
-    saysAlong_ = saysAlong;
+    xAxis_ = xAxis;
+    yAxis_ = yAxis;
+    hasXLabels_ = hasXLabels;
     titleBeside_ = titleBeside;
     const double edge = kFrameEdge * map.scale;
     frame_ = map.area.adjusted(-edge, 0, edge, 0);
@@ -195,8 +195,8 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   }
 
   QString cutTitle() const {
-    const QString title = QString::fromStdString(along_.title);
-    return saysAlong_ && titleAlong() != title ? title : QString();
+    const QString title = QString::fromStdString(xAxis_.title);
+    return hasXLabels_ && xTitle() != title ? title : QString();
   }
 
  private:
@@ -255,11 +255,11 @@ class ChartPanel::UnderItem : public QGraphicsItem {
       return QLineF(frame_.left(), y, frame_.right(), y);
     };
     QList<QLineF> fine, whole;
-    for (const double place : along_.minor) fine += upright(place);
-    if (up_.scale == AxisScale::Logarithmic)
-      for (const double place : up_.minor) fine += level(place);
-    for (const AxisTick& tick : along_.ticks) whole += upright(tick.value);
-    for (const AxisTick& tick : up_.ticks) whole += level(tick.value);
+    for (const double place : xAxis_.minor) fine += upright(place);
+    if (yAxis_.scale == AxisScale::Logarithmic)
+      for (const double place : yAxis_.minor) fine += level(place);
+    for (const AxisTick& tick : xAxis_.ticks) whole += upright(tick.value);
+    for (const AxisTick& tick : yAxis_.ticks) whole += level(tick.value);
     const bool wasSmooth = painter.testRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(QPen(look_.fineGrid(), 1));
@@ -272,24 +272,24 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
   }
 
-  QString titleAlong() const {
+  QString xTitle() const {
     return QFontMetricsF(look_.font)
-        .elidedText(QString::fromStdString(along_.title), Qt::ElideRight, frame_.width());
+        .elidedText(QString::fromStdString(xAxis_.title), Qt::ElideRight, frame_.width());
   }
 
   void paintTitles(QPainter& painter) const {
     const double line = look_.line();
     painter.setPen(look_.text());
-    if (saysAlong_)
+    if (hasXLabels_)
       painter.drawText(QRectF(frame_.left(), frame_.bottom() + kBelow + line, frame_.width(), line),
-                       Qt::AlignCenter | Qt::TextDontClip, titleAlong());
+                       Qt::AlignCenter | Qt::TextDontClip, xTitle());
     if (titleBeside_ > 0)
       return painter.drawText(QRectF(frame_.right() + kBeside, frame_.top() - line, titleBeside_,
                                      frame_.height() + 2 * line),
                               Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
-                              QString::fromStdString(up_.title));
+                              QString::fromStdString(yAxis_.title));
     const FittedTitle title =
-        fittedTitle(up_.title, sizesOf(look_).axis, static_cast<float>(frame_.height()));
+        fittedTitle(yAxis_.title, sizesOf(look_).axis, static_cast<float>(frame_.height()));
     painter.save();
     QFont font = look_.font;
     font.setPixelSize(static_cast<int>(title.size));
@@ -304,8 +304,8 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   std::vector<DiagramSpan> spans_, shades_;
   ChartGeometry map_;
   ChartLook look_;
-  TickedAxis along_, up_;
-  bool saysAlong_ = true;
+  TickedAxis xAxis_, yAxis_;
+  bool hasXLabels_ = true;
   double titleBeside_ = 0;
   QRectF frame_;
 };
@@ -405,7 +405,7 @@ QString ChartPanel::cutTitle() const {
 }
 
 void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look,
-                      bool saysAlong, double titleBeside) {
+                      bool hasXLabels, double titleBeside) {
   const double edge = kFrameEdge * map.scale;
   const QRectF frame = map.area.adjusted(-edge, 0, edge, 0);
   const QRectF whole(chart_->scene()->sceneRect());
@@ -417,16 +417,17 @@ void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const Ch
     chart_->layout()->activate();
   }
   const DiagramSizes sizes = sizesOf(look);
-  const TickedAxis along =
-      tickedAlong(diagram.x, map.x, static_cast<float>(map.area.width()), sizes);
-  const TickedAxis up = tickedUp(diagram.y, map.y, static_cast<float>(map.area.height()), sizes);
-  x_->setLabelsVisible(saysAlong);
+  const TickedAxis xAxis =
+      tickedXAxis(diagram.x, map.x, static_cast<float>(map.area.width()), sizes);
+  const TickedAxis yAxis =
+      tickedYAxis(diagram.y, map.y, static_cast<float>(map.area.height()), sizes);
+  x_->setLabelsVisible(hasXLabels);
   for (QCategoryAxis* axis : {x_, y_}) lookAt(*axis, look);
   const double beyond = map.x.size() * edge / std::max(1.0, map.area.width());
-  showAxis(*x_, along, {map.x.from - beyond, map.x.to + beyond});
-  showAxis(*y_, up, map.y);
+  showAxis(*x_, xAxis, {map.x.from - beyond, map.x.to + beyond});
+  showAxis(*y_, yAxis, map.y);
   showSeries(diagram, map, look);
-  under_->show(diagram, map, look, along, up, saysAlong, titleBeside);
+  under_->show(diagram, map, look, xAxis, yAxis, hasXLabels, titleBeside);
   over_->show(diagram, map, look);
 }
 

@@ -82,7 +82,7 @@ class ChartPanel {
   /// hasXLabels: labels and title of the x-axis are drawn below. titleBeside: the title of the
   /// y-axis is on the right and this many pixels wide; 0: it is upright on the left.
   void show(const Diagram& diagram, const ChartGeometry& geometry, const ChartLook& look,
-            bool saysAlong, double titleBeside);
+            bool hasXLabels, double titleBeside);
 
   /// Returns the whole title of the x-axis if it is shown shortened, otherwise an empty text.
   QString cutTitle() const;

@@ -133,8 +133,8 @@ bool ChartView::hasMarker() const {
 /// Returns the axes of the first diagram as its sheet has them, without zoom.
 VisibleRange ChartView::whole() const {
   if (sheet_.diagrams.empty()) return {};
-  const AxisRange along = rangeAlong(sheet_.diagrams[0]);
-  return {along, rangeUp(sheet_.diagrams[0], along)};
+  const AxisRange x = xRange(sheet_.diagrams[0]);
+  return {x, yRange(sheet_.diagrams[0], x)};
 }
 
 VisibleRange ChartView::visibleRange() const {
@@ -248,7 +248,7 @@ void ChartView::placeFrames() {
     if (!(width > kSmall && map.area.height() > kSmall)) map.area.setSize({kSmall, kSmall});
     map.area.adjust(edge, 0, -edge, 0);
     map.x = shown.x;
-    map.y = i == 0 ? shown.y : rangeUp(diagrams[i], shown.x);
+    map.y = i == 0 ? shown.y : yRange(diagrams[i], shown.x);
     map.xScale = diagrams[i].x.scale;
     map.yScale = diagrams[i].y.scale;
     map.names = names;

@@ -25,7 +25,7 @@ std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const Diag
   std::vector<SpanBox> boxes;
   for (const DiagramSpan& span : spans) {
     const auto column = [&](double value, float otherwise) {
-      const double place = axisPlace(axes.along.scale, value);
+      const double place = axisPlace(axes.xAxis.scale, value);
       return std::isfinite(place) ? std::clamp(axes.px(place), box.x, box.right()) : otherwise;
     };
     const float left = column(span.from, box.x), right = column(span.to, box.right());
@@ -46,8 +46,8 @@ std::string labelWithin(const SpanBox& span, float size, float room) {
 std::optional<Place> exitOf(const Box& box, const Place& to) {
   const Place middle{box.x + box.width / 2, box.y + box.height / 2};
   const float dx = to.x - middle.x, dy = to.y - middle.y;
-  const float across = std::abs(dx) / (box.width / 2), up = std::abs(dy) / (box.height / 2);
-  const float reach = std::max(across, up);
+  const float across = std::abs(dx) / (box.width / 2), upwards = std::abs(dy) / (box.height / 2);
+  const float reach = std::max(across, upwards);
   if (!(reach > 1)) return std::nullopt;
   return Place{middle.x + dx / reach, middle.y + dy / reach};
 }

@@ -26,9 +26,9 @@ double axisPlace(AxisScale scale, double value);
 
 /// Returns the x-range: as the axis prescribes, otherwise as the data need; theory counts where
 /// there are no data.
-AxisRange rangeAlong(const Diagram& diagram);
+AxisRange xRange(const Diagram& diagram);
 /// Returns the y-range of the points inside the x-range; theory lines widen it a little.
-AxisRange rangeUp(const Diagram& diagram, const AxisRange& along);
+AxisRange yRange(const Diagram& diagram, const AxisRange& inX);
 
 struct AxisTick {
   double value = 0;  // a value, or its decimal logarithm
@@ -43,10 +43,10 @@ struct TickedAxis {
   std::vector<double> minor;  // places between the ticks
   std::string title;          // "velocity v (mm/s)"; the ticks have the same prefix
 };
-TickedAxis tickedAlong(const DiagramAxis& axis, const AxisRange& range, float pixels,
+TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
                        const DiagramSizes& sizes);
-TickedAxis tickedUp(const DiagramAxis& axis, const AxisRange& range, float pixels,
-                    const DiagramSizes& sizes);
+TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
+                       const DiagramSizes& sizes);
 
 /// A title in the largest of several sizes that fits.
 struct FittedTitle {
@@ -60,8 +60,8 @@ FittedTitle fittedTitle(const std::string& title, float size, float pixels);
 /// The frame of a diagram and its axes.
 struct DiagramAxes {
   Box box;
-  TickedAxis along, up;
-  bool saysAlong = true;    // false: another frame below shows labels and title
+  TickedAxis xAxis, yAxis;
+  bool hasXLabels = true;   // false: another frame below shows labels and title
   bool titleAbove = false;  // the title of the y-axis is above the frame, not upright beside it
 
   /// Map a value, or its decimal logarithm, to pixels.

@@ -21,14 +21,14 @@ class Panel {
   /// `above`: pixels for the title and the names of regions, the same for all of a sheet.
   /// `hasXLabels`: labels and title of the x-axis are drawn. `titleAbove`: the title of the y-axis
   /// is over the frame. `isAligned`: alignTo() will be called.
-  Panel(const Diagram& diagram, const Box& cell, float above, bool saysAlong, bool titleAbove,
+  Panel(const Diagram& diagram, const Box& cell, float above, bool hasXLabels, bool titleAbove,
         bool isAligned, const DiagramSizes& sizes, const Theme& theme)
       : diagram_(diagram), cell_(cell), sizes_(sizes), theme_(theme), isAligned_(isAligned) {
-    axes_.saysAlong = saysAlong;
+    axes_.hasXLabels = hasXLabels;
     axes_.titleAbove = titleAbove;
     top_ = std::round(cell.y + above + aboveAxes(axes_, sizes));
-    bottom_ = std::max(top_ + 1, std::floor(cell.bottom() - (saysAlong ? belowAxes(sizes) : 0)));
-    along_ = rangeAlong(diagram);
+    bottom_ = std::max(top_ + 1, std::floor(cell.bottom() - (hasXLabels ? belowAxes(sizes) : 0)));
+    xRange_ = xRange(diagram);
     arrange();
   }
 
@@ -46,8 +46,8 @@ class Panel {
 
   /// Returns whether the title of the y-axis fits.
   bool hasTitle() const {
-    return axes_.titleAbove || axes_.up.title.empty() ||
-           fitsUpright(axes_.up.title, axes_.box.height, sizes_);
+    return axes_.titleAbove || axes_.yAxis.title.empty() ||
+           fitsUpright(axes_.yAxis.title, axes_.box.height, sizes_);
   }
 
   bool isReadable() const {
@@ -89,7 +89,7 @@ class Panel {
   /// Returns the line of the marker from the bottom to the top.
   std::vector<Place> markerLine() const {
     const Box& box = axes_.box;
-    const float x = axes_.px(axisPlace(axes_.along.scale, diagram_.marker->x));
+    const float x = axes_.px(axisPlace(axes_.xAxis.scale, diagram_.marker->x));
     return {{x, box.y}, {x, box.bottom()}};
   }
 
@@ -155,12 +155,12 @@ class Panel {
     Box& box = axes_.box;
     box.y = top_ + above;
     box.height = std::max(1.0F, bottom_ - box.y);
-    axes_.up = tickedUp(diagram_.y, rangeUp(diagram_, along_), box.height, sizes_);
+    axes_.yAxis = tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_);
     box.x = std::round(std::max(left_, cell_.x + leftOfAxes(axes_, sizes_)));
     const auto fit = [&](float overhang) {
       const float end = right_ > 0 ? right_ : cell_.right() - right - overhang;
       box.width = std::max(1.0F, std::floor(end - box.x));
-      axes_.along = tickedAlong(diagram_.x, along_, box.width, sizes_);
+      axes_.xAxis = tickedXAxis(diagram_.x, xRange_, box.width, sizes_);
     };
     fit(sizes_.tick);
     fit(overhang());
@@ -196,7 +196,7 @@ class Panel {
   float overhang() const {
     const Box& box = axes_.box;
     float most = 2 * sizes_.unit;
-    for (const AxisTick& tick : axes_.along.ticks)
+    for (const AxisTick& tick : axes_.xAxis.ticks)
       most = std::max(most, axes_.px(tick.value) + textWidth(tick.label, sizes_.tick) / 2 -
                                 box.right() + 2 * sizes_.unit);
     return most;
@@ -206,7 +206,7 @@ class Panel {
   Box cell_;
   DiagramSizes sizes_;
   Theme theme_;
-  AxisRange along_;
+  AxisRange xRange_;
   DiagramAxes axes_;
   std::vector<SeriesStyle> styles_;
   std::vector<PlacedLabel> labels_;

@@ -25,7 +25,7 @@ void addFrame(DrawLayer& layer, const ContactLayout& layout) {
 }
 
 /// Adds the x-axis. Labels near an end are pushed inwards so that they stay on the picture.
-void addAlong(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+void addXAxis(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const float w = std::max(1.0F, std::round(s.unit));
   const float baseline = std::round(layout.plot.bottom() + 8 * s.unit + s.small * 0.9F);
@@ -38,11 +38,11 @@ void addAlong(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
              layout.theme.faintText);
   }
   if (!layout.axisTitles) return;
-  addLabel(list, axisTitleAlong(layout), layout.axisTitle, s.small, TextAnchor::Centre,
+  addLabel(list, xAxisTitle(layout), layout.axisTitle, s.small, TextAnchor::Centre,
            layout.theme.text);
 }
 
-void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+void addHeightAxis(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const float w = std::max(1.0F, std::round(s.unit));
   const float rise = s.small * 0.36F;
@@ -132,8 +132,8 @@ void addFooter(DrawList& list, const ContactLayout& layout, const Notes& notes) 
 void addAxes(DrawList& list, const ContactLayout& layout, const Notes& notes) {
   DrawLayer layer;
   addFrame(layer, layout);
-  addAlong(list, layer, layout);
-  addUp(list, layer, layout);
+  addXAxis(list, layer, layout);
+  addHeightAxis(list, layer, layout);
   if (layout.legend.bar.width > 0) addLegend(list, layer, layout);
   if (!layout.legend.title.empty())
     addLabel(list, layout.legend.title, layout.legend.titleEnd, layout.sizes.small,

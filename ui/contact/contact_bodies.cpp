@@ -64,7 +64,7 @@ void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layo
   const double gap = std::round(13 * layout.sizes.unit);
   const double velocity = frame.scene ? frame.scene->sliding.velocity : 1;
   const double slid = velocity < 0 ? -std::abs(frame.distance) : frame.distance;
-  double offset = std::fmod((slid - layout.view.left) * layout.pixelsPerMetreAlong(), gap);
+  double offset = std::fmod((slid - layout.view.left) * layout.pixelsPerMetreX(), gap);
   if (!std::isfinite(offset)) offset = 0;
   // The lines have one colour, so vector pictures can keep them as lines.
   const Rgba colour = withAlpha(layout.theme.rigidEdge, 0.15F);
@@ -194,7 +194,7 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
   if (!isDrawable(frame)) return;
   const Clip clip{layout.plot.x, layout.plot.y, layout.plot.width, layout.plot.height};
   const PointRange range = pointsWithin(frame, layout.view.left, layout.view.width);
-  const Columns columns{layout.view.left, layout.pixelsPerMetreAlong()};
+  const Columns columns{layout.view.left, layout.pixelsPerMetreX()};
   const std::vector<double>& values = valuesOf(frame, layout.scale.overlay);
   const bool coloursAge = layout.scale.overlay == ContactOverlay::Relaxation;
   const Curve line = decimated(frame, frame.lineHeight, range, columns);

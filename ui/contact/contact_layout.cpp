@@ -84,7 +84,7 @@ void placeInLine(ContactLayout& layout, const std::string& reason) {
   const Sizes& s = layout.sizes;
   const float gap = 16 * s.unit;
   const Box& plot = layout.plot;
-  const float axis = layout.axisTitles ? textWidth(axisTitleAlong(layout), s.small) : 0;
+  const float axis = layout.axisTitles ? textWidth(xAxisTitle(layout), s.small) : 0;
   std::vector<std::string> titles;
   if (layout.scale.isShown())
     titles = {layout.scale.title(), layout.scale.shortTitle(), std::string()};
@@ -105,7 +105,7 @@ void placeInLine(ContactLayout& layout, const std::string& reason) {
 
 }  // namespace
 
-std::string axisTitleAlong(const ContactLayout& layout) {
+std::string xAxisTitle(const ContactLayout& layout) {
   return Words::tr("position") + " (" + layout.xTicks.unit + ")";
 }
 
@@ -119,26 +119,26 @@ Sizes sizesFor(const ContactPictureOptions& options) {
   return {unit, font(19), font(14), font(12)};
 }
 
-double ContactLayout::pixelsPerMetreAlong() const {
+double ContactLayout::pixelsPerMetreX() const {
   return plot.width / view.width;
 }
 
-double ContactLayout::pixelsPerMetreUp() const {
+double ContactLayout::pixelsPerMetreY() const {
   return plot.height / (view.top - view.bottom);
 }
 
 float ContactLayout::px(double x) const {
-  const double pixels = plot.x + (x - view.left) * pixelsPerMetreAlong();
+  const double pixels = plot.x + (x - view.left) * pixelsPerMetreX();
   return static_cast<float>(std::clamp<double>(pixels, -kFarOutside, kFarOutside));
 }
 
 float ContactLayout::py(double metres) const {
-  const double pixels = plot.y + (view.top - metres) * pixelsPerMetreUp();
+  const double pixels = plot.y + (view.top - metres) * pixelsPerMetreY();
   return static_cast<float>(std::clamp<double>(pixels, -kFarOutside, kFarOutside));
 }
 
 std::string exaggerationText(const ContactLayout& layout) {
-  const double ratio = layout.pixelsPerMetreUp() / layout.pixelsPerMetreAlong();
+  const double ratio = layout.pixelsPerMetreY() / layout.pixelsPerMetreX();
   return filled(Words::tr("vertical exaggeration %1\u00D7"), {shortNumber(ratio, 2)});
 }
 
@@ -185,7 +185,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.plot.y = plotTop;
   layout.plot.height = std::max(1.0F, std::round(height - below) - plotTop);
   layout.heightTicks =
-      ticksUp(layout.view.bottom, layout.view.top, layout.plot.height, 48 * u, s.small, "m");
+      yTicks(layout.view.bottom, layout.view.top, layout.plot.height, 48 * u, s.small, "m");
   if (!layout.axisTitles) nameUnit(layout.heightTicks);
   const float left = widestLabel(layout.heightTicks, s.small) + 9 * u + pad +
                      (layout.axisTitles ? s.small * 1.6F : 0);
@@ -197,7 +197,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
     nameUnit(layout.xTicks);
     dropTicksUnderLast(layout);
   }
-  layout.marked = narrowContact(frame, kNarrow * u / layout.pixelsPerMetreAlong());
+  layout.marked = narrowContact(frame, kNarrow * u / layout.pixelsPerMetreX());
   const float ticks = std::round(layout.plot.bottom() + 8 * u + s.small * 0.9F);
   layout.axisTitle = {layout.plot.x + layout.plot.width / 2, std::round(ticks + s.small * 1.45F)};
   if (!footer) {

@@ -42,8 +42,8 @@ struct ContactLayout {
   float footerWidth = 0;
   std::optional<std::size_t> marked;  // point of a contact so narrow that a dot must show it
 
-  double pixelsPerMetreAlong() const;
-  double pixelsPerMetreUp() const;
+  double pixelsPerMetreX() const;
+  double pixelsPerMetreY() const;
   float px(double x) const;
   float py(double metres) const;  // heights as in Frame
 };
@@ -53,7 +53,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
                             float headerBottom);
 
 /// Returns "position (mm)".
-std::string axisTitleAlong(const ContactLayout& layout);
+std::string xAxisTitle(const ContactLayout& layout);
 std::string exaggerationText(const ContactLayout& layout);
 
 }  // namespace asperity

@@ -43,7 +43,7 @@ ContactView partOf(const Frame& frame, const Magnifier& magnifier, const Contact
   constexpr double kAround = 1.6;  // times the curves' range
   ContactView view = layout.view;
   const double enlargement = magnifier.enlargement > 1 ? magnifier.enlargement : 1;
-  view.width = std::max(pixels / layout.pixelsPerMetreAlong() / enlargement,
+  view.width = std::max(pixels / layout.pixelsPerMetreX() / enlargement,
                         std::min(kLeastPoints * frame.spacing, view.width));
   view.left = magnifier.position - 0.5 * view.width;
   const auto [low, high] = heightsIn(frame, view, pixels);
@@ -96,17 +96,17 @@ class ScaleBars {
  public:
   explicit ScaleBars(const ContactLayout& inset)
       : inset_(inset),
-        along_(barLength(inset.view.width)),
-        up_(barLength(inset.view.top - inset.view.bottom)),
-        width_(static_cast<float>(along_ * inset.pixelsPerMetreAlong())),
-        height_(static_cast<float>(up_ * inset.pixelsPerMetreUp())) {}
+        length_(barLength(inset.view.width)),
+        rise_(barLength(inset.view.top - inset.view.bottom)),
+        width_(static_cast<float>(length_ * inset.pixelsPerMetreX())),
+        height_(static_cast<float>(rise_ * inset.pixelsPerMetreY())) {}
 
   /// Returns the plate in the lower left corner, or in the right one.
   Box plate(bool isRight) const {
     const Sizes& s = inset_.sizes;
     const float u = s.unit, edge = std::round(4 * u);
-    const float texts = std::max(textWidth(quantity(up_, "m"), s.small),
-                                 width_ + 5 * u + textWidth(quantity(along_, "m"), s.small));
+    const float texts = std::max(textWidth(quantity(rise_, "m"), s.small),
+                                 width_ + 5 * u + textWidth(quantity(length_, "m"), s.small));
     const Box box{inset_.plot.x + edge, 0, texts + 10 * u, height_ + 13 * u + s.small};
     return {isRight ? inset_.plot.right() - edge - box.width : box.x,
             inset_.plot.bottom() - edge - box.height, box.width, box.height};
@@ -120,16 +120,16 @@ class ScaleBars {
     addRectangle(layer, plate, withAlpha(mix(inset_.theme.elastomer, {0, 0, 0, 1}, 0.3F), 0.75F));
     addLine(layer, {{corner.x, corner.y - height_}, corner, {corner.x + width_, corner.y}}, 2 * u,
             ink);
-    addLabel(list, quantity(up_, "m"), {corner.x - 2 * u, std::round(corner.y - height_ - 5 * u)},
+    addLabel(list, quantity(rise_, "m"), {corner.x - 2 * u, std::round(corner.y - height_ - 5 * u)},
              s.small, TextAnchor::Left, ink);
-    addLabel(list, quantity(along_, "m"),
+    addLabel(list, quantity(length_, "m"),
              {corner.x + width_ + 5 * u, std::round(corner.y + 0.2F * s.small)}, s.small,
              TextAnchor::Left, ink);
   }
 
  private:
   const ContactLayout& inset_;
-  double along_, up_;  // m
+  double length_, rise_;  // m
   float width_, height_;
 };
 
@@ -202,7 +202,7 @@ void addMagnifier(DrawList& list, const Frame& frame, const Magnifier& magnifier
   inset.plot = box;
   inset.heightTicks = {};
   const std::optional<Box> plate = zoomIn(inset, frame, magnifier, layout);
-  inset.marked = narrowContact(frame, 4 * layout.sizes.unit / inset.pixelsPerMetreAlong());
+  inset.marked = narrowContact(frame, 4 * layout.sizes.unit / inset.pixelsPerMetreX());
 
   const float u = layout.sizes.unit;
   const Rgba& ink = layout.theme.text;
@@ -217,7 +217,7 @@ void addMagnifier(DrawList& list, const Frame& frame, const Magnifier& magnifier
   if (plate) ScaleBars(inset).addTo(list, above, *plate);
   addBorder(above, box, 2.2F * u, ink);
   list.layers.push_back(std::move(above));
-  addHeading(list, inset, inset.pixelsPerMetreAlong() / layout.pixelsPerMetreAlong());
+  addHeading(list, inset, inset.pixelsPerMetreX() / layout.pixelsPerMetreX());
 }
 
 }  // namespace asperity

@@ -97,9 +97,9 @@ void ContactViewer::exaggerate(const ViewPlace& at, double steps) {
   navigation_ = navigation_.zoomed(at, 1, std::pow(kStep, steps), finest());
 }
 
-void ContactViewer::pan(double along, double up) {
+void ContactViewer::pan(double dx, double dy) {
   // A view of all heights keeps them when it is moved.
-  navigation_ = navigation_.panned(along, navigation_.isFittedUp() ? 0 : up);
+  navigation_ = navigation_.panned(dx, navigation_.hasFittedHeights() ? 0 : dy);
 }
 
 void ContactViewer::fit() {
@@ -138,7 +138,7 @@ std::optional<double> ContactViewer::pointer() const {
   if (!frame_) return std::nullopt;
   if (!cursor_) return element_;
   const ContactView seen = view();
-  return seen.left + cursor_->along * seen.width;
+  return seen.left + cursor_->x * seen.width;
 }
 
 std::optional<ProbeReading> ContactViewer::reading() const {

@@ -32,7 +32,7 @@ class ContactViewer {
   /// appearance at every scale if heights grow with length to the power H.
   void zoom(const ViewPlace& at, double steps);
   void exaggerate(const ViewPlace& at, double steps);
-  void pan(double along, double up);
+  void pan(double dx, double dy);
   void fit();
   void fitHeights();
   void follow(bool follows);

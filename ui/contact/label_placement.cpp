@@ -50,7 +50,7 @@ bool liesOn(Body body, const Frame& frame, const ContactLayout& layout, const Bo
 
 /// Returns the points between two columns of pixels.
 PointRange pointsBetween(const Frame& frame, const ContactLayout& layout, float left, float right) {
-  const double perMetre = layout.pixelsPerMetreAlong();
+  const double perMetre = layout.pixelsPerMetreX();
   return pointsWithin(frame, layout.view.left + (left - layout.plot.x) / perMetre,
                       (right - left) / perMetre);
 }
@@ -114,7 +114,7 @@ CurveRows rowsOf(const Frame& frame, const std::vector<double>& heights,
   CurveRows rows{plot.x, std::vector<float>(count, kFar), std::vector<float>(count, -kFar)};
   const std::vector<CurveVertex> curve =
       decimated(frame, heights, pointsWithin(frame, layout.view.left, layout.view.width),
-                {layout.view.left, layout.pixelsPerMetreAlong()});
+                {layout.view.left, layout.pixelsPerMetreX()});
   for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
     const float xa = layout.px(curve[k].x), xb = layout.px(curve[k + 1].x);
     const float ya = layout.py(curve[k].height), yb = layout.py(curve[k + 1].height);

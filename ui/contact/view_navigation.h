@@ -11,7 +11,7 @@ namespace asperity {
 /// A place in the plot, relative to its size: 0, 0 is its lower left corner, 1, 1 its upper right
 /// one.
 struct ViewPlace {
-  double along = 0.5, up = 0.5;
+  double x = 0.5, y = 0.5;
 };
 
 class ViewNavigation {
@@ -25,9 +25,9 @@ class ViewNavigation {
 
   /// Zooms about a place, which stays fixed; factors above 1 enlarge. finest: the narrowest view,
   /// as a part of the period.
-  ViewNavigation zoomed(const ViewPlace& at, double along, double up, double finest) const;
+  ViewNavigation zoomed(const ViewPlace& at, double xFactor, double yFactor, double finest) const;
   /// Moves the contents by these parts of the plot. In x, the line continues periodically.
-  ViewNavigation panned(double along, double up) const;
+  ViewNavigation panned(double dx, double dy) const;
   /// Returns the same view, fixed to the line or to the elastomer; nothing jumps.
   ViewNavigation following(bool follows, double period, double distance) const;
   /// Returns the whole period, fitted; following is unchanged.
@@ -36,8 +36,8 @@ class ViewNavigation {
   ViewNavigation withFittedHeights() const;
 
   bool followsLine() const { return follows_; }
-  bool isFitted() const { return left_ == 0 && width_ == 1 && isFittedUp(); }
-  bool isFittedUp() const { return bottom_ == 0 && top_ == 1; }
+  bool isFitted() const { return left_ == 0 && width_ == 1 && hasFittedHeights(); }
+  bool hasFittedHeights() const { return bottom_ == 0 && top_ == 1; }
   double enlargement() const { return 1 / width_; }
 
   bool operator==(const ViewNavigation&) const = default;

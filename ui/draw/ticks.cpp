@@ -153,8 +153,8 @@ AxisTicks roomyTicks(double from, double to, float pixels, float size, std::stri
   return linearTicks(from, to, 1, unit);
 }
 
-AxisTicks ticksUp(double from, double to, float pixels, float each, float size,
-                  std::string_view unit) {
+AxisTicks yTicks(double from, double to, float pixels, float each, float size,
+                 std::string_view unit) {
   int most = tickCount(pixels, each);
   AxisTicks axis = linearTicks(from, to, most, unit);
   // In steps of 1, 2 and 5 the next more are up to five times as many.

@@ -42,8 +42,8 @@ AxisTicks roomyTicks(double from, double to, float pixels, float size, std::stri
 
 /// Ticks upwards, `each` pixels for one of them; a low axis has closer ones as far as labels in
 /// fonts of `size` have room, because a single tick says nothing of the scale.
-AxisTicks ticksUp(double from, double to, float pixels, float each, float size,
-                  std::string_view unit);
+AxisTicks yTicks(double from, double to, float pixels, float each, float size,
+                 std::string_view unit);
 
 struct LogTick {
   double decade = 0;  // decimal logarithm of the value

@@ -187,9 +187,9 @@ ViewPlace ContactCanvas::focusPlace() const {
   const auto reading = viewer_.reading();
   if (!reading) return {};
   const ContactView view = viewer_.options().view;
-  const double along = (*viewer_.pointer() - view.left) / view.width;
-  const double up = (reading->surface - view.bottom) / (view.top - view.bottom);
-  return {std::clamp(along, 0.0, 1.0), std::clamp(up, 0.0, 1.0)};
+  const double x = (*viewer_.pointer() - view.left) / view.width;
+  const double y = (reading->surface - view.bottom) / (view.top - view.bottom);
+  return {std::clamp(x, 0.0, 1.0), std::clamp(y, 0.0, 1.0)};
 }
 
 /// Draws again and informs others. It must be called after every change of the view.
@@ -301,19 +301,19 @@ void ContactCanvas::leaveEvent(QEvent* event) {
 }
 
 void ContactCanvas::keyPressEvent(QKeyEvent* event) {
-  const bool along = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
-  const bool up = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
+  const bool isInX = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
+  const bool isInY = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
   const int sign = event->key() == Qt::Key_Right || event->key() == Qt::Key_Up ? 1 : -1;
   const bool control = event->modifiers() & Qt::ControlModifier;
   const bool shift = event->modifiers() & Qt::ShiftModifier;
   if (event->key() == Qt::Key_Escape && viewer_.pointer()) {
     showCrosshair({-1, -1});
-  } else if (along && control) {
+  } else if (isInX && control) {
     movePointer(sign * (shift ? kManyElements : 1));
-  } else if (up && shift) {
+  } else if (isInY && shift) {
     exaggerate(sign);
-  } else if (along || up) {
-    viewer_.pan(along ? -kKeyPan * sign : 0, up ? -kKeyPan * sign : 0);
+  } else if (isInX || isInY) {
+    viewer_.pan(isInX ? -kKeyPan * sign : 0, isInY ? -kKeyPan * sign : 0);
     changed();
   } else {
     QWidget::keyPressEvent(event);
