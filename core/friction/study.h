@@ -1,8 +1,8 @@
-// A scene at several loads and velocities on all its realizations, kept so that whatever is read
-// from the averages (a slope, a plateau, an exponent) comes with an honest uncertainty: the
-// jackknife over groups of realizations, which knows that all loads and velocities share the lines.
-// Immutable once computed; any thread.
-// Failure: as frictionCurve, whose averages these are.
+// A scene at several loads and velocities on all its realizations, kept so that every number
+// derived from the averages (a slope, a plateau, an exponent) has a valid uncertainty: the
+// jackknife over groups of realizations, which includes the correlation of loads and velocities on
+// the same lines. Immutable once computed; any thread. Failure: as frictionCurve, which computes
+// the same averages.
 #pragma once
 
 #include <array>
@@ -37,14 +37,15 @@ struct StudyStopped {};
 
 class Study {
  public:
-  /// Groups of realizations that the jackknife leaves out in turn; fewer lines: one each.
+  /// Number of groups of realizations that the jackknife leaves out in turn; fewer lines have one
+  /// group each.
   static constexpr int kGroups = 20;
   static constexpr int kAll = -1;  // no group left out
 
-  /// normalForces (N) and velocities (m/s) both ascending.
+  /// normalForces (N) and velocities (m/s) are both ascending.
   Study(const Scene& scene, const std::vector<double>& normalForces,
         const std::vector<double>& velocities, const StudyOptions& options);
-  /// Each force with velocities of its own, all of one number.
+  /// Each force has its own velocities, all of one number.
   Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions& options);
 
   const Scene& scene() const { return scene_; }
@@ -104,8 +105,8 @@ class Study {
   double largestResidual_ = 0;
 };
 
-/// A number read from the averages of one or more studies with the same realizations, and its
-/// standard error. `read` gets the group to leave out, or Study::kAll.
+/// Returns a number derived from the averages of one or more studies with the same realizations,
+/// with its standard error. `read` gets the group to leave out, or Study::kAll.
 Estimate jackknife(int groups, const std::function<double(int leftOut)>& read);
 
 }  // namespace asperity
