@@ -56,26 +56,29 @@ class Study {
   std::int64_t realizations() const { return realizations_; }
   int groups() const { return groups_; }
 
-  /// Averages over all realizations but those of one group, at force j and velocity i.
+  /// Return averages over all realizations except for those of one group, at force j and velocity
+  /// i.
   double mu(std::size_t j, std::size_t i, int leftOut = kAll) const;
-  /// Mean of mu over the rms slope of its own line.
+  /// Returns the mean of mu over the rms slope of the same line.
   double normalizedMu(std::size_t j, std::size_t i, int leftOut = kAll) const;
   double contactFraction(std::size_t j, std::size_t i, int leftOut = kAll) const;
-  /// Root mean square over realizations, each weighted by its contact: of the pooled contact.
+  /// Returns the root mean square over realizations, each weighted by its contact: of the pooled
+  /// contact.
   double rmsSlopeContact(std::size_t j, std::size_t i, int leftOut = kAll) const;
   double muStandardError(std::size_t j, std::size_t i) const;
-  /// Lines whose force fell into a jump of the nodal rule.
+  /// Returns the fraction of lines whose force fell into a jump of the nodal rule.
   double marginalFraction(std::size_t j, std::size_t i) const;
   double largestResidual() const { return largestResidual_; }
 
-  /// Eqs. (5) to (14) at force j and velocity i, with the rms slope of the whole line.
+  /// Returns the input of Eqs. (5) to (14) at force j and velocity i, with the rms slope of the
+  /// whole line.
   LawInput lawInput(std::size_t j, std::size_t i) const;
-  /// The row of a table.
+  /// Returns the row of a table.
   CurvePoint point(std::size_t j, std::size_t i) const;
 
  private:
-  /// Friction is summed from that of the first realization, so that no digits are lost where all
-  /// lines agree.
+  /// Friction is summed relative to that of the first realization, so that no digits are lost where
+  /// all lines agree.
   enum Quantity {
     Mu,
     MuSquared,
@@ -95,7 +98,7 @@ class Study {
   Scene scene_;
   std::vector<LoadCase> cases_;
   LineStatistics line_;
-  bool slopesDiffer_ = false;  // from line to line; line_ then has the first one's
+  bool slopesDiffer_ = false;  // from line to line; line_ has the values of the first one
   double length_ = 0;          // m
   std::int64_t realizations_ = 0;
   int groups_ = 1;
