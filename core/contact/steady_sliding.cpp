@@ -66,7 +66,7 @@ SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& 
   return result;
 }
 
-/// The two ways to the forces of separate elements differ by nature: only the residual counts.
+/// For separate elements the two ways to the forces differ by nature: only the residual counts.
 SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
                           const NodalBalance& nodal) {
   SteadyResult result = steadyResult(line, conditions, nodal.balance.depth, nodal.sums);

@@ -14,15 +14,15 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The elements in contact at some indentation d, with F_N / (4 G dx) = count d - offset.
+/// The elements in contact at an indentation d, with F_N / (4 G dx) = count d - offset.
 struct ContactSet {
   double indentation = 0;  // m
-  double count = 0;        // a double, so that it is summed like the rest
+  double count = 0;        // a double, so that it is summed like the other values
   double offset = 0;       // m, sum of z - c z'
   double force() const { return count * indentation - offset; }  // m
 };
 
-/// Eqs. (1) to (4) over plain arrays. rise and slope are those of the line above the elements.
+/// Eqs. (1) to (4) over plain arrays. rise and slope belong to the line above the elements.
 struct Elements {
   const double* rise;   // m, z - z_lowest
   const double* slope;  // z'
@@ -47,7 +47,7 @@ struct Elements {
     return {indentation, touching, offset};
   }
 
-  /// The lowest indentation (m) above `indentation` at which an element enters.
+  /// Returns the lowest indentation (m) above `indentation` at which an element enters.
   double nextEntry(double indentation) const {
     double lowest = kInfinity;
 #pragma omp simd reduction(min : lowest)
@@ -60,7 +60,7 @@ struct Elements {
     return lowest;
   }
 
-  /// F_x / (4 G dx) (m); then the elements take the shape they have at this indentation.
+  /// Returns F_x / (4 G dx) (m) and gives the elements their shape at this indentation.
   double pressInto(double indentation) const {
     double* const y = depth;
     const double c = memory;
@@ -82,7 +82,7 @@ struct Found {
   int sweeps = 0;
 };
 
-/// Bracketed search for the indentation at which F_N / (4 G dx) is `load` (m).
+/// Searches with a bracket for the indentation at which F_N / (4 G dx) is `load` (m).
 class IndentationSearch {
  public:
   IndentationSearch(const Elements& elements, double load) : elements_(elements), load_(load) {}
@@ -96,7 +96,7 @@ class IndentationSearch {
       if (!isInside && isAtJump()) return {justAboveJump(), true, sweeps_};
       const double middle = 0.5 * (low_.indentation + high_.indentation);
       if (!isInside && (middle <= low_.indentation || middle >= high_.indentation))
-        return {high_, true, sweeps_};  // several elements enter at once
+        return {high_, true, sweeps_};  // several elements enter together
       const double lastCount = set_.count;
       sweep(isInside ? solution : middle);
       if (isInside && set_.count == lastCount) return {set_, false, sweeps_};
@@ -110,7 +110,8 @@ class IndentationSearch {
     ++sweeps_;
   }
 
-  /// Eq. (3) for the elements in contact; without any, where the first one enters.
+  /// Returns the solution of Eq. (3) for the elements in contact; without any, the indentation
+  /// where the first one enters.
   double solutionForThisSet() {
     if (set_.count > 0) return (load_ + set_.offset) / set_.count;
     return justAbove(nextEntry());
@@ -132,7 +133,7 @@ class IndentationSearch {
   int sweeps_ = 0;
 };
 
-/// The march: the elements stand still, the line moves by one node per step.
+/// The march: the elements are fixed, and the line moves by one node per step.
 class Literal {
  public:
   Literal(const Line& line, const SlidingConditions& conditions, double normalForce)
@@ -187,7 +188,7 @@ class Literal {
   }
 
   Step step(std::int64_t k) {
-    // The line has moved by k spacings towards +x: its node i - k stands above element i.
+    // The line has moved by k spacings towards +x: its node i - k is above element i.
     const std::size_t first = (nodes_ - static_cast<std::size_t>(k) % nodes_) % nodes_;
     const Elements elements{rise_.data() + first, slope_.data() + first, depth_.data(), nodes_,
                             memory_};
@@ -213,7 +214,7 @@ class Literal {
   double indentation_ = 0;
 };
 
-// The same loops, compiled for wider vectors.
+// These are the same loops, compiled for wider vectors.
 #ifdef ASPERITY_X86
 [[gnu::target("avx512f"), gnu::flatten]] LiteralResult runAvx512(Literal& literal,
                                                                  std::int64_t steps) {

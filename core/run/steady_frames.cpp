@@ -13,8 +13,8 @@
 namespace asperity {
 namespace {
 
-/// Points across a picture, at least, and of a line, at most: a frame's shift is rounded to one of
-/// them.
+/// Minimum number of points across a picture, and maximum of a line: a frame's shift is rounded to
+/// one of them.
 constexpr double kPicturePoints = 8192, kMostPoints = 1 << 20;
 
 SteadyState solve(const SteadySolver& sliding, const PreparedProfile& line, double velocity) {
@@ -27,20 +27,20 @@ void rotate(std::vector<double>& values, std::int64_t shift) {
   if (!values.empty()) std::rotate(values.begin(), values.end() - shift, values.end());
 }
 
-/// W/m in the dashpots at the shape's points, in travel order.
+/// Returns the power in the dashpots at the shape's points, W/m, in order of travel.
 std::vector<double> steadyPower(const SteadySolver& sliding, const SteadyShape& shape) {
   const RetardationModes modes = retardationModes(sliding.law());
   const std::size_t starts = shape.nodes.depth.size();
   std::vector<double> amplitudes(modes.modes() * starts);
-  const bool one = shape.modes.empty();  // the depth itself
+  const bool one = shape.modes.empty();  // the depth itself is the only mode
   for (std::size_t j = 0; j < modes.modes(); ++j)
     for (std::size_t i = 0; i < starts; ++i)
       amplitudes[j * starts + i] = one ? shape.nodes.depth[i] : shape.modes[i * modes.modes() + j];
   return dissipatedPower(modes, shape.nodes.pressure, amplitudes);
 }
 
-/// To an element. The paper's elements are shown as they are; a resolved line is drawn finely
-/// enough to glide.
+/// Returns the points per element. The paper's elements are drawn as they are; a resolved line is
+/// drawn finely enough to move smoothly.
 std::int64_t pointsToDraw(const Scene& scene, const LineSource& own, double seen) {
   if (scene.accuracy.scheme == Scheme::Nodal) return 1;
   const double pictures = seen > 0 ? std::max(own.length() / seen, 1.0) : 1;
@@ -82,7 +82,8 @@ Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
   frame.rmsSlope = line.rmsSlope;
   frame.velocity = velocity;
   if (fields.lineSlope) {
-    // The line's slope on the side from which a point is met, as the pass has it: a corner has two.
+    // This is the line's slope on the side from which a point is met, as in the pass: a corner has
+    // two.
     frame.lineSlope = inLineOrder(profile, profile.slopeIn);
     for (double& slope : frame.lineSlope) slope = -slope;
   }
