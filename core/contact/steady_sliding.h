@@ -46,11 +46,9 @@ struct SteadyResult {
   int passes = 0;
   double residual = 0;          // |F_N - target| / target; with arms also of their periodicity
   double periodicityError = 0;  // elements with arms: relative change over a period
-  double depthAtRest = 0;   // m, with some digits, under that force; in sweeps over resolved lines
-  double muInterface = 0;   // of local friction, in addition to mu, which belongs to the deformation
+  double depthAtRest = 0;  // m, with some digits, under that force; in sweeps over resolved lines
+  double muInterface = 0;  // of local friction, in addition to mu, which belongs to the deformation
   double rmsSlopeLine = 0;  // of the whole line; in realizations, whose slopes may differ
-
-  double muTotal() const { return mu + muInterface; }
 };
 
 /// Computes friction of a steady state, in SI units, from the sums of a pass at this depth (m); no

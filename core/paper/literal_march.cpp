@@ -22,13 +22,14 @@ struct ContactSet {
   double force() const { return count * indentation - offset; }  // m
 };
 
-/// Eqs. (1) to (4) over plain arrays. rise and slope belong to the line above the elements.
+/// Eqs. (1) to (4) over plain arrays. heightAboveMinimum and slope belong to the line above the
+/// elements.
 struct Elements {
-  const double* rise;   // m, z - z_lowest
-  const double* slope;  // z'
-  double* depth;        // m, y = -u
+  const double* heightAboveMinimum;  // m, z - z_lowest
+  const double* slope;               // z'
+  double* depth;                     // m, y = -u
   std::size_t count;
-  double memory;  // m, c = v tau
+  double relaxationLength;  // m, c = v tau
 
   void relax(double decay) const {
     for (std::size_t i = 0; i < count; ++i) depth[i] *= decay;
@@ -38,8 +39,9 @@ struct Elements {
     double touching = 0, offset = 0;
 #pragma omp simd reduction(+ : touching, offset)
     for (std::size_t i = 0; i < count; ++i) {
-      const double pressed = rise[i] - memory * slope[i];  // f > 0 above this indentation
-      const double reached = rise[i] + depth[i];           // u < z - d below this one
+      const double pressed =
+          heightAboveMinimum[i] - relaxationLength * slope[i];  // f > 0 above this indentation
+      const double reached = heightAboveMinimum[i] + depth[i];  // u < z - d below this one
       const bool isTouching = (indentation > pressed) & (indentation > reached);
       touching += isTouching ? 1.0 : 0.0;
       offset += isTouching ? pressed : 0.0;
@@ -52,7 +54,8 @@ struct Elements {
     double lowest = kInfinity;
 #pragma omp simd reduction(min : lowest)
     for (std::size_t i = 0; i < count; ++i) {
-      const double pressed = rise[i] - memory * slope[i], reached = rise[i] + depth[i];
+      const double pressed = heightAboveMinimum[i] - relaxationLength * slope[i],
+                   reached = heightAboveMinimum[i] + depth[i];
       const double entry = pressed > reached ? pressed : reached;
       const double ahead = entry >= indentation ? entry : kInfinity;
       lowest = ahead < lowest ? ahead : lowest;
@@ -63,11 +66,11 @@ struct Elements {
   /// Returns F_x / (4 G dx) (m) and gives the elements their shape at this indentation.
   double pressInto(double indentation) const {
     double* const y = depth;
-    const double c = memory;
+    const double c = relaxationLength;
     double work = 0;
 #pragma omp simd reduction(+ : work)
     for (std::size_t i = 0; i < count; ++i) {
-      const double deep = indentation - rise[i], last = y[i];
+      const double deep = indentation - heightAboveMinimum[i], last = y[i];
       const double force = deep + c * slope[i];
       y[i] = deep > last ? deep : last;
       work += force * (((force > 0) & (deep > last)) ? slope[i] : 0.0);
@@ -143,11 +146,11 @@ class Literal {
         decay_(std::exp(-line.spacing / memory_)),
         elementStiffness_(4 * conditions.shearModulus * line.spacing),
         load_(normalForce / elementStiffness_),
-        rise_(twice(line.height)),
+        heightAboveMinimum_(twice(line.height)),
         slope_(twice(line.slopeAfter)),
         depth_(nodes_, 0.0) {
-    const double lowest = *std::min_element(rise_.begin(), rise_.end());
-    for (double& rise : rise_) rise -= lowest;
+    const double lowest = *std::min_element(heightAboveMinimum_.begin(), heightAboveMinimum_.end());
+    for (double& heightAboveMinimum : heightAboveMinimum_) heightAboveMinimum -= lowest;
     indentation_ = load_ / static_cast<double>(nodes_);
   }
 
@@ -190,8 +193,8 @@ class Literal {
   Step step(std::int64_t k) {
     // The line has moved by k spacings towards +x: its node i - k is above element i.
     const std::size_t first = (nodes_ - static_cast<std::size_t>(k) % nodes_) % nodes_;
-    const Elements elements{rise_.data() + first, slope_.data() + first, depth_.data(), nodes_,
-                            memory_};
+    const Elements elements{heightAboveMinimum_.data() + first, slope_.data() + first,
+                            depth_.data(), nodes_, memory_};
     elements.relax(decay_);
     const Found found = IndentationSearch(elements, load_).from(indentation_);
     indentation_ = found.contact.indentation;
@@ -210,7 +213,7 @@ class Literal {
   std::size_t nodes_;
   double spacing_, memory_, decay_, elementStiffness_;
   double load_;  // m, F_N / (4 G dx)
-  std::vector<double> rise_, slope_, depth_;
+  std::vector<double> heightAboveMinimum_, slope_, depth_;
   double indentation_ = 0;
 };
 
