@@ -26,7 +26,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargest = std::size_t{1} << 24;  // bytes of the largest batch file
-constexpr int kDeepest = 12;                            // the deepest nesting: a scene inside an entry inside a list
+// the deepest nesting: a scene inside an entry inside a list
+constexpr int kDeepest = 12;
 constexpr std::size_t kMostItems = 1000;
 
 struct Sweep {

@@ -20,7 +20,7 @@ struct BatchItem {
   std::string show;                                         // layout of the picture
   Scene scene;
   std::vector<std::filesystem::path> inputs;  // files from which the item is read
-  Message title;  // title of the scene, and its values in the sweep
+  Message title;                              // title of the scene, and its values in the sweep
   Message error;                              // one sentence; empty: the item can run
 };
 

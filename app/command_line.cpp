@@ -325,7 +325,8 @@ std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const 
 int runCommandLine(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
   fillClosedStreams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that reaches its size limit gives an error, like a full disk
+  // a file that reaches its size limit gives an error, like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);
   endCleanlyOnInterruption();
   try {
     chooseVectorTarget();

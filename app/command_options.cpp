@@ -84,14 +84,16 @@ InputError unexpected(const CLI::App& app) {
                             : message("unknown option of '{}'; did you mean {}?", call, nearest)};
   }
   return {"", "",
-          words.empty() ? message("unexpected argument for '{}'", call)
-                        : message("unexpected argument '{}' for '{}'", shortened(words.front()), call)};
+          words.empty()
+              ? message("unexpected argument for '{}'", call)
+              : message("unexpected argument '{}' for '{}'", shortened(words.front()), call)};
 }
 
 /// Translates CLI11's messages such as "--size: At Most 1 required but received 2".
 InputError mismatch(const std::string& said) {
   std::string name = said.substr(0, said.find_first_of(": "));
-  if (std::islower(static_cast<unsigned char>(name.front()))) name = "--" + name;  // the name of a flag
+  // the name of a flag
+  if (std::islower(static_cast<unsigned char>(name.front()))) name = "--" + name;
   if (said.find("received") != std::string::npos) return {"", name, "is given more than once"};
   if (said.find("flag") != std::string::npos) return {"", name, "takes no value"};
   return {"", name, "needs a value"};

@@ -115,7 +115,8 @@ std::string filmMetadata(const std::string& extension, const FilmOptions& option
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kOutput = 3, kMetadata = 4;  // file descriptors of the film and of its metadata in ffmpeg
+// file descriptors of the film and of its metadata in ffmpeg
+constexpr int kOutput = 3, kMetadata = 4;
 
 /// Returns the path of the program in PATH; empty where it is not found.
 std::string findFfmpeg() {

@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kHead = std::size_t{1} << 21;  // the texts of a picture are within these first bytes
+// the texts of a picture are within these first bytes
+constexpr std::size_t kHead = std::size_t{1} << 21;
 
 std::string headOf(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -86,7 +86,8 @@ class LevelSampler {
   const Scene& scene_;
   const CurveOptions& options_;
   const Profile* profile_;
-  std::vector<std::unique_ptr<LineSource>> sources_;  // one for each allowed level, made when needed
+  // one for each allowed level, made when needed
+  std::vector<std::unique_ptr<LineSource>> sources_;
   std::array<std::int64_t, 4 * kMostLevels> done_{};  // lines of each stratum
   SamplingCost cost_;
   double secondsOfSources_ = 0;

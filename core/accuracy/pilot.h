@@ -43,11 +43,12 @@ struct PilotScene {
 PilotScene shortened(const PilotScene& whole, std::int64_t factor);
 
 struct PilotPlan {
-  PilotScene run;                    // the predicted run
-  PilotScene sample;                 // the scene that is tried
-  double shortening = 1;             // elements of the run over those of the pilot
-  std::int64_t lines = 1;            // at the scene's own resolution
-  std::int64_t refinedLines = 1;     // number of these lines that are also made with twice the points
+  PilotScene run;          // the predicted run
+  PilotScene sample;       // the scene that is tried
+  double shortening = 1;   // elements of the run over those of the pilot
+  std::int64_t lines = 1;  // at the scene's own resolution
+  // number of these lines that are also made with twice the points
+  std::int64_t refinedLines = 1;
   std::vector<double> velocities{};  // m/s
   /// As many velocities as the run's kernel computes side by side, to measure time only; empty
   /// where the pilot cannot afford them.

@@ -16,11 +16,12 @@ namespace asperity {
 /// Errors relative to mu, root mean square over the velocities of the sweep, or over the time of a
 /// motion. NaN: does not apply.
 struct ErrorBudget {
-  double resolution = kNotApplicable;       // of the line's scheme and oversampling
-  double standardError = kNotApplicable;    // from the number of realizations
-  double forceBalance = kNotApplicable;     // from its tolerance
-  double timeStep = kNotApplicable;         // of a march: difference from steps of half the length
-  double settling = kNotApplicable;         // of a march: its beginning, compared with a longer march
+  double resolution = kNotApplicable;     // of the line's scheme and oversampling
+  double standardError = kNotApplicable;  // from the number of realizations
+  double forceBalance = kNotApplicable;   // from its tolerance
+  double timeStep = kNotApplicable;       // of a march: difference from steps of half the length
+  // of a march: its beginning, compared with a longer march
+  double settling = kNotApplicable;
   double modelDifference = kNotApplicable;  // `nodal` minus the resolved line; not an error
   /// Returns the root of the sum of squares of the errors.
   double total() const;
@@ -31,7 +32,8 @@ struct Prediction {
   int threads = 1;
   double memory = 0;  // bytes, for the lines in work and the results
   ErrorBudget error;
-  double lines = 0;                // of the run; with a target: at the velocity that needs most lines
+  // of the run; with a target: at the velocity that needs most lines
+  double lines = 0;
   double simulations = 0;          // number of balances: one line at one velocity
   double steps = 0, elements = 0;  // of a motion's march; 0 for a curve
   std::int64_t pilotLines = 0;

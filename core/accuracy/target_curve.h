@@ -29,9 +29,10 @@ struct AchievedAccuracy {
 struct TargetCurve {
   Curve curve;
   std::vector<AchievedAccuracy> achieved;  // for each point
-  bool isReached = false;  // at every velocity; false: more lines or memory than allowed were needed
-  double worst = 0;        // largest relative error achieved
-  double operations = 0;   // nodes passed over, pilot included
+  // at every velocity; false: more lines or memory than allowed were needed
+  bool isReached = false;
+  double worst = 0;            // largest relative error achieved
+  double operations = 0;       // nodes passed over, pilot included
   double plainOperations = 0;  // predicted for plain averaging on the finest level, without pilot
 };
 

@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::size_t kVelocities = 8;  // per region: as many as fill a vector
 constexpr std::int64_t kMostNodes = std::int64_t{1} << 22;
-constexpr std::int64_t kReference = 32;        // points per element of the reference, also used doubled
+// points per element of the reference, also used doubled
+constexpr std::int64_t kReference = 32;
 constexpr std::int64_t kLongestMarch = 20000;  // elements; a part of a longer march is timed
 constexpr std::int64_t kTimedSteps = 50;       // of a longer march that are timed
 constexpr std::int64_t kLinesOfMarch = 2;

@@ -46,10 +46,10 @@ struct WorkPrecisionPoint {
   double seconds = 0;               // of one simulation, median
   double fastest = 0, slowest = 0;  // quartiles of the repeated runs
   double lineSeconds = 0;           // to make and prepare one line
-  double secondsWithLine =
-      0;  // of one velocity of the sweep: its simulation and its part of making the line
+  // of one velocity of the sweep: its simulation and its part of making the line
+  double secondsWithLine = 0;
   bool isExtrapolated = false;  // a part of the march was timed; the error is unknown: NaN
-  bool isOnFront = false;  // no method of the same model is both faster and more accurate
+  bool isOnFront = false;       // no method of the same model is both faster and more accurate
 };
 
 struct RegionPrecision {

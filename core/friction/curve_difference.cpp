@@ -14,8 +14,8 @@
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kLargestPart =
-    32;  // realizations of one setting before the other setting continues
+// realizations of one setting before the other setting continues
+constexpr std::int64_t kLargestPart = 32;
 
 /// One way to compute the curve, a few lines at a time.
 class Side {

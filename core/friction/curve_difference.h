@@ -36,8 +36,8 @@ struct DifferencePoint {
   double mu = 0;        // with the setting of the comparison
   double muStandardError = kNotApplicable;
   double relative = 0;  // mean over the scene's own, minus 1
-  double standardError =
-      kNotApplicable;  // of `relative`, with pairs treated as correlated; needs two lines
+  // of `relative`, with pairs treated as correlated; needs two lines
+  double standardError = kNotApplicable;
 };
 
 struct CurveDifference {

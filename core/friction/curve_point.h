@@ -30,11 +30,11 @@ struct CurvePoint {
   double dimensionlessVelocity = kNotApplicable;  // Eq. (13)
   double dimensionlessForce = kNotApplicable;     // Eq. (14)
   std::int64_t realizations = 0;
-  double muLow =
-      kNotApplicable;  // 95 % confidence interval of mu, including resolution; for curves
+  // 95 % confidence interval of mu, including resolution; for curves
+  double muLow = kNotApplicable;
   double muHigh = kNotApplicable;  // with a target accuracy
-  double muInterface =
-      kNotApplicable;  // of local friction, in addition to mu, where the scene has some
+  // of local friction, in addition to mu, where the scene has some
+  double muInterface = kNotApplicable;
   /// Mean tangential over mean normal force, where lines carry different forces: at a constant
   /// indentation. mu is the mean of the lines' own ratios.
   double muRatioOfMeans = kNotApplicable;

@@ -55,12 +55,12 @@ struct Frame {
   std::vector<double> pressure;       // N/m, line load p >= 0; 0 where not in contact
 
   // Optional values (FrameFields) at the same points; otherwise empty.
-  std::vector<double>
-      lineSlope;  // dz/dx of the rigid line over each element, not a finite difference
-  std::vector<double>
-      sinceContact;  // s since the element was last in contact: 0 in contact, infinite if never
-  std::vector<double>
-      power;  // W/m, dissipated by the element's dashpots and, in contact, by local friction
+  // dz/dx of the rigid line over each element, not a finite difference
+  std::vector<double> lineSlope;
+  // s since the element was last in contact: 0 in contact, infinite if never
+  std::vector<double> sinceContact;
+  // W/m, dissipated by the element's dashpots and, in contact, by local friction
+  std::vector<double> power;
 
   // Results of the steady state of this line and scene; for other motions, of the present time.
   double indentation = 0;      // m, d above the line's lowest point

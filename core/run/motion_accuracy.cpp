@@ -15,8 +15,8 @@ namespace asperity {
 namespace {
 
 constexpr double kPieceWork = 3e6;  // steps times elements of a piece for each region
-constexpr double kMarches =
-    9;  // marches of a pilot: two with halved steps, four with finer elements, two for settling
+// marches of a pilot: two with halved steps, four with finer elements, two for settling
+constexpr double kMarches = 9;
 /// Steps times elements of a pilot: a tenth of the motion, at least about 20 ms and at most 0.2 s.
 constexpr double kLeastWork = 2.5e6, kMostWork = 1.5e7;
 constexpr double kWindow = 16;       // number of steps over which friction is averaged

@@ -171,8 +171,8 @@ class MotionEnvelope {
   }
 
  private:
-  static constexpr std::int64_t kStrokes =
-      1500;  // more than the width of a usual picture in pixels
+  // more than the width of a usual picture in pixels
+  static constexpr std::int64_t kStrokes = 1500;
   static constexpr std::array kDrawn{
       &TransientSample::velocity, &TransientSample::mu, &TransientSample::indentation,
       &TransientSample::contactFraction, &TransientSample::contactLength};

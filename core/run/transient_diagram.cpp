@@ -13,10 +13,10 @@
 namespace asperity {
 namespace {
 
-constexpr double kFrictionFloor =
-    10;                        // ripples; a strip then shows ripples as at most a third of it
-constexpr double kMost = 0.5;  // maximum part of the value
-constexpr double kAir = 0.12;  // part of the range, on either side
+// ripples; a strip then shows ripples as at most a third of it
+constexpr double kFrictionFloor = 10;
+constexpr double kMost = 0.5;                // maximum part of the value
+constexpr double kAir = 0.12;                // part of the range, on either side
 constexpr double kContactFloor = 0.2;        // part of a contact fraction
 constexpr std::size_t kLongestTrace = 2000;  // samples of a motion
 

@@ -57,8 +57,8 @@ inline constexpr double kMemoryUnasked = 1e9;   // bytes
 inline constexpr double kSecondsUnasked = 600;  // of one processor
 
 struct SceneDemands {
-  std::filesystem::path
-      file;            // a profile outside of the scene's folder and its subfolders; or empty
+  // a profile outside of the scene's folder and its subfolders; or empty
+  std::filesystem::path file;
   double memory = 0;   // bytes, if more than kMemoryUnasked; approximate
   double seconds = 0;  // of one processor, if more than kSecondsUnasked; approximate
 

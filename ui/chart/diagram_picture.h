@@ -22,8 +22,8 @@ struct DiagramOptions {
   int width = 1200, height = 800;  // pixels
   float scale = 1;                 // of fonts and line widths; 2 for twice the pixels
   Theme theme = lightTheme();
-  float leastText =
-      0;  // minimum size of texts in a low picture, relative to the usual size; 1: usual
+  // minimum size of texts in a low picture, relative to the usual size; 1: usual
+  float leastText = 0;
   std::optional<FrameAbove> above{};
 };
 

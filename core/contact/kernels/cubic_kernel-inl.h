@@ -70,7 +70,8 @@ class CubicKernel {
     std::size_t parts = 0, running = 0;     // started; of these, unfinished
     std::size_t from = kNone, nextCut = 0;  // where the next part begins, and may end
     double inverse = 0;
-    double lost[kMostLevels][kWindow + 1];  // lost part of a depth over 0, 1, ... blocks of each level
+    // lost part of a depth over 0, 1, ... blocks of each level
+    double lost[kMostLevels][kWindow + 1];
   };
   /// A part of a pass: segments up to `last`.
   struct Part {

@@ -37,10 +37,11 @@ void runLinearPasses(const PreparedProfile& line, PassQueue& queue);
 /// The result of a pass over separate elements at an indentation. The contact set only grows with
 /// the indentation, so F_N(d) rises, but it jumps wherever an element enters.
 struct NodalState {
-  double depth = 0;      // m, the indentation
-  double loaded = 0;     // number of elements that carry load
-  double threshold = 0;  // m, largest indentation at which one of the loaded elements is not yet loaded
-  PassSums sums;         // stiffness is that of the loaded elements
+  double depth = 0;   // m, the indentation
+  double loaded = 0;  // number of elements that carry load
+  // m, largest indentation at which one of the loaded elements is not yet loaded
+  double threshold = 0;
+  PassSums sums;  // stiffness is that of the loaded elements
 };
 
 /// Runs one pass in one lane. depth: indentation below the lowest node (m; below 0 nothing

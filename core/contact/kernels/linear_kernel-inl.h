@@ -262,11 +262,12 @@ class LinearKernel {
   bool hasLeft_ = false;
   Left left_{};  // end of the last patch
   Patches patches_;
-  alignas(64) Patches::Values relaxed_;  // m, depth of the free surface up to which arcs are counted
-  One decay_;                            // of a free surface over 0, 1, ... segments
-  double decayOverAll_;                  // over as many segments as a vector has lanes
-  std::size_t whole_ = 0;                // number of segments
-  double wholeClimb_ = 0;                // m
+  // m, depth of the free surface up to which arcs are counted
+  alignas(64) Patches::Values relaxed_;
+  One decay_;              // of a free surface over 0, 1, ... segments
+  double decayOverAll_;    // over as many segments as a vector has lanes
+  std::size_t whole_ = 0;  // number of segments
+  double wholeClimb_ = 0;  // m
   One wholeHeights_ = One::all(0), wholeSlopes_ = One::all(0);  // m: of both ends; 1
   Wide length_ = Wide::all(0), depths_ = length_, slopes_ = length_, climbs_ = length_;
   Wide freeDepths_ = length_, freeStiffness_ = length_, freeLoss_ = length_;

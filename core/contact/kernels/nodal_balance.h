@@ -17,8 +17,8 @@ namespace asperity {
 struct NodalBalance {
   Balance balance;
   PassSums sums;  // at that depth; the entering element counts with its share
-  double marginalShare =
-      1;  // of the load that the entering element would carry; 1: no element is partly loaded
+  // of the load that the entering element would carry; 1: no element is partly loaded
+  double marginalShare = 1;
 };
 
 /// Solves the balance with passes in one lane. load = F_N / 4G (m^2, > 0); relaxationLength: c = v

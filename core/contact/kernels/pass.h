@@ -24,8 +24,8 @@ struct PassSums {
   double dissipation = 0;    // m^2, c integral of y'^2 over all elements: F_x / 4G again
   double contactLength = 0;  // m
   double slopeSquared = 0;   // m, integral of z'^2 over the contact
-  double segmentsInspected =
-      0;  // segments in which edges were computed: the cost of cubic passes
+  // segments in which edges were computed: the cost of cubic passes
+  double segmentsInspected = 0;
 };
 
 /// The value of a sum that a pass does not compute.
@@ -40,7 +40,8 @@ struct NodeShape {
 struct PassRequest {
   double depth = 0;             // m, indentation, > 0
   double relaxationLength = 0;  // m, c = v tau, >= 0
-  int parts = 1;                // number of parts into which the pass may be cut, to run in several lanes
+  // number of parts into which the pass may be cut, to run in several lanes
+  int parts = 1;
 };
 
 /// The source of passes and the receiver of their sums.

@@ -206,7 +206,8 @@ class Pass {
   void record(std::size_t i) {
     if (!shape_) return;
     const double height = touching_ ? line_.heightAboveMinimum[i] : surface_;
-    shape_->depth.push_back(std::max(depth_ - height, 0.0));  // rounding may place the surface above the level
+    // rounding may place the surface above the level
+    shape_->depth.push_back(std::max(depth_ - height, 0.0));
     const double p = touching_ ? depth_ - height - relaxationLength_ * line_.slopeIn[i] : 0;
     shape_->pressure.push_back(std::max(p, 0.0));
   }

@@ -268,7 +268,8 @@ Cubic PreparedProfile::segmentBackwards(std::size_t i) const {
 
 std::vector<double> inLineOrder(const PreparedProfile& profile, const std::vector<double>& values,
                                 Direction direction) {
-  const std::size_t skipped = profile.startsInsideSegment ? 1 : 0;  // the lowest point is not a node
+  // the lowest point is not a node
+  const std::size_t skipped = profile.startsInsideSegment ? 1 : 0;
   const std::size_t count = values.size() - skipped;
   std::vector<double> ordered(count);
   for (std::size_t k = skipped; k < values.size(); ++k) {

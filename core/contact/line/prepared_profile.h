@@ -23,8 +23,9 @@ enum class Direction { Forward, Backward };  // sliding towards +x or -x
 
 struct PreparedProfile {
   Scheme scheme = Scheme::Cubic;
-  double length = 0;                       // m, period
-  double spacing = 0;                      // m, of all segments except perhaps the first and the last
+  double length = 0;  // m, period
+  // m, of all segments except perhaps the first and the last
+  double spacing = 0;
   double firstLength = 0, lastLength = 0;  // m, of those two
   std::vector<double> heightAboveMinimum;  // m, at nodes, n + 1; 0 at both ends
   std::vector<double> slopeIn;   // dz/ds at the start of each segment, n (nodal: at the nodes)
@@ -39,15 +40,17 @@ struct PreparedProfile {
   /// cubic only.
   struct Cut {
     std::size_t segment;
-    double clear;  // m: over this distance before it nothing is lower, except for the previous segment
+    // m: over this distance before it nothing is lower, except for the previous segment
+    double clear;
   };
   std::vector<Cut> cuts;
   double meanHeight = 0;               // m, mean of z in the scheme's line
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself
 
-  std::size_t firstNode = 0;         // node of the Line at or just before s = 0, in order of travel
-  bool startsInsideSegment = false;  // the lowest point is not a node: the first and last segments are parts
-  double startFraction = 0;          // position in that segment, 0 at a node
+  std::size_t firstNode = 0;  // node of the Line at or just before s = 0, in order of travel
+  // the lowest point is not a node: the first and last segments are parts
+  bool startsInsideSegment = false;
+  double startFraction = 0;  // position in that segment, 0 at a node
 
   std::size_t segments() const { return slopeIn.size(); }
   /// Returns s of node i, m; i <= segments().

@@ -41,14 +41,14 @@ struct MarchStep {
   double work = 0;           // J, done on the elements: integral of p du
   double dissipated = 0;     // J, in the dashpots, each computed separately: never below 0
   double stored = 0;         // J, increase in the springs
-  double slidingWork = 0;    // J, work less what the normal force did by sinking; in steady sliding
+  double slidingWork = 0;    // J, work minus that of the normal force by sinking; in steady sliding
                              // all of it is dissipated, at any resolution
   double lineWork = 0;       // J, pressure times the line's own advance: F_x times distance. Second
                              // order in dx everywhere; slidingWork is first order where elements
                              // enter, because p acts on them before the line has reached them
-  double gapWork = 0;        // J, that difference: pressure times the gap it closed in the step
+  double gapWork = 0;        // J, their difference: pressure times the gap closed in the step
   double slopeForce = 0;     // N, integral of p dz/dx, which is -F_x: the slopes are means over the
-                             // way of the step (lineWork over distance), at rest those of the place
+                             // distance of the step (lineWork over distance), at rest local slopes
   double contactLength = 0;  // m
   std::size_t contacts = 0;  // stretches in contact
 };
@@ -157,9 +157,10 @@ class TimeMarch {
   ElementLaw law_;
   RetardationModes modes_;
   double distance_ = 0, indentation_ = 0;
-  double before_ = 0;               // m, indentation at the step's beginning
-  std::ptrdiff_t passedNodes_ = 0;  // number of nodes by which the line has moved, within one period
-  double ahead_ = 0;                // minus this part of a node
+  double before_ = 0;  // m, indentation at the step's beginning
+  // number of nodes by which the line has moved, within one period
+  std::ptrdiff_t passedNodes_ = 0;
+  double ahead_ = 0;  // minus this part of a node
   std::vector<double> depth_, pressure_, height_;
   std::vector<double> amplitude_;   // m, [mode][element]
   std::vector<double> lastHeight_;  // m, before the step

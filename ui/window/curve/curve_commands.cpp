@@ -114,7 +114,8 @@ void CurveCommands::setAxes(bool dimensionless) {
 }
 
 std::optional<CurveSet> CurveCommands::shown() const {
-  return session_.friction().shown(view_.isZoomed() ? std::optional(view_.visibleRange()) : std::nullopt);
+  return session_.friction().shown(view_.isZoomed() ? std::optional(view_.visibleRange())
+                                                    : std::nullopt);
 }
 
 void CurveCommands::askSave() {
