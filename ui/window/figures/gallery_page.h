@@ -96,8 +96,7 @@ class GalleryPage : public QWidget {
   QLabel* note_ = nullptr;  // shown in place of the progress while nothing is computed
   QPushButton *compute_ = nullptr, *cancel_ = nullptr, *openScene_ = nullptr;
   QPushButton *savePicture_ = nullptr, *saveData_ = nullptr;
-  BackgroundWork saving_{
-      Overtaking::WaitsForItsTurn};  // last: ends before other members are destroyed
+  BackgroundWork saving_{Overtaking::WaitsForItsTurn};  // last: its thread ends first
 };
 
 }  // namespace asperity

@@ -108,8 +108,7 @@ class Exports : public QObject {
 
   ExportParts parts_;
   const CurveCommands* curves_ = nullptr;
-  BackgroundWork work_{
-      Overtaking::WaitsForItsTurn};  // last: ends before other members are destroyed
+  BackgroundWork work_{Overtaking::WaitsForItsTurn};  // last: its thread ends first
 };
 
 }  // namespace asperity
