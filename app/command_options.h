@@ -53,6 +53,6 @@ InputError errorOf(const CLI::App& app, const CLI::ParseError& error);
 
 /// Throws InputError where options of the program are given before a command, which would ignore
 /// them.
-void refuseWordsBeforeVerb(const CLI::App& app);
+void refuseWordsBeforeCommand(const CLI::App& app);
 
 }  // namespace asperity

@@ -124,26 +124,30 @@ void CurveArguments::addTo(nlohmann::ordered_json& picture) const {
   if (!with.empty()) picture["with"] = with;
 }
 
-void addCurveOptions(CLI::App& verb, CurveArguments& arguments) {
-  verb.add_option(
+void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
+  command
+      .add_option(
           kCompare, arguments.compare,
           "Compute the curve in a second way on the same lines and show the difference below "
           "it and in tables: nodal, linear or cubic, points per element, lines")
       ->type_name("SCHEME[:OVERSAMPLING[:LINES]]");
-  verb.add_option(
+  command
+      .add_option(
           kWith, arguments.with,
           "Add the curve of the scene with these keys set; write a ; inside a value as \\;; may be "
           "repeated")
       ->type_name("KEY=VALUE[;KEY=VALUE...]")
       ->take_all()
       ->allow_extra_args(false);
-  verb.add_option(kAxes, arguments.axes,
+  command
+      .add_option(kAxes, arguments.axes,
                   "physical, or dimensionless: Eq. (13), and mu over the rms slope")
       ->capture_default_str();
-  verb.add_option(kXRange, arguments.xRange,
+  command
+      .add_option(kXRange, arguments.xRange,
                   "Limits of the x-axis, in its unit (default: automatic)")
       ->type_name("FROM:TO");
-  verb.add_option(kYRange, arguments.yRange, "Limits of the friction axis (default: automatic)")
+  command.add_option(kYRange, arguments.yRange, "Limits of the friction axis (default: automatic)")
       ->type_name("FROM:TO");
 }
 

@@ -31,7 +31,7 @@ struct CurveArguments {
   void addTo(nlohmann::ordered_json& picture) const;
 };
 
-void addCurveOptions(CLI::App& verb, CurveArguments& arguments);
+void addCurveOptions(CLI::App& command, CurveArguments& arguments);
 
 /// Checks all options before anything is computed. Throws InputError naming the option.
 void checkCurves(const CurveArguments& arguments, const Scene& scene);

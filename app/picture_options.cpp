@@ -95,18 +95,19 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
            "draws pixels; .svg and .pdf are written without them");
 }
 
-void addPictureOptions(CLI::App& verb, PictureArguments& arguments, const std::string& defaultSize,
-                       const std::string& defaultTheme) {
-  verb.add_option("--size", arguments.size,
+void addPictureOptions(CLI::App& command, PictureArguments& arguments,
+                       const std::string& defaultSize, const std::string& defaultTheme) {
+  command
+      .add_option("--size", arguments.size,
                   "Width and height in pixels (default: " + defaultSize + " times the scale)")
       ->type_name("WxH");
-  verb.add_option(
+  command.add_option(
       "--scale", arguments.scale,
       "Density: 2 doubles texts and line widths; or 300dpi (default: 1, which is 96dpi)");
-  verb.add_option("--theme", arguments.theme,
-                  "light, dark or print (default: " + defaultTheme + ")");
-  verb.add_flag("--transparent", arguments.transparent, "No background");
-  verb.add_option(
+  command.add_option("--theme", arguments.theme,
+                     "light, dark or print (default: " + defaultTheme + ")");
+  command.add_flag("--transparent", arguments.transparent, "No background");
+  command.add_option(
       "--backend", arguments.backend,
       "OpenGL library: osmesa, egl, or auto, the first that is available (default: auto)");
 }
@@ -205,23 +206,28 @@ void ViewArguments::addTo(nlohmann::ordered_json& picture) const {
   if (magnified) picture["magnified"] = *magnified;
 }
 
-void addViewOptions(CLI::App& verb, ViewArguments& arguments) {
-  verb.add_option(kView, arguments.xRange, "Part of the line to show, in m (default: one period)")
+void addViewOptions(CLI::App& command, ViewArguments& arguments) {
+  command
+      .add_option(kView, arguments.xRange, "Part of the line to show, in m (default: one period)")
       ->type_name("FROM:TO");
-  verb.add_option(kHeights, arguments.heights,
+  command
+      .add_option(kHeights, arguments.heights,
                   "Heights to show, in m above the undeformed surface (default: all that occur)")
       ->type_name("FROM:TO");
-  limit(verb.add_option(kExaggeration, arguments.exaggeration,
-                        "Draw heights this many times as large as lengths, instead of --heights"),
-        1e-6, 1e12);
-  limit(verb.add_option(
+  limit(
+      command.add_option(kExaggeration, arguments.exaggeration,
+                         "Draw heights this many times as large as lengths, instead of --heights"),
+      1e-6, 1e12);
+  limit(command.add_option(
             kColours, arguments.coloursTo,
             "Value at the bright end of the colours, in N/m, s or W/m (default: automatic)"),
         1e-300, 1e300);
-  limit(verb.add_option(kProbe, arguments.probe, "Show a crosshair with readings at this position"),
+  limit(command.add_option(kProbe, arguments.probe,
+                           "Show a crosshair with readings at this position"),
         -kFarthest, kFarthest, "m");
-  limit(verb.add_option(kMagnify, arguments.magnified, "Show a magnified inset of this position"),
-        -kFarthest, kFarthest, "m");
+  limit(
+      command.add_option(kMagnify, arguments.magnified, "Show a magnified inset of this position"),
+      -kFarthest, kFarthest, "m");
 }
 
 void checkView(const ViewArguments& arguments, ContactOverlay overlay, double length) {

@@ -45,8 +45,8 @@ struct PictureDefaults {
   std::string theme;
 };
 
-void addPictureOptions(CLI::App& verb, PictureArguments& arguments, const std::string& defaultSize,
-                       const std::string& defaultTheme);
+void addPictureOptions(CLI::App& command, PictureArguments& arguments,
+                       const std::string& defaultSize, const std::string& defaultTheme);
 
 /// Throws InputError where an option is given that applies to none of the files.
 void checkUseful(const PictureArguments& arguments, const std::vector<std::string>& files);
@@ -79,7 +79,7 @@ struct ViewArguments {
   void addTo(nlohmann::ordered_json& picture) const;
 };
 
-void addViewOptions(CLI::App& verb, ViewArguments& arguments);
+void addViewOptions(CLI::App& command, ViewArguments& arguments);
 
 /// Throws InputError naming an option that makes no sense here. length: of the period, m.
 void checkView(const ViewArguments& arguments, ContactOverlay overlay, double length);
