@@ -1,8 +1,8 @@
 // Films. The pictures go to ffmpeg, which runs as a separate process and encodes them as mp4, webm,
-// gif or animated webp. The same pictures give the same bytes on the same machine. Ownership: one
-// film; made, fed and finished by one thread at a time. Failure: std::runtime_error in one
-// sentence. The film file is complete or absent: ffmpeg writes into an unnamed file, which gets its
-// name at the end.
+// gif or animated webp. The same pictures give the same bytes on the same machine.
+// Ownership: one film; made, fed and finished by one thread at a time.
+// Failure: std::runtime_error in one sentence. The film file is complete or absent: ffmpeg writes
+// into an unnamed file, which gets its name at the end.
 #pragma once
 
 #include <QImage>

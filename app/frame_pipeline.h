@@ -1,7 +1,7 @@
 // Makes many pictures one after the other in overlapping stages: one thread simulates and composes,
 // the caller's thread draws, others encode and write. Queues of a few pictures connect the stages,
-// so the memory does not grow with the number of pictures. Failure: what any stage throws ends all
-// of them; runPipeline() throws it again.
+// so the memory does not grow with the number of pictures.
+// Failure: what any stage throws ends all of them; runPipeline() throws it again.
 #pragma once
 
 #include <QImage>

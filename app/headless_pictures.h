@@ -1,7 +1,9 @@
 // Pictures without a screen: a Qt application on the offscreen platform draws texts, an OpenGL
 // context without a screen draws shapes, and one thread encodes and writes a picture while the next
-// one is drawn. Ownership: one object at a time, made and used on the main thread. Failure: any
-// call may throw std::runtime_error (no OpenGL library, a file that cannot be written).
+// one is drawn.
+// Ownership: one object at a time, made and used on the main thread.
+// Failure: any call may throw std::runtime_error (no OpenGL library, a file that cannot be
+// written).
 #pragma once
 
 #include <QImage>

@@ -1,7 +1,7 @@
 // Draws lines on levels of resolution and counts their cost: for the mean of a level, or for the
-// difference from the level below. Every level, purpose and half has its own lines. Ownership: one
-// thread at a time, which distributes the work; scene and options outlive it. Failure: as
-// slideRealizations.
+// difference from the level below. Every level, purpose and half has its own lines.
+// Ownership: one thread at a time, which distributes the work; scene and options outlive it.
+// Failure: as slideRealizations.
 #pragma once
 
 #include <array>

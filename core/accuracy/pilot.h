@@ -2,7 +2,8 @@
 // same waves, so that it costs a small part of the run. For a long profile it reads the first rows
 // of the file; the error of such a short line is an upper estimate if the long line averages over
 // many summits. Everything is decided by counted operations, never by a clock. Pure functions
-// except for reading profiles; any thread. Failure: InputError (unreadable profile).
+// except for reading profiles; any thread.
+// Failure: InputError (unreadable profile).
 #pragma once
 
 #include <cstdint>

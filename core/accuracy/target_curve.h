@@ -3,7 +3,8 @@
 // most `accuracy.target_relative_error` of mu. Resolution and number of lines are chosen for each
 // velocity from the first lines, by counted operations and never by a clock: the same scene gives
 // the same bytes. A given line is refined until its last differences show that it is resolved.
-// Without friction there is no target. Threading, failure: as frictionCurve.
+// Without friction there is no target.
+// Threading, failure: as frictionCurve.
 #pragma once
 
 #include <cstdint>

@@ -8,8 +8,9 @@
 // Time: processor time of one thread for one simulation (one line, one velocity, balance solved)
 // plus the part of making the line that belongs to one velocity of the sweep, because a finer line
 // costs both; the median of repeated runs, in which all methods take turns, so that a busy machine
-// affects all of them. Threading: one thread at a time (time is measured). Failure: InputError for
-// a scene without steady sliding or without a region; StudyStopped where `stop` was requested.
+// affects all of them.
+// Threading: one thread at a time (time is measured). Failure: InputError for a scene without
+// steady sliding or without a region; StudyStopped where `stop` was requested.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Reading of plain files on a disk only, because a pipe or a device might never answer; and the
-// kind of a file that is not text in UTF-8. Failure: InputError that names the file, but contains
-// nothing of its content.
+// kind of a file that is not text in UTF-8.
+// Failure: InputError that names the file, but contains nothing of its content.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,9 @@
 // Steady sliding of one line at one velocity, with the readable plain pass: results in SI units.
 // Kelvin elements with stiffness 4G and damping 4 eta per length (Li et al. 2013, Eqs. 1 to 4).
-// Every way to a steady state, plain, swept or with arms, makes its SteadyResult here. Threading:
-// functions of their arguments; a PreparedProfile may be shared. Failure: no exception except for
-// that of requireBalance; `status` tells whether the balance was met, `residual` how well.
+// Every way to a steady state, plain, swept or with arms, makes its SteadyResult here.
+// Threading: functions of their arguments; a PreparedProfile may be shared.
+// Failure: no exception except for that of requireBalance; `status` tells whether the balance was
+// met, `residual` how well.
 #pragma once
 
 #include <string>

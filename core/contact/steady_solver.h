@@ -1,8 +1,8 @@
 // Steady sliding of a scene: the only place that chooses the computation. Elastic and Kelvin
 // elements have their own, without arms; local friction is added where there is some. Threading:
-// const members may be called by several threads at once. Failure: the constructor throws
-// InputError where the scene's effects exclude each other or it has no steady state; afterwards
-// `status` of a result tells its quality.
+// const members may be called by several threads at once.
+// Failure: the constructor throws InputError where the scene's effects exclude each other or it has
+// no steady state; afterwards `status` of a result tells its quality.
 #pragma once
 
 #include <span>

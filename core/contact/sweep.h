@@ -1,7 +1,7 @@
 // One line at many velocities, with the force balance met at each: the computation of every curve.
 // Velocities run side by side in the lanes of the machine's vectors, sharing the line's data; the
-// widest instruction set is chosen at run time. Threading: a function of its arguments. It
-// allocates no memory that depends on the line.
+// widest instruction set is chosen at run time.
+// Threading: a function of its arguments. It allocates no memory that depends on the line.
 #pragma once
 
 #include <span>

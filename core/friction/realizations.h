@@ -2,8 +2,9 @@
 // and the paper's figures. Realizations run on all threads; their results are handed over one
 // realization after another in their own order, so sums of them have the same bits for any number
 // of threads. Each line is made once. The first realization comes alone; the balances of all others
-// start from its depths. Failure: std::runtime_error where a force balance is not met, with its
-// place. Cancelling ends the work within one pass over a line.
+// start from its depths.
+// Failure: std::runtime_error where a force balance is not met, with its place. Cancelling ends the
+// work within one pass over a line.
 #pragma once
 
 #include <cstdint>

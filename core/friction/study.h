@@ -1,8 +1,8 @@
 // A scene at several loads and velocities on all its realizations, kept so that every number
 // derived from the averages (a slope, a plateau, an exponent) has a valid uncertainty: the
 // jackknife over groups of realizations, which includes the correlation of loads and velocities on
-// the same lines. Immutable once computed; any thread. Failure: as frictionCurve, which computes
-// the same averages.
+// the same lines. Immutable once computed; any thread.
+// Failure: as frictionCurve, which computes the same averages.
 #pragma once
 
 #include <array>

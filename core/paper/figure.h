@@ -1,9 +1,9 @@
 // The figures of Li et al., PRL 111, 034301 (2013), each computed anew with the paper's parameters:
 // a diagram, its data, its scene, and the paper's sentences about it compared with the results. Two
 // more show the collapse of Eqs. (16) and (17) and the influence of the spacing. Immutable once
-// made; any thread. Equal options give equal bytes. Failure: InputError for assignments that do not
-// fit the figure; std::runtime_error where a force balance is not met; StudyStopped where `stop`
-// was requested.
+// made; any thread. Equal options give equal bytes.
+// Failure: InputError for assignments that do not fit the figure; std::runtime_error where a force
+// balance is not met; StudyStopped where `stop` was requested.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 // The parts of the load in steady sliding: on the leading or the trailing sides of the summits, in
 // the springs or the dashpots. They come from the shape of the elastomer at the nodes of every
 // line, which a Study does not keep. Immutable once computed; any thread. Equal bits for any number
-// of threads. Failure: StudyStopped where `stop` was requested.
+// of threads.
+// Failure: StudyStopped where `stop` was requested.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // A motion as a table: friction, indentation, contact and power in its time steps, on any number of
-// lines, and the same as a picture. Threading: lines are marched on all threads; equal options give
-// equal bytes for any number of them. Failure: InputError for a scene or options that cannot run;
-// std::runtime_error where the first steady state has no balance; StudyStopped where `stop` was
-// requested.
+// lines, and the same as a picture.
+// Threading: lines are marched on all threads; equal options give equal bytes for any number of
+// them. Failure: InputError for a scene or options that cannot run; std::runtime_error where the
+// first steady state has no balance; StudyStopped where `stop` was requested.
 #pragma once
 
 #include <cstdint>

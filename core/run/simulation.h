@@ -1,8 +1,8 @@
 // A scene marched in time for the window: line, elements, their state and, in steady sliding, the
 // steady result; a motion that is not steady runs for its duration and begins again. It has no
-// threads and no clock, so the same calls give the same frames. Failure: constructor and update
-// throw InputError or std::runtime_error; after a failed update the simulation continues with its
-// former scene.
+// threads and no clock, so the same calls give the same frames.
+// Failure: constructor and update throw InputError or std::runtime_error; after a failed update the
+// simulation continues with its former scene.
 #pragma once
 
 #include <cstdint>

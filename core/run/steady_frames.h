@@ -1,7 +1,7 @@
 // Frames of steady sliding without a march in time: the elastomer's shape is stationary in the
-// line's frame, so each frame is that shape, shifted. Immutable once made; any thread. Failure: the
-// constructor throws InputError for a scene that cannot run and std::runtime_error where the force
-// balance is not met.
+// line's frame, so each frame is that shape, shifted. Immutable once made; any thread.
+// Failure: the constructor throws InputError for a scene that cannot run and std::runtime_error
+// where the force balance is not met.
 #pragma once
 
 #include <cstdint>

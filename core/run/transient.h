@@ -1,7 +1,8 @@
 // A motion marched through its duration: friction, indentation and contact at each time. The same
-// calls give the same samples; no threads and no clock. Ownership: owns line and march; samples are
-// immutable values. Failure: the constructor throws InputError for a scene that cannot run and
-// std::runtime_error where its first steady state has no balance.
+// calls give the same samples; no threads and no clock.
+// Ownership: owns line and march; samples are immutable values.
+// Failure: the constructor throws InputError for a scene that cannot run and std::runtime_error
+// where its first steady state has no balance.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,11 @@
 // An interactive sheet of diagrams: the friction curve, or a motion over time. It shows the
 // diagrams below each other over their common x-axis, with Qt Charts (chart_panel.h); as many, from
-// the first on, as fit. Pointer: the marker can be dragged (with Shift at a tenth of the speed); a
-// click chooses a point; the wheel zooms (over an axis' labels only that axis), dragging pans, a
-// double click fits. Keys: left and right move the marker by a part of a decade (with Shift a tenth
-// of it, with Control to the next point), + and - zoom, Home fits. Only a logarithmic x-axis is
-// zoomed. GUI thread; owned by its parent like any widget. Cannot fail: values without a place on
-// the axes are not drawn.
+// the first on, as fit.
+// Pointer: the marker can be dragged (with Shift at a tenth of the speed); a click chooses a point;
+// the wheel zooms (over an axis' labels only that axis), dragging pans, a double click fits. Keys:
+// left and right move the marker by a part of a decade (with Shift a tenth of it, with Control to
+// the next point), + and - zoom, Home fits. Only a logarithmic x-axis is zoomed. GUI thread; owned
+// by its parent like any widget. Cannot fail: values without a place on the axes are not drawn.
 #pragma once
 
 #include <QPointF>

@@ -1,6 +1,7 @@
 // An OpenGL 3.3 core context without a surface, with libEGL opened at run time; it draws into its
-// own framebuffer. Threading and failure: as PixelContext. The environment variable
-// ASPERITY_EGL_LIBRARY names another library than libEGL.so.1.
+// own framebuffer.
+// Threading and failure: as PixelContext. The environment variable ASPERITY_EGL_LIBRARY names
+// another library than libEGL.so.1.
 #pragma once
 
 #include "ui/draw/pixel_context.h"

@@ -1,6 +1,6 @@
-// An OpenGL 3.3 core context in memory, with libOSMesa opened at run time. Threading and failure:
-// as PixelContext. The environment variable ASPERITY_OSMESA_LIBRARY names another library than
-// libOSMesa.so.8.
+// An OpenGL 3.3 core context in memory, with libOSMesa opened at run time.
+// Threading and failure: as PixelContext. The environment variable ASPERITY_OSMESA_LIBRARY names
+// another library than libOSMesa.so.8.
 #pragma once
 
 #include "ui/draw/pixel_context.h"

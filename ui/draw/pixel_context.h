@@ -1,8 +1,8 @@
 // An OpenGL 3.3 core context without a screen, and its pixels. There are two kinds: OSMesa
 // (software, part of Mesa up to 25.0) and EGL without a surface (any driver). Both libraries are
-// opened at run time, so a program starts without them. Threading: one thread makes, draws and
-// destroys; never a thread on which a Qt context is current. Failure: std::runtime_error in one
-// sentence that names the missing library and its package.
+// opened at run time, so a program starts without them.
+// Threading: one thread makes, draws and destroys; never a thread on which a Qt context is current.
+// Failure: std::runtime_error in one sentence that names the missing library and its package.
 #pragma once
 
 #include <cstdint>

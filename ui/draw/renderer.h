@@ -1,7 +1,7 @@
 // Draws a DrawList's shapes with OpenGL 3.3 core. It links no GL library: the constructor gets a
 // function that finds GL functions, so the same object code serves a window, OSMesa and EGL.
-// Threading: one thread, with the context current in every call and in the destructor. Failure: the
-// constructor throws std::runtime_error with the compiler's or linker's message.
+// Threading: one thread, with the context current in every call and in the destructor.
+// Failure: the constructor throws std::runtime_error with the compiler's or linker's message.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
 // Shows one of the paper's figures, drawn again for each size and theme, or a line of text where
-// there is none. Pictures are made in the background. GUI thread; belongs to its parent. Failure: a
-// signal, where no picture can be made.
+// there is none. Pictures are made in the background. GUI thread; belongs to its parent.
+// Failure: a signal, where no picture can be made.
 #pragma once
 
 #include <QImage>

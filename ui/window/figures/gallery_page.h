@@ -1,7 +1,7 @@
 // The page of the paper's figures: the list at the left, the picture at the right with the paper's
 // sentences about it below, computed live in the background. It replaces the views in the main
-// window, which owns it. GUI thread. Failure: messages appear in a bar over the page, which stays
-// usable.
+// window, which owns it. GUI thread.
+// Failure: messages appear in a bar over the page, which stays usable.
 #pragma once
 
 #include <QWidget>
