@@ -112,7 +112,7 @@ struct OutputFile {
 
 class MaterialOutput {
  public:
-  MaterialOutput(const MaterialCommand& command, const PictureStyle& style)
+  MaterialOutput(const MaterialCommand& command, const PictureSettings& style)
       : command_(command), style_(style) {}
 
   void addText(const std::string& name, std::string bytes) {
@@ -161,7 +161,7 @@ class MaterialOutput {
   }
 
   const MaterialCommand& command_;
-  const PictureStyle& style_;
+  const PictureSettings& style_;
   std::vector<OutputFile> texts_;
   std::vector<NamedSheet> sheets_;
 };
@@ -171,7 +171,7 @@ void refuseSceneOptions(const MaterialCommand& command) {
     throw InputError("", "--set", "sets keys of a scene, and this file is a table of moduli");
 }
 
-int makeFromMeasurements(const MaterialCommand& command, const PictureStyle& style) {
+int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& style) {
   refuseSceneOptions(command);
   const MaterialChoices choices = choicesOf(command);
   const std::string& file = command.common.scene;
@@ -195,7 +195,7 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureStyle& sty
   return kDone;
 }
 
-int showInScene(const MaterialCommand& command, const PictureStyle& style) {
+int showInScene(const MaterialCommand& command, const PictureSettings& style) {
   if (!command.written.empty())
     throw InputError("", command.written.front().first,
                      "is of a table of moduli, and this file is a scene");
@@ -224,7 +224,7 @@ int showInScene(const MaterialCommand& command, const PictureStyle& style) {
 
 int runMaterial(const MaterialCommand& command) {
   checkFolderName(command.output);
-  const PictureStyle style = styleOf(command.picture, kPictures);
+  const PictureSettings style = settingsOf(command.picture, kPictures);
   return isScene(command.common.scene) ? showInScene(command, style)
                                        : makeFromMeasurements(command, style);
 }

@@ -36,7 +36,7 @@ std::shared_ptr<const MadeFigure> makeFigureBeside(const BackgroundWork::Run& ru
 
 namespace {
 
-/// As asperity figure says it, so that the file opens as its scene.
+/// Returns the provenance that `asperity figure` writes, so that the file opens as its scene.
 std::string originOf(const Figure& figure) {
   return pictureOrigin("figure", figure.scene);
 }
