@@ -224,7 +224,7 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
 
 int runMaterial(const MaterialCommand& command) {
   checkFolderName(command.output);
-  const PictureSettings style = settingsOf(command.picture, kPictures);
+  const PictureSettings style = pictureSettings(command.picture, kPictures);
   return isScene(command.common.scene) ? showInScene(command, style)
                                        : makeFromMeasurements(command, style);
 }
