@@ -61,7 +61,7 @@ UnitFact unitFact(const std::string& choice, const std::optional<StatedUnit>& st
 void requireChoices(const SurfaceSource& source) {
   const auto require = [&source](const char* key, const std::string& value, const auto& known) {
     if (std::ranges::find(known, value) == known.end())
-      throw InputError(source.name, key, Message::name(notOneOf(value, known)));
+      throw InputError(source.name, key, notOneOf(value, known));
   };
   require("surface.format", source.choices.format, kSurfaceFormats);
   require("surface.position_unit", source.choices.positionUnit, kSurfaceUnits);

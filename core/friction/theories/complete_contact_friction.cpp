@@ -5,10 +5,10 @@
 namespace asperity {
 
 CompleteContactFriction completeContactFriction(const ElementLaw& law,
-                                                const RoughnessSpectrum& spectrum, double lineForce,
+                                                const WaveSpectrum& spectrum, double lineForce,
                                                 double velocity) {
   double loss = 0, variance = 0;
-  for (const RoughnessWave& wave : spectrum.waves) {
+  for (const SpectralWave& wave : spectrum.waves) {
     const ComplexModulus modulus = complexModulus(law, wave.waveNumber * velocity);
     loss += wave.waveNumber * wave.meanSquareHeight * 4 * modulus.loss;
     variance += wave.meanSquareHeight * 16 *

@@ -6,7 +6,7 @@
 // above 0 everywhere. Pure; any thread.
 #pragma once
 
-#include "core/friction/theories/roughness_spectrum.h"
+#include "core/friction/theories/line_spectrum.h"
 #include "core/material/element_law.h"
 
 namespace asperity {
@@ -18,7 +18,7 @@ struct CompleteContactFriction {
 
 /// lineForce: F_N / L in N/m, above 0.
 CompleteContactFriction completeContactFriction(const ElementLaw& law,
-                                                const RoughnessSpectrum& spectrum, double lineForce,
+                                                const WaveSpectrum& spectrum, double lineForce,
                                                 double velocity);
 
 }  // namespace asperity

@@ -14,7 +14,7 @@ double lostPart(double a) {
 
 }  // namespace
 
-PerssonHalfSpace::PerssonHalfSpace(const ElementLaw& law, const RoughnessSpectrum& spectrum,
+PerssonHalfSpace::PerssonHalfSpace(const ElementLaw& law, const WaveSpectrum& spectrum,
                                    double nominalPressure)
     : law_(law), spectrum_(spectrum), pressure_(nominalPressure), glassy_(law.springModulus()) {
   for (const Arm& one : law.arms) {
@@ -44,7 +44,7 @@ PerssonHalfSpace::Result PerssonHalfSpace::at(double velocity) const {
   constexpr double kGamma = 0.5;
   const double perPressure = 4 / pressure_;  // E / ((1 - nu^2) sigma_0) = perPressure G*
   double before = 0, mu = 0, contact = 1;
-  for (const RoughnessWave& wave : spectrum_.waves) {
+  for (const SpectralWave& wave : spectrum_.waves) {
     const DirectionIntegrals around = directionIntegrals(wave.waveNumber * velocity);
     // q^3 C2 dq = q^2 C_line dq / pi, and C_line dq is half of the wave's mean square.
     const double weight =

@@ -14,7 +14,7 @@
 
 #include <vector>
 
-#include "core/friction/theories/roughness_spectrum.h"
+#include "core/friction/theories/line_spectrum.h"
 #include "core/material/element_law.h"
 
 namespace asperity {
@@ -29,7 +29,7 @@ struct DirectionIntegrals {
 class PerssonHalfSpace {
  public:
   /// nominalPressure: sigma_0 in Pa, above 0. The spectrum must outlive it.
-  PerssonHalfSpace(const ElementLaw& law, const RoughnessSpectrum& spectrum,
+  PerssonHalfSpace(const ElementLaw& law, const WaveSpectrum& spectrum,
                    double nominalPressure);
 
   struct Result {
@@ -42,7 +42,7 @@ class PerssonHalfSpace {
 
  private:
   const ElementLaw& law_;
-  const RoughnessSpectrum& spectrum_;
+  const WaveSpectrum& spectrum_;
   double pressure_;              // Pa, sigma_0
   double glassy_;                // Pa, all springs together
   std::vector<double> coupled_;  // Pa^2, of each arm: G_i (sum_j 2 G_j tau_i / (tau_i + tau_j) -

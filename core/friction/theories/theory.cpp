@@ -31,7 +31,7 @@ constexpr double kDeviationsOfCompleteContact = 3;
 
 struct TheoryInput {
   ElementLaw law;
-  RoughnessSpectrum spectrum;
+  WaveSpectrum spectrum;
   double length;       // m
   double normalForce;  // N
 };
@@ -104,7 +104,7 @@ std::vector<TheoryPoint> theoryCurve(Theory theory, const Scene& scene, const Li
       none.push_back({velocity, kNotApplicable, kNotApplicable, false});
     return none;
   }
-  const TheoryInput in{lawOf(scene.elastomer), roughnessSpectrum(source), source.length(),
+  const TheoryInput in{lawOf(scene.elastomer), waveSpectrum(source), source.length(),
                        scene.load.normalForce};
   switch (theory) {
     case Theory::GaussianFoundation:

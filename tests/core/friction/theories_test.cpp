@@ -99,7 +99,7 @@ TEST(CompleteContactFriction, AgreesWithTheSimulationForEveryRheology) {
     scene.sweep.velocityTo = 1e-1;
     scene.accuracy.oversampling = 8;
     const LineSource source(scene, 1);
-    const RoughnessSpectrum spectrum = roughnessSpectrum(source);
+    const WaveSpectrum spectrum = waveSpectrum(source);
     const ElementLaw law = lawOf(elastomer);
     for (const double velocity : {1e-4, std::sqrt(1e-5), 1e-1}) {
       // As much force as keeps the least pressure above 0 on every line.
@@ -127,7 +127,7 @@ TEST(CompleteContactFriction, AgreesWithTheSimulationForEveryRheology) {
 /// exponentially on a circle.
 TEST(PerssonHalfSpace, DirectionIntegralsAreThoseOfTheComplexModulus) {
   const ElementLaw law = manyArms();
-  const RoughnessSpectrum none;
+  const WaveSpectrum none;
   const PerssonHalfSpace theory(law, none, 1e5);
   for (const double frequency : {1e-3, 1.0, 10.0, 300.0, 1e4}) {
     double loss = 0, squared = 0;
@@ -148,7 +148,7 @@ TEST(PerssonHalfSpace, DirectionIntegralsAreThoseOfTheComplexModulus) {
 struct HalfSpaceCase {
   Scene scene = sceneOfSize(4000, 1, 1);
   LineSource source{scene, 1};
-  RoughnessSpectrum spectrum = roughnessSpectrum(source);
+  WaveSpectrum spectrum = waveSpectrum(source);
 };
 
 /// At light load an elastic solid has P = sqrt(8/pi) sigma_0 / (E* grad), E* = 4 G, grad^2 the
@@ -173,7 +173,7 @@ TEST(PerssonHalfSpace, FullContactIsTheCompleteContactOfAHalfSpace) {
   const double velocity = 1e-6, pressure = 1e9, viscosity = 1e4;
   const ElementLaw law = kelvinLaw(1e7, viscosity);
   double cubes = 0;  // sum q^3 <h_k^2> = 2 pi int q^4 C2 dq
-  for (const RoughnessWave& wave : half.spectrum.waves)
+  for (const SpectralWave& wave : half.spectrum.waves)
     cubes += std::pow(wave.waveNumber, 3) * wave.meanSquareHeight;
   const PerssonHalfSpace theory(law, half.spectrum, pressure);
   EXPECT_NEAR(theory.at(velocity).contactFraction, 1, 1e-12);
@@ -189,7 +189,7 @@ TEST(PerssonHalfSpace, DoesNotDependOnTheLengthOfThePeriod) {
   longer.surface.elements *= 4;
   const ElementLaw law = manyArms();
   const LineSource one(shorter, 1), other(longer, 1);
-  const RoughnessSpectrum coarse = roughnessSpectrum(one), fine = roughnessSpectrum(other);
+  const WaveSpectrum coarse = waveSpectrum(one), fine = waveSpectrum(other);
   for (const double velocity : {1e-6, 1e-3, 1.0}) {
     const auto a = PerssonHalfSpace(law, coarse, 1e4).at(velocity);
     const auto b = PerssonHalfSpace(law, fine, 1e4).at(velocity);

@@ -10,13 +10,13 @@
 namespace asperity {
 
 /// One wave of the line z = sum a_k cos(q_k x + phase_k).
-struct RoughnessWave {
+struct SpectralWave {
   double waveNumber = 0;        // 1/m, q_k
   double meanSquareHeight = 0;  // m^2, a_k^2 / 2 = 2 C1(q_k) dq
 };
 
-struct RoughnessSpectrum {
-  std::vector<RoughnessWave> waves;  // rising wave numbers
+struct WaveSpectrum {
+  std::vector<SpectralWave> waves;  // rising wave numbers
 
   double meanSquareHeight() const;  // m^2, <h^2>
   double meanSquareSlope() const;   // <z'^2>
@@ -24,6 +24,6 @@ struct RoughnessSpectrum {
 
 /// Of realization 0; random lines differ in their phases alone, unless the scene has a summit
 /// correlation. Lines given by a formula are analysed at their nodes.
-RoughnessSpectrum roughnessSpectrum(const LineSource& source);
+WaveSpectrum waveSpectrum(const LineSource& source);
 
 }  // namespace asperity

@@ -1,29 +1,29 @@
-#include "core/friction/theories/roughness_spectrum.h"
+#include "core/friction/theories/line_spectrum.h"
 
 #include <numbers>
 
 namespace asperity {
 
-double RoughnessSpectrum::meanSquareHeight() const {
+double WaveSpectrum::meanSquareHeight() const {
   double sum = 0;
-  for (const RoughnessWave& wave : waves) sum += wave.meanSquareHeight;
+  for (const SpectralWave& wave : waves) sum += wave.meanSquareHeight;
   return sum;
 }
 
-double RoughnessSpectrum::meanSquareSlope() const {
+double WaveSpectrum::meanSquareSlope() const {
   double sum = 0;
-  for (const RoughnessWave& wave : waves)
+  for (const SpectralWave& wave : waves)
     sum += wave.waveNumber * wave.waveNumber * wave.meanSquareHeight;
   return sum;
 }
 
-RoughnessSpectrum roughnessSpectrum(const LineSource& source) {
+WaveSpectrum waveSpectrum(const LineSource& source) {
   FourierLine modes = source.spectrum(0);
   if (modes.coefficients.empty()) {
     const Line line = source.make(0);
     modes = FourierTransform(line.nodes()).analyse(line.height, line.length);
   }
-  RoughnessSpectrum spectrum;
+  WaveSpectrum spectrum;
   for (std::size_t i = 0; i < modes.coefficients.size(); ++i)
     spectrum.waves.push_back({2 * std::numbers::pi * static_cast<double>(i + 1) / modes.length,
                               2 * std::norm(modes.coefficients[i])});
