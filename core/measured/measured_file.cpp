@@ -154,12 +154,11 @@ Message formText(const ReadingFacts& facts) {
   if (facts.format == "profile") return "a profile as text";
   if (facts.format == "matrix") return "a matrix of heights as text";
   if (facts.format == "points") return "points x, y, z as text";
-  if (facts.format == "gwyddion") return "a file that Gwyddion has converted";
+  if (facts.format == "gwyddion") return "converted by Gwyddion";
   std::string name = facts.format;
-  std::ranges::transform(name, name.begin(),
-                         [](char letter) { return static_cast<char>(letter - 'a' + 'A'); });
-  if (facts.format == "x3p") name = "X3P";
-  return message("a {} file", name);
+  for (char& letter : name)
+    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+  return Message::name(name);
 }
 
 /// What the reader took the file for comes first, what is special after it.
