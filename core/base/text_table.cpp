@@ -94,7 +94,8 @@ std::string_view withoutMark(std::string_view line) {
 
 /// Where ":" or "=" ends a key; npos where there is none.
 std::size_t keyEnd(std::string_view line) {
-  const std::size_t at = line.find_first_of(":=");
+  constexpr std::string_view kWideColon = "\uFF1A";
+  const std::size_t at = std::min(line.find_first_of(":="), line.find(kWideColon));
   return at == 0 ? std::string_view::npos : at;
 }
 
@@ -124,7 +125,12 @@ TextEntry entryOf(std::string_view line, std::size_t number, const TextDialect& 
         value += (value.empty() ? "" : " ") + std::string(part);
     setKey(fields.front(), value);
   } else if (end != std::string_view::npos) {
-    setKey(line.substr(0, end), line.substr(end + 1));
+    constexpr std::size_t kWide = 3;  // bytes of a full-width colon
+    setKey(line.substr(0, end),
+           line.substr(end + (line[end] == ':' || line[end] == '=' ? 1 : kWide)));
+  } else if (const std::size_t semicolon = line.find(';');
+             semicolon != std::string_view::npos && semicolon > 0) {
+    setKey(line.substr(0, semicolon), line.substr(semicolon + 1));
   } else if (tab != std::string_view::npos && tab > 0) {
     setKey(line.substr(0, tab), line.substr(tab + 1));
   } else if ((fields.size() == 2 || fields.size() == 3) &&

@@ -195,6 +195,7 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
 }
 
 MeasuredFile finished(const SurfaceSource& source, SurfaceDraft draft) {
+  if (draft.grid.rows == 1) draft.grid.rowSpacing = 0;
   applyUnits(source, draft);
   requireSound(source, draft.grid, draft.facts);
   requirePlausible(source, draft, draft.facts);

@@ -47,4 +47,7 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
 /// Whether the first two of three columns are the places of a grid.
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles);
 
+/// Whether first row and first column of a matrix hold positions.
+bool hasPositionFrame(const TextBlock& block);
+
 }  // namespace asperity

@@ -78,7 +78,7 @@ TEST(SdfFile, NamesWhatIsWrong) {
               HasSubstr("more than the 24 heights"));
   EXPECT_THAT(errorOf(replaced("Xscale", "Wscale")), HasSubstr("no Xscale"));
   EXPECT_THAT(errorOf(replaced("-2.00000", "-2.x")),
-              HasSubstr("line 15: height 1 is not a number"));
+              HasSubstr("line 16: height 1 is not a number"));
 }
 
 TEST(SurFile, ReadsEveryVariant) {

@@ -59,7 +59,7 @@ bool saysSomewhere(const MeasuredFile& file, const std::string& part) {
 TEST(TextProfile, ReadsUnitsWhereverTheyStand) {
   const auto body = [](const std::string& separator, double ofX, double ofZ) {
     return rows([&](int i) {
-      return fmt::format("{:.7g}{}{:.9g}", 2.0 * i * ofX, separator, profileMicrometres(i) * ofZ);
+      return fmt::format("{:.12g}{}{:.9g}", 2.0 * i * ofX, separator, profileMicrometres(i) * ofZ);
     });
   };
   expectProfile(read("x (mm),z (um)\n" + body(",", 1e-3, 1)));
