@@ -225,4 +225,17 @@ std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& bl
   return {};
 }
 
+std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTable& table,
+                                     const TextBlock& block, int column, bool ofHeights) {
+  const std::string& unit = block.columns[static_cast<std::size_t>(column)].unit;
+  const bool isChosen =
+      (ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto";
+  if (unit.empty()) return headerUnit(table, block, ofHeights);
+  if (const auto metres = metresPer(unit)) return StatedUnit{unit, *metres};
+  if (isChosen) return {};
+  throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
+                   message("{} is in '{}', which is no unit of length; the key can say another one",
+                           columnText(block, column), unit));
+}
+
 }  // namespace asperity

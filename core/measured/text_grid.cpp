@@ -184,17 +184,6 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
 
 namespace {
 
-std::optional<StatedUnit> unitOfPoints(const SurfaceSource& source, const TextTable& table,
-                                       const TextBlock& block, int column, bool ofHeights) {
-  const std::string& unit = block.columns[static_cast<std::size_t>(column)].unit;
-  if (unit.empty()) return headerUnit(table, block, ofHeights);
-  if (const auto metres = metresPer(unit)) return StatedUnit{unit, *metres};
-  if ((ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto") return {};
-  throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
-                   message("{} is in '{}', which is no unit of length; the key can say another one",
-                           columnText(block, column), unit));
-}
-
 struct PointColumns {
   int x = 0, y = 1, z = 2;
 };
@@ -238,9 +227,12 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   draft.facts.format = "points";
   draft.facts.positionColumn = columnText(block, columns.x).english();
   draft.facts.heightColumn = columnText(block, columns.z).english();
-  draft.positionUnit = unitOfPoints(source, table, block, columns.x, false);
-  const auto rowUnit = unitOfPoints(source, table, block, columns.y, false);
-  draft.heightUnit = unitOfPoints(source, table, block, columns.z, true);
+  draft.facts.notes.push_back(message("Positions are {} and {}, heights {}.",
+                                      columnText(block, columns.x), columnText(block, columns.y),
+                                      columnText(block, columns.z)));
+  draft.positionUnit = columnUnit(source, table, block, columns.x, false);
+  const auto rowUnit = columnUnit(source, table, block, columns.y, false);
+  draft.heightUnit = columnUnit(source, table, block, columns.z, true);
   const double ofRows =
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 

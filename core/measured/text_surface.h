@@ -37,6 +37,11 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
 std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block,
                                      bool ofHeights);
 
+/// The unit of a column by its name, else by the header. Throws InputError where it is no length
+/// and the user says no other one.
+std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTable& table,
+                                     const TextBlock& block, int column, bool ofHeights);
+
 SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                              const SurfaceSource& source);
 SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
