@@ -173,6 +173,7 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
     notes.push_back(message("Read as {}: {} x {} points, {} and {} apart.", formText(facts),
                             grid.columns, grid.rows, spacing,
                             PrintedNumber{printedQuantity(grid.rowSpacing, "m")}));
+  notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
   const UnitFact& position = facts.positionUnit;
   if (position.source == UnitSource::File)
     notes.push_back(message("Positions are in {}, as the file states.", position.unit));
@@ -191,7 +192,6 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
     notes.emplace_back(
         "The file does not say how far its points are apart: one unit of positions.");
   if (facts.gaps > 0) notes.push_back(message("{} points have no height.", facts.gaps));
-  notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
   facts.notes = std::move(notes);
 }
 
@@ -264,7 +264,9 @@ MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
   if (bytes.empty()) source.fail("is empty");
   const std::string_view found = kindOf(bytes);
   const std::string& format = choices.format;
-  const std::string_view kind = format == "auto" ? found : isTextForm(format) ? "text" : format;
+  const std::string_view kind = format == "auto"     ? found
+                                : isTextForm(format) ? std::string_view("text")
+                                                     : std::string_view(format);
   if (kind.empty()) refuse(source);
   return finished(source, readDraft(source, kind));
 }

@@ -128,6 +128,7 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
       open.push_back(i);
   }
   roles.named = roles.x >= 0 || !roles.heights.empty();
+  const std::size_t namedHeights = roles.heights.size();
 
   // "x" and "y" without "z": y is the height, as a plot has it.
   const bool yIsHeight = roles.y >= 0 && roles.heights.empty() && heightChoice < 0 && open.empty();
@@ -150,6 +151,7 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
   }
   for (const int column : open) roles.heights.push_back(column);
   std::erase(roles.heights, roles.x);
+  roles.candidates = namedHeights > 0 ? namedHeights : roles.heights.size();
   if (heightChoice >= 0)
     roles.z = heightChoice;
   else if (!roles.heights.empty())
@@ -212,14 +214,17 @@ std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& bl
                                          "\u5024\u306E\u5358\u4F4D",
                                          "\u0415\u0434\u0438\u043D\u0438\u0446\u044B "
                                          "\u0438\u0437\u043C\u0435\u0440\u0435\u043D\u0438\u044F"};
-  const std::vector<std::string> positions{"x unit",  "x units",  "x-unit",       "unit x",
-                                           "units x", "xunit",    "lateral unit", "position unit",
-                                           "xy unit", "xy units", "x-einheit",    "einheit x"};
+  const std::vector<std::string> positions{
+      "x unit",        "x units", "x-unit",   "unit x",    "units x",   "xunit", "lateral unit",
+      "position unit", "xy unit", "xy units", "x-einheit", "einheit x", "x"};
   const std::vector<std::string> both{"unit", "units", "einheit", "length unit"};
   for (const auto& keys : {ofHeights ? heights : positions, both})
     for (const std::string& key : keys) {
       const std::string text = table.entry(key, block);
-      if (const auto metres = metresPer(text))
+      // "x: mm" states a unit, "x: 5 mm" a length.
+      const bool isAlone = text.find_first_of("0123456789") == std::string::npos;
+      const auto metres = metresPer(text);
+      if (metres && (isAlone || key.size() > 1))
         return StatedUnit{std::string(withoutBrackets(text)), *metres};
     }
   return {};

@@ -22,11 +22,11 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                                         columnText(block, roles.validity)));
   }
   draft.heightUnit = columnUnit(source, table, block, roles.z, true);
-  if (roles.heights.size() > 1 && source.choices.heightColumn == 0)
+  if (roles.candidates > 1 && source.choices.heightColumn == 0)
     draft.facts.notes.push_back(message(
         "Heights are {}, the first of {} columns that could be; surface.height_column chooses "
         "another.",
-        columnText(block, roles.z), roles.heights.size()));
+        columnText(block, roles.z), roles.candidates));
 
   Topography& grid = draft.grid;
   grid.rows = 1;

@@ -16,6 +16,7 @@ struct ColumnRoles {
   int validity = -1;
   bool validIsOne = true;      // 1 in the column of validity is a good point
   bool named = false;          // x or z were found by name
+  std::size_t candidates = 0;  // columns that could be the heights as well as z
   std::vector<int> heights{};  // all that are neither positions, nor counts, nor validity
 };
 

@@ -396,6 +396,56 @@ TEST(TextPoints, RefusesPointsWithoutAGrid) {
               HasSubstr("line 6: there is a point at this position already"));
 }
 
+// ---- Real files --------------------------------------------------------------------------------
+
+MeasuredFile readExample(const std::string& name, const ReadingChoices& choices = {}) {
+  return readMeasuredFile(std::string(ASPERITY_TESTS_DIR) + "/core/measured/files/" + name,
+                          choices);
+}
+
+TEST(RealFiles, AreReadOrAskForTheirUnits) {
+  ReadingChoices um;
+  um.positionUnit = um.heightUnit = "um";
+  // 0.0386, 0.0772, 0.1158, 0.1544, 0.1931: rounded, and uniform.
+  EXPECT_THROW(readExample("csv-1.csv"), InputError);
+  ReadingChoices heights;
+  heights.heightUnit = "um";
+  const MeasuredFile csv = readExample("csv-1.csv", heights);
+  EXPECT_EQ(csv.facts.format, "profile");
+  EXPECT_EQ(csv.facts.positionUnit.unit, "microns");
+  EXPECT_FALSE(csv.facts.resampled);
+  EXPECT_EQ(csv.topography.columns, 8);
+  EXPECT_NEAR(csv.topography.columnSpacing, 38.62e-9, 0.01e-9);
+  EXPECT_NEAR(csv.topography.at(0, 7), 1.94981e-6, 1e-18);
+
+  const MeasuredFile exported = readExample("gwyddion-export-english.txt");
+  EXPECT_EQ(exported.topography.columns, 3);
+  EXPECT_EQ(exported.topography.rows, 4);
+  EXPECT_NEAR(exported.topography.length(), 12.34e-6, 1e-17);
+  EXPECT_NEAR(exported.topography.width(), 5678.9e-9, 1e-17);
+  EXPECT_EQ(exported.topography.at(1, 2), -6);
+
+  const MeasuredFile tabs = readExample("txt_example.txt");
+  EXPECT_EQ(tabs.topography.columns, 6);
+  EXPECT_NEAR(tabs.topography.length(), 1e-6, 1e-18);
+  EXPECT_EQ(tabs.topography.at(0, 0), 1e-7);
+
+  EXPECT_THROW(readExample("matrix-5.txt"), InputError);
+  EXPECT_EQ(readExample("matrix-5.txt", um).topography.at(4, 9), 2e-6);
+  EXPECT_EQ(readExample("matrix-5.txt", um).topography.at(5, 0), 0);
+
+  EXPECT_THROW(readExample("xy-1.txt"), InputError);
+  const MeasuredFile profile = readExample("xy-1.txt", um);
+  EXPECT_TRUE(profile.facts.resampled);
+  EXPECT_EQ(profile.topography.columns, 132);
+  EXPECT_NEAR(profile.topography.at(0, 0), 17.85497e-6, 1e-15);
+
+  const MeasuredFile sdf = readExample("sdf-1.sdf");
+  EXPECT_EQ(sdf.topography.columns, 7);
+  EXPECT_EQ(sdf.topography.rows, 4);
+  EXPECT_NEAR(sdf.topography.at(3, 5), 0.94907e-6, 1e-18);
+}
+
 TEST(LengthUnit, KnowsTheSpellings) {
   const std::vector<std::pair<std::string, double>> units{{"m", 1},
                                                           {"mm", 1e-3},
