@@ -151,13 +151,19 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
   }
   for (const int column : open) roles.heights.push_back(column);
   std::erase(roles.heights, roles.x);
-  roles.candidates = namedHeights > 0 ? namedHeights : roles.heights.size();
   if (heightChoice >= 0)
     roles.z = heightChoice;
   else if (!roles.heights.empty())
     roles.z = roles.heights.front();
   else if (roles.x >= 0 && positionChoice < 0)
     std::swap(roles.x, roles.z);  // one column alone holds heights, whatever its name
+  // Columns in the same unit could be the heights as well; without units, those named like them.
+  const auto unitOf = [&block](int column) -> const std::string& {
+    return block.columns[static_cast<std::size_t>(column)].unit;
+  };
+  for (const int column : roles.heights)
+    if (roles.z >= 0 && unitOf(column) == unitOf(roles.z)) ++roles.candidates;
+  if (namedHeights > 0 && roles.z >= 0 && unitOf(roles.z).empty()) roles.candidates = namedHeights;
   return roles;
 }
 
@@ -193,7 +199,8 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
 
 std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block,
                                      bool ofHeights) {
-  const std::vector<std::string> heights{"value units",
+  const std::vector<std::string> heights{"z",
+                                         "value units",
                                          "value unit",
                                          "z unit",
                                          "z units",
