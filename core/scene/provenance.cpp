@@ -5,9 +5,11 @@
 #include <system_error>
 
 #include "core/base/carried_text.h"
+#include "core/base/file_digest.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/text.h"
 #include "core/scene/scene_file.h"
 
 namespace asperity {
@@ -19,6 +21,7 @@ using Json = nlohmann::ordered_json;
 /// them.
 constexpr std::size_t kEnd = std::size_t{8} << 20;
 constexpr int kDeepest = 16;  // a scene stands in an answer
+constexpr const char* kSurfaceFile = "surface.file";
 
 /// The first and the last bytes of a file, with nothing in between.
 std::string endsOf(const RegularFile& file) {
@@ -52,6 +55,39 @@ std::string withoutMarkup(std::string_view json) {
   return line;
 }
 
+/// Name and SHA-256 of each file that the scene names. A file that cannot be read has none: whoever
+/// needs it says so.
+Json filesOf(const Scene& scene, const Json& canonical) {
+  Json files = Json::object();
+  if (!hasSurfaceFile(scene.surface) || scene.surface.file.empty()) return files;
+  try {
+    files[kSurfaceFile] = {{"name", canonical["surface"]["file"]},
+                           {"sha256", sha256OfFile(scene.folder / scene.surface.file)}};
+  } catch (const InputError&) {
+  }
+  return files;
+}
+
+/// Refuses a scene whose file has another content than the one that the answer was made from. Where
+/// there is no file nothing is said: whoever needs it says so.
+void checkFiles(const Json& files, const Scene& scene) {
+  if (!files.is_object() || !files.contains(kSurfaceFile) || !hasSurfaceFile(scene.surface)) return;
+  const Json& file = files[kSurfaceFile];
+  if (!file.is_object() || !file.contains("sha256") || !file["sha256"].is_string()) return;
+  const std::string wanted = file["sha256"];
+  std::string present;
+  try {
+    present = sha256OfFile(scene.folder / scene.surface.file);
+  } catch (const InputError&) {
+    return;
+  }
+  if (present != wanted)
+    throw InputError("", kSurfaceFile,
+                     message("{}: it is another file now: its SHA-256 is {}, and the result was "
+                             "made from {}",
+                             scene.surface.file, shortened(present), shortened(wanted)));
+}
+
 /// Null where a curve to a target accuracy has another number at each velocity.
 Json oversamplingOf(std::string_view verb, const Scene& scene) {
   if (verb == "curve" && choosesAccuracy(scene)) return {};
@@ -74,7 +110,9 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["seed"] = hasRandomPhases(scene.surface) ? Json(scene.surface.seed) : Json();
   root["oversampling_used"] = oversamplingOf(verb, scene);
   if (verb == "batch") addCurveOversampling(root, scene);
-  root["scene"] = Json::parse(writeScene(scene));
+  Json canonical = Json::parse(writeScene(scene));
+  if (Json files = filesOf(scene, canonical); !files.empty()) root["files"] = std::move(files);
+  root["scene"] = std::move(canonical);
   return root;
 }
 
@@ -94,7 +132,11 @@ FoundScene findScene(std::string_view bytes, const std::string& name,
   try {
     std::set<std::string> others;
     const Json scene = isJson(json) ? memberOf(json, "scene", kDeepest, &others) : Json();
-    if (scene.is_object()) return {readScene(scene.dump(), name, folder), true};
+    if (scene.is_object()) {
+      FoundScene found{readScene(scene.dump(), name, folder), true};
+      if (others.contains("files")) checkFiles(memberOf(json, "files", kDeepest), found.scene);
+      return found;
+    }
     if (others.contains("scenes"))
       throw InputError("", "", "shows many scenes; open the picture or the table of one of them");
   } catch (const InputError& error) {

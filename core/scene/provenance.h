@@ -16,7 +16,8 @@
 namespace asperity {
 
 /// {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random),
-/// "oversampling_used", "scene"}. The number used is that of a friction curve for the verbs that
+/// "oversampling_used", "files" (name and SHA-256 of each file that the scene names, by its key; only
+/// where it names one), "scene"}. The number used is that of a friction curve for the verbs that
 /// compute one, else that of a single line; null where a curve to a target accuracy chooses at each
 /// velocity.
 nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);
@@ -43,7 +44,8 @@ struct FoundScene {
 /// The scene in a regular file written by the program (picture, film, table, JSON answer), or of a
 /// scene file. What the scene names relative to itself is looked for beside the file. At most the
 /// first and the last 8 MiB are read, in a time that grows with them alone. Throws InputError where
-/// the file does not read or holds no scene.
+/// the file does not read or holds no scene, and where a file that the scene names has another
+/// content than the one that stands in the provenance.
 FoundScene findScene(const std::filesystem::path& file);
 
 /// The same in the bytes of a file; `name` stands for it in errors.
