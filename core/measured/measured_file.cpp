@@ -96,8 +96,8 @@ void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
       throw InputError(
           source.name, "surface.position_unit",
           message("is needed ({}): the file states no unit of positions, and in metres "
-                  "it would be {} long",
-                  kUnits, plain(length)));
+                  "it would be {:.3g} m long",
+                  kUnits, length));
     throw InputError(source.name, "surface.position_unit",
                      message("is needed ({}): the file does not say how far its points are apart, "
                              "and they are taken as one unit apart",
@@ -156,10 +156,9 @@ Message formText(const ReadingFacts& facts) {
   if (facts.format == "points") return "points x, y, z as text";
   if (facts.format == "gwyddion") return "a file that Gwyddion has converted";
   std::string name = facts.format;
-  std::ranges::transform(name, name.begin(),
-                         [](char letter) { return static_cast<char>(letter - 'a' + 'A'); });
-  if (facts.format == "x3p") name = "X3P";
-  return message("a {} file", name);
+  for (char& letter : name)
+    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+  return Message::name(name);
 }
 
 /// What the reader took the file for comes first, what is special after it.
@@ -174,28 +173,30 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
     notes.push_back(message("Read as {}: {} x {} points, {} and {} apart.", formText(facts),
                             grid.columns, grid.rows, spacing,
                             PrintedNumber{printedQuantity(grid.rowSpacing, "m")}));
-  if (!facts.positionColumn.empty())
-    notes.push_back(
-        message("Positions are {}, heights {}.", facts.positionColumn, facts.heightColumn));
-  const auto unitNote = [&notes](const Message& what, const UnitFact& unit) {
-    if (unit.source == UnitSource::File)
-      notes.push_back(message("{} are in {}, as the file states.", what, unit.unit));
-    else if (unit.source == UnitSource::Choice)
-      notes.push_back(message("{} are in {}, as the scene says.", what, unit.unit));
-    else
-      notes.push_back(message("The file states no unit: {} are taken as metres.", what));
-  };
-  unitNote("Positions", facts.positionUnit);
-  unitNote("Heights", facts.heightUnit);
+  notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
+  const UnitFact& position = facts.positionUnit;
+  if (position.source == UnitSource::File)
+    notes.push_back(message("Positions are in {}, as the file states.", position.unit));
+  else if (position.source == UnitSource::Choice)
+    notes.push_back(message("Positions are in {}, as the scene says.", position.unit));
+  else
+    notes.emplace_back("The file states no unit of positions: they are taken as metres.");
+  const UnitFact& height = facts.heightUnit;
+  if (height.source == UnitSource::File)
+    notes.push_back(message("Heights are in {}, as the file states.", height.unit));
+  else if (height.source == UnitSource::Choice)
+    notes.push_back(message("Heights are in {}, as the scene says.", height.unit));
+  else
+    notes.emplace_back("The file states no unit of heights: they are taken as metres.");
   if (!draft.hasPositions)
     notes.emplace_back(
         "The file does not say how far its points are apart: one unit of positions.");
   if (facts.gaps > 0) notes.push_back(message("{} points have no height.", facts.gaps));
-  notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
   facts.notes = std::move(notes);
 }
 
 MeasuredFile finished(const SurfaceSource& source, SurfaceDraft draft) {
+  if (draft.grid.rows == 1) draft.grid.rowSpacing = 0;
   applyUnits(source, draft);
   requireSound(source, draft.grid, draft.facts);
   requirePlausible(source, draft, draft.facts);
@@ -263,7 +264,9 @@ MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
   if (bytes.empty()) source.fail("is empty");
   const std::string_view found = kindOf(bytes);
   const std::string& format = choices.format;
-  const std::string_view kind = format == "auto" ? found : isTextForm(format) ? "text" : format;
+  const std::string_view kind = format == "auto"     ? found
+                                : isTextForm(format) ? std::string_view("text")
+                                                     : std::string_view(format);
   if (kind.empty()) refuse(source);
   return finished(source, readDraft(source, kind));
 }

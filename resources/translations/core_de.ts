@@ -2977,6 +2977,384 @@
     <message>
         <source>the profile is too short, or too noisy, for a spectrum that can be relied on</source>
         <translation>das Profil ist zu kurz oder zu verrauscht für ein Spektrum, auf das man sich verlassen kann</translation>
+        <source>is %1, not a table of numbers as text</source>
+        <translation>ist %1, keine Zahlentabelle als Text</translation>
+    </message>
+    <message>
+        <source>has no rows of numbers</source>
+        <translation>hat keine Zeilen mit Zahlen</translation>
+    </message>
+    <message>
+        <source>has more than %1 numbers</source>
+        <translation>hat mehr als %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>line %1: has %2 fields where the lines before have %3</source>
+        <translation>Zeile %1: hat %2 Felder, die Zeilen davor haben %3</translation>
+    </message>
+    <message>
+        <source>line %1: column %2 is not a number</source>
+        <translation>Zeile %1: Spalte %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>ends too early: %1 bytes are needed from byte %2 on, and %3 are there</source>
+        <translation>endet zu früh: ab Byte %2 werden %1 Bytes gebraucht, und %3 sind da</translation>
+    </message>
+    <message>
+        <source>the header has no %1</source>
+        <translation>im Kopf fehlt %1</translation>
+    </message>
+    <message>
+        <source>%1 in the header is not a number above 0</source>
+        <translation>%1 im Kopf ist keine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>is not a %1 file</source>
+        <translation>ist keine %1-Datei</translation>
+    </message>
+    <message>
+        <source>the header of the %1 file has no end</source>
+        <translation>der Kopf der %1-Datei hat kein Ende</translation>
+    </message>
+    <message>
+        <source>byte %1: the text has no end</source>
+        <translation>Byte %1: der Text hat kein Ende</translation>
+    </message>
+    <message>
+        <source>%1 %2 is not known</source>
+        <translation>%1 %2 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the file has %1 channels</source>
+        <translation>die Datei hat %1 Kanäle</translation>
+    </message>
+    <message>
+        <source>has no channel of heights</source>
+        <translation>hat keinen Kanal mit Höhen</translation>
+    </message>
+    <message>
+        <source>The channel &apos;%1&apos; is read, the file has %2; surface.height_column chooses another.</source>
+        <translation>Gelesen wird der Kanal &apos;%1&apos;, die Datei hat %2; surface.height_column wählt einen anderen.</translation>
+    </message>
+    <message>
+        <source>The channel has a mask, which is not used.</source>
+        <translation>Der Kanal hat eine Maske, die nicht benutzt wird.</translation>
+    </message>
+    <message>
+        <source>cannot be converted: there is no temporary folder</source>
+        <translation>lässt sich nicht umwandeln: es gibt keinen Ordner für Zwischendateien</translation>
+    </message>
+    <message>
+        <source>is of a kind that only Gwyddion reads, which is not installed; text (profiles, matrices, points), X3P, SDF, SUR, PRO, GSF and GWY files are read without it</source>
+        <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; Text (Profile, Matrizen, Punkte), X3P, SDF, SUR, PRO, GSF und GWY werden ohne es gelesen</translation>
+    </message>
+    <message>
+        <source>cannot be converted: Gwyddion does not start</source>
+        <translation>lässt sich nicht umwandeln: Gwyddion startet nicht</translation>
+    </message>
+    <message>
+        <source>cannot be converted: Gwyddion has not ended within %1 s</source>
+        <translation>lässt sich nicht umwandeln: Gwyddion war nach %1 s nicht fertig</translation>
+    </message>
+    <message>
+        <source>is of a kind that Gwyddion does not read either</source>
+        <translation>ist von einer Art, die auch Gwyddion nicht liest</translation>
+    </message>
+    <message>
+        <source>is needed (%1): the file states no unit of positions, and in metres it would be %2 m long</source>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre sie %2 m lang</translation>
+    </message>
+    <message>
+        <source>is needed (%1): the file does not say how far its points are apart, and they are taken as one unit apart</source>
+        <translation>wird gebraucht (%1): die Datei sagt nicht, wie weit ihre Punkte auseinander liegen, und es gilt eine Einheit</translation>
+    </message>
+    <message>
+        <source>is needed (%1): the file states no unit of heights, and in metres the rms slope would be %2</source>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Höhen, und in Metern wäre die mittlere Steigung %2</translation>
+    </message>
+    <message>
+        <source>is needed (%1): the file states no unit of positions, and in metres the rms slope would be %2</source>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre die mittlere Steigung %2</translation>
+    </message>
+    <message>
+        <source>has %1 points along x; at least %2 are needed</source>
+        <translation>hat %1 Punkte in x-Richtung; mindestens %2 werden gebraucht</translation>
+    </message>
+    <message>
+        <source>its points are no length above 0 apart</source>
+        <translation>der Abstand ihrer Punkte ist keine Länge über 0</translation>
+    </message>
+    <message>
+        <source>has no heights, only gaps</source>
+        <translation>hat keine Höhen, nur Lücken</translation>
+    </message>
+    <message>
+        <source>has lengths or heights beyond %1 m</source>
+        <translation>hat Längen oder Höhen über %1 m</translation>
+    </message>
+    <message>
+        <source>a profile as text</source>
+        <translation>Profil in Textform</translation>
+    </message>
+    <message>
+        <source>a matrix of heights as text</source>
+        <translation>Matrix von Höhen in Textform</translation>
+    </message>
+    <message>
+        <source>points x, y, z as text</source>
+        <translation>Punkte x, y, z in Textform</translation>
+    </message>
+    <message>
+        <source>a file that Gwyddion has converted</source>
+        <translation>von Gwyddion umgewandelte Datei</translation>
+    </message>
+    <message>
+        <source>Read as %1: %2 points, %3 apart.</source>
+        <translation>Gelesen als %1: %2 Punkte im Abstand von %3.</translation>
+    </message>
+    <message>
+        <source>Read as %1: %2 x %3 points, %4 and %5 apart.</source>
+        <translation>Gelesen als %1: %2 x %3 Punkte im Abstand von %4 und %5.</translation>
+    </message>
+    <message>
+        <source>Positions are %1, heights %2.</source>
+        <translation>Orte sind %1, Höhen %2.</translation>
+    </message>
+    <message>
+        <source>Positions are %1 and %2, heights %3.</source>
+        <translation>Orte sind %1 und %2, Höhen %3.</translation>
+    </message>
+    <message>
+        <source>Positions are in %1, as the file states.</source>
+        <translation>Die Orte sind in %1, wie die Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Positions are in %1, as the scene says.</source>
+        <translation>Die Orte sind in %1, wie die Szene sagt.</translation>
+    </message>
+    <message>
+        <source>The file states no unit of positions: they are taken as metres.</source>
+        <translation>Die Datei nennt keine Einheit der Orte: sie gelten als Meter.</translation>
+    </message>
+    <message>
+        <source>Heights are in %1, as the file states.</source>
+        <translation>Die Höhen sind in %1, wie die Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Heights are in %1, as the scene says.</source>
+        <translation>Die Höhen sind in %1, wie die Szene sagt.</translation>
+    </message>
+    <message>
+        <source>The file states no unit of heights: they are taken as metres.</source>
+        <translation>Die Datei nennt keine Einheit der Höhen: sie gelten als Meter.</translation>
+    </message>
+    <message>
+        <source>The file does not say how far its points are apart: one unit of positions.</source>
+        <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: eine Einheit der Orte.</translation>
+    </message>
+    <message>
+        <source>%1 points have no height.</source>
+        <translation>%1 Punkte haben keine Höhe.</translation>
+    </message>
+    <message>
+        <source>text (profiles, matrices, points), X3P, SDF, SUR, PRO, GSF and GWY files are read</source>
+        <translation>gelesen werden Text (Profile, Matrizen, Punkte), X3P, SDF, SUR, PRO, GSF und GWY</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 points; at most %3 are read</source>
+        <translation>hat %1 x %2 Punkte; höchstens %3 werden gelesen</translation>
+    </message>
+    <message>
+        <source>ends too early: %1 x %2 points need %3 bytes, and %4 are there</source>
+        <translation>endet zu früh: %1 x %2 Punkte brauchen %3 Bytes, und %4 sind da</translation>
+    </message>
+    <message>
+        <source>the axis %1 is in &apos;%2&apos;, which is no unit of length; the key can say another one</source>
+        <translation>die Achse %1 ist in &apos;%2&apos;, was keine Längeneinheit ist; der Schlüssel kann eine andere nennen</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is compressed, which %1 files are not read with</source>
+        <translation>ist gepackt; gepackte %1-Dateien werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>%1 in the header is not a number</source>
+        <translation>%1 im Kopf ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>line %1: ends after %2 of %3 heights</source>
+        <translation>Zeile %1: endet nach %2 von %3 Höhen</translation>
+    </message>
+    <message>
+        <source>line %1: height %2 is not a number</source>
+        <translation>Zeile %1: Höhe %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>line %1: has more than the %2 heights that the header says</source>
+        <translation>Zeile %1: hat mehr als die %2 Höhen, die der Kopf nennt</translation>
+    </message>
+    <message>
+        <source>the packed heights of the %1 file cannot be unpacked</source>
+        <translation>die gepackten Höhen der %1-Datei lassen sich nicht auspacken</translation>
+    </message>
+    <message>
+        <source>has %1 bits a point; 16 or 32 are read</source>
+        <translation>hat %1 Bit je Punkt; gelesen werden 16 oder 32</translation>
+    </message>
+    <message>
+        <source>The first of %1 objects in the file is read.</source>
+        <translation>Gelesen wird das erste von %1 Objekten in der Datei.</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>column %1 &apos;%2&apos;</source>
+        <translation>Spalte %1 &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the file has %1 columns</source>
+        <translation>die Datei hat %1 Spalten</translation>
+    </message>
+    <message>
+        <source>is the column of the positions, too; they need one each</source>
+        <translation>ist auch die Spalte der Orte; beide brauchen eine eigene</translation>
+    </message>
+    <message>
+        <source>The first row and the first column are positions.</source>
+        <translation>Die erste Zeile und die erste Spalte sind Orte.</translation>
+    </message>
+    <message>
+        <source>%1 is in &apos;%2&apos;, which is no unit of length; the key can say another one</source>
+        <translation>%1 ist in &apos;%2&apos;, was keine Längeneinheit ist; der Schlüssel kann eine andere nennen</translation>
+    </message>
+    <message>
+        <source>points need three columns: x, y and z</source>
+        <translation>Punkte brauchen drei Spalten: x, y und z</translation>
+    </message>
+    <message>
+        <source>the points do not lie on a grid of uniform rows and columns</source>
+        <translation>die Punkte liegen auf keinem Gitter aus gleichabständigen Zeilen und Spalten</translation>
+    </message>
+    <message>
+        <source>line %1: the position is missing</source>
+        <translation>Zeile %1: der Ort fehlt</translation>
+    </message>
+    <message>
+        <source>line %1: there is a point at this position already</source>
+        <translation>Zeile %1: an diesem Ort gibt es schon einen Punkt</translation>
+    </message>
+    <message>
+        <source>has no column of heights</source>
+        <translation>hat keine Spalte mit Höhen</translation>
+    </message>
+    <message>
+        <source>%1 says which points are valid; the others are gaps.</source>
+        <translation>%1 sagt, welche Punkte gültig sind; die anderen sind Lücken.</translation>
+    </message>
+    <message>
+        <source>Heights are %1, the first of %2 columns that could be; surface.height_column chooses another.</source>
+        <translation>Höhen sind %1, die erste von %2 möglichen Spalten; surface.height_column wählt eine andere.</translation>
+    </message>
+    <message>
+        <source>The file has %1 tables of numbers; the largest one, from line %2 on, is read.</source>
+        <translation>Die Datei hat %1 Zahlentabellen; gelesen wird die größte, ab Zeile %2.</translation>
+    </message>
+    <message>
+        <source>%1 places have no row in the file and are taken as gaps.</source>
+        <translation>%1 Orte haben keine Zeile in der Datei und gelten als Lücken.</translation>
+    </message>
+    <message>
+        <source>Positions are not uniform (steps differ by up to %1 %): heights are interpolated linearly onto %2 uniform places.</source>
+        <translation>Die Orte sind nicht gleichabständig (die Schritte weichen um bis zu %1 % ab): die Höhen werden linear auf %2 gleichabständige Orte umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Positions fall from row to row: the profile is turned round.</source>
+        <translation>Die Orte fallen von Zeile zu Zeile: das Profil wird umgedreht.</translation>
+    </message>
+    <message>
+        <source>line %1: the position goes back; positions must rise or fall all along</source>
+        <translation>Zeile %1: der Ort springt zurück; Orte müssen durchweg steigen oder durchweg fallen</translation>
+    </message>
+    <message>
+        <source>%1 rows repeat a position: the mean of their heights is taken.</source>
+        <translation>%1 Zeilen wiederholen einen Ort: es gilt der Mittelwert ihrer Höhen.</translation>
+    </message>
+    <message>
+        <source>all positions are the same</source>
+        <translation>alle Orte sind gleich</translation>
+    </message>
+    <message>
+        <source>is not a whole %1 archive</source>
+        <translation>ist kein vollständiges %1-Archiv</translation>
+    </message>
+    <message>
+        <source>has no file &apos;%1&apos; in its archive</source>
+        <translation>hat in seinem Archiv keine Datei &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in its archive is larger than the %2 bytes allowed</source>
+        <translation>&apos;%1&apos; im Archiv ist größer als die erlaubten %2 Bytes</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in its archive cannot be unpacked</source>
+        <translation>&apos;%1&apos; im Archiv lässt sich nicht auspacken</translation>
+    </message>
+    <message>
+        <source>main.xml has no %1</source>
+        <translation>in main.xml fehlt %1</translation>
+    </message>
+    <message>
+        <source>main.xml: %1 is neither %2</source>
+        <translation>main.xml: %1 ist nichts von %2</translation>
+    </message>
+    <message>
+        <source>main.xml: %1 is not a number</source>
+        <translation>main.xml: %1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>main.xml: %1 is not a number above 0</source>
+        <translation>main.xml: %1 ist keine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>is a cloud of points (PCL); only profiles and surfaces on a grid are read</source>
+        <translation>ist eine Punktwolke (PCL); gelesen werden nur Profile und Flächen auf einem Gitter</translation>
+    </message>
+    <message>
+        <source>main.xml: byte %1: is not valid XML</source>
+        <translation>main.xml: Byte %1: ist kein gültiges XML</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in its archive does not have the MD5 that the file states</source>
+        <translation>&apos;%1&apos; im Archiv hat nicht die MD5, die die Datei nennt</translation>
+    </message>
+    <message>
+        <source>The first of %1 layers is read.</source>
+        <translation>Gelesen wird die erste von %1 Schichten.</translation>
+    </message>
+    <message>
+        <source>is a list of points without a grid; only profiles and surfaces on a grid are read</source>
+        <translation>ist eine Liste von Punkten ohne Gitter; gelesen werden nur Profile und Flächen auf einem Gitter</translation>
+    </message>
+    <message>
+        <source>main.xml: datum %1 has %2 numbers where %3 are needed</source>
+        <translation>main.xml: Datum %1 hat %2 Zahlen, gebraucht werden %3</translation>
+    </message>
+    <message>
+        <source>main.xml: datum %1 is not a number</source>
+        <translation>main.xml: Datum %1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>main.xml: has %1 points where %2 are needed</source>
+        <translation>main.xml: hat %1 Punkte, gebraucht werden %2</translation>
+    </message>
+    <message>
+        <source>the positions along %1 are not uniform; surfaces need a uniform grid</source>
+        <translation>die Orte längs %1 sind nicht gleichabständig; Flächen brauchen ein gleichabständiges Gitter</translation>
     </message>
 </context>
 <context>
