@@ -9,6 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/text.h"
 #include "core/material/material_library.h"
 #include "core/scene/scene_file.h"
 
@@ -62,31 +63,54 @@ Json oversamplingOf(std::string_view verb, const Scene& scene) {
   return isOfCurve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
 }
 
-/// The digest of a file's content; null where the file is not there any more.
-template <class Digest>
-Json digestOrNull(const Digest& digest) {
-  try {
-    return digest();
-  } catch (const InputError&) {
-    return {};
-  }
+/// Calls `add` with key, name and SHA-256 for each file that the scene names. A file that cannot be
+/// read has no digest: the command that needs it reports the error.
+template <class Add>
+void eachInput(const Scene& scene, const Add& add) {
+  const auto digested = [&](const char* key, const std::string& name, const auto& digest) {
+    if (name.empty()) return;
+    try {
+      add(key, name, Json(digest()));
+    } catch (const InputError&) {
+      add(key, name, Json());
+    }
+  };
+  if (hasSurfaceFile(scene.surface))
+    digested("surface.file", scene.surface.file,
+             [&] { return sha256OfFile(scene.folder / scene.surface.file); });
+  const std::string& material = scene.elastomer.material;
+  if (scene.elastomer.rheology == Rheology::Prony)
+    digested("elastomer.material", material,
+             [&] { return sha256(readMaterialText(material, scene.folder).json); });
 }
 
 /// The files that a scene names, each with the SHA-256 of its content.
-Json filesOf(const Scene& scene) {
-  Json files = Json::array();
-  const auto add = [&](const char* key, const std::string& name, const auto& digest) {
-    if (!name.empty())
-      files.push_back({{"key", key}, {"name", name}, {"sha256", digestOrNull(digest)}});
-  };
-  const std::string& material = scene.elastomer.material;
-  if (hasSurfaceFile(scene.surface))
-    add("surface.file", scene.surface.file,
-        [&] { return sha256OfFile(scene.folder / scene.surface.file); });
-  if (scene.elastomer.rheology == Rheology::Prony)
-    add("elastomer.material", material,
-        [&] { return sha256(readMaterialText(material, scene.folder).json); });
-  return files;
+Json inputsOf(const Scene& scene) {
+  Json inputs = Json::array();
+  eachInput(scene, [&](const char* key, const std::string& name, Json digest) {
+    inputs.push_back({{"key", key}, {"name", name}, {"sha256", std::move(digest)}});
+  });
+  return inputs;
+}
+
+/// Refuses a scene whose file has another content than the one that the result was made from. A
+/// missing file is reported by the command that needs it. A material does not matter here, because
+/// the scene holds all its values.
+void checkInputs(const Json& inputs, const Scene& scene) {
+  if (!inputs.is_array()) return;
+  eachInput(scene, [&](std::string_view key, const std::string& name, const Json& present) {
+    if (key != "surface.file" || !present.is_string()) return;
+    for (const Json& input : inputs) {
+      if (!input.is_object() || input.value("key", Json()) != Json(key)) continue;
+      const Json made = input.value("sha256", Json());
+      if (made.is_string() && made != present)
+        throw InputError("", std::string(key),
+                         message("{}: it is another file now: its SHA-256 is {}, and the result "
+                                 "was made from {}",
+                                 name, shortened(present.get<std::string>()),
+                                 shortened(made.get<std::string>())));
+    }
+  });
 }
 
 }  // namespace
@@ -104,7 +128,7 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["seed"] = hasRandomPhases(scene.surface) ? Json(scene.surface.seed) : Json();
   root["oversampling_used"] = oversamplingOf(verb, scene);
   if (verb == "batch") addCurveOversampling(root, scene);
-  if (Json files = filesOf(scene); !files.empty()) root["files"] = std::move(files);
+  if (Json inputs = inputsOf(scene); !inputs.empty()) root["inputs"] = std::move(inputs);
   root["scene"] = Json::parse(writeScene(scene));
   return root;
 }
@@ -125,7 +149,11 @@ FoundScene findScene(std::string_view bytes, const std::string& name,
   try {
     std::set<std::string> others;
     const Json scene = isJson(json) ? memberOf(json, "scene", kDeepest, &others) : Json();
-    if (scene.is_object()) return {readScene(scene.dump(), name, folder), true};
+    if (scene.is_object()) {
+      FoundScene found{readScene(scene.dump(), name, folder), true};
+      if (others.contains("inputs")) checkInputs(memberOf(json, "inputs", kDeepest), found.scene);
+      return found;
+    }
     if (others.contains("scenes"))
       throw InputError("", "", "shows many scenes; open the picture or the table of one of them");
   } catch (const InputError& error) {

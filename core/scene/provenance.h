@@ -15,8 +15,8 @@
 namespace asperity {
 
 /// {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random),
-/// "oversampling_used", "files" (a list of {"key", "name", "sha256"}, where the scene names some),
-/// "scene"}. The number used is that of a friction curve for the verbs that
+/// "oversampling_used", "inputs" (a list of {"key", "name", "sha256"}, where the scene names
+/// files), "scene"}. The number used is that of a friction curve for the verbs that
 /// compute one, else that of a single line; null where a curve to a target accuracy chooses at each
 /// velocity.
 nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);
@@ -43,7 +43,8 @@ struct FoundScene {
 /// Returns the scene in a regular file written by the program (picture, film, table, JSON answer),
 /// or in a scene file. Relative file names in the scene refer to the file's folder. At most the
 /// first and the last 8 MiB are read, and the time grows linearly with them. Throws InputError
-/// where the file cannot be read or contains no scene.
+/// where the file cannot be read or contains no scene, and where a surface that the scene names has
+/// another content than the one that the result was made from.
 FoundScene findScene(const std::filesystem::path& file);
 
 /// Finds the scene in the bytes of a file; `name` is named in errors.

@@ -27,7 +27,8 @@ const QString kFolder = QStringLiteral(":/asperity/scenes");
 std::size_t rankOf(const std::string& chapter) {
   static const std::string_view order[] = {
       "Regions I to IV", "Full contact", "Single asperities",   "Rheology",
-      "Temperature",     "Transients",   "Correlated roughness"};
+      "Temperature",     "Transients",   "Correlated roughness",
+      "Everyday surfaces"};
   return static_cast<std::size_t>(std::ranges::find(order, chapter) - std::begin(order));
 }
 
