@@ -28,15 +28,16 @@ class ArmSolver::Search {
   Search(ArmSolver& solver, double load, double depth)
       : line_(solver.line_),
         coefficients_(solver.coefficients_),
-        pass_(solver.pass_),
+        vectors_(solver.vectors_),
+        work_(solver.work_),
+        jacobian_(solver.jacobian_),
         load_(load),
         fixedDepth_(depth),
         arms_(static_cast<Index>(coefficients_.arms())),
         first_(load > 0 ? 1 : 0),
         unknown_(Vector::Zero(first_ + arms_)),
         low_(load / line_.length),
-        high_(load > 0 ? low_ + line_.meanHeight : depth),
-        tangent_(coefficients_) {
+        high_(load > 0 ? low_ + line_.meanHeight : depth) {
     for (const double inverse : coefficients_.inverse) {
       const double periods = line_.length * inverse;  // slid in one relaxation length
       change_.push_back(-std::expm1(-periods));
@@ -48,7 +49,7 @@ class ArmSolver::Search {
   ArmBalance run(const ArmBalance* guess) {
     if (tryComplete()) return best_;
     start(guess);
-    Vector residual = evaluate(&tangent_);
+    Vector residual = evaluate();
     bool fresh = true;  // the Jacobian is that of this very pass
     int stalled = 0;
     if (!invertJacobian()) return best_;
@@ -59,13 +60,12 @@ class ArmSolver::Search {
       limit(step);
       unknown_ = from + step;
       const bool exact = !(worstBefore < kQuasiNewtonBelow);
-      residual = evaluate(exact ? &tangent_ : nullptr);
+      residual = evaluate();
       const bool good = worst_ < 0.5 * worstBefore;
       stalled = good || bestWorst_ > kAcceptedResidual ? 0 : stalled + 1;
       if (!good && fresh && bestWorst_ > kAcceptedResidual)
         shorten(from, step, worstBefore, residual);
       fresh = exact || !good;
-      if (!exact && !good && bestWorst_ > kWantedResidual) residual = evaluate(&tangent_);
       if (fresh)
         invertJacobian();
       else
@@ -82,10 +82,10 @@ class ArmSolver::Search {
     const std::vector<double>& height = line_.heightAboveMinimum;
     if (depth < *std::max_element(height.begin(), height.end())) return false;
     if (first_ > 0) unknown_[0] = depth;
-    pass_.completeStrains(strains());
+    findCompleteStrains(line_, vectors_, strains(), work_);
     for (int i = 0; i < 3; ++i) {
-      const Vector residual = evaluate(nullptr);
-      if (!pass_.wasComplete()) break;
+      const Vector residual = evaluate();
+      if (!work_.wasComplete()) break;
       if (bestWorst_ <= kWantedResidual) return best_.isComplete = true;
       unknown_.tail(arms_) -= residual.tail(arms_);
     }
@@ -119,12 +119,12 @@ class ArmSolver::Search {
 
   /// A pass at the unknowns. Returns residuals in m: the missing mean depth first, then how far
   /// each arm is from where its period closes.
-  Vector evaluate(ArmTangent* tangent) {
-    pass_.run(depth(), strains(), tangent);
+  Vector evaluate() {
+    runArmPass(line_, vectors_, depth(), strains(), Output::Force, work_);
     ++passes_;
     Vector residual(unknown_.size());
     // The force.
-    const double mean = pass_.sums().depth / line_.length;
+    const double mean = work_.sums.depth / line_.length;
     const double target = first_ > 0 ? load_ / line_.length : mean;
     if (first_ > 0) residual[0] = mean - target;
     forceResidual_ = first_ > 0 ? std::abs(residual[0]) / target : 0;
@@ -132,7 +132,7 @@ class ArmSolver::Search {
     const double scale = strainScale(mean);
     periodicityError_ = 0;
     for (std::size_t i = 0; i < change_.size(); ++i) {
-      const double missing = pass_.yieldChange()[i] / change_[i];
+      const double missing = work_.yieldChange[i] / change_[i];
       // What is no number must not pass for closed: a maximum would skip it.
       const double share = std::abs(missing) / scale;
       periodicityError_ = std::max(periodicityError_, share >= 0 ? share : kInfinite);
@@ -163,14 +163,15 @@ class ArmSolver::Search {
 
   /// Inverts the Jacobian that the last pass has gathered; returns false where it is singular.
   bool invertJacobian() {
+    findArmJacobian(vectors_, work_, jacobian_);
     const Index size = unknown_.size();
     Matrix jacobian(size, size);
     for (Index k = 0; k < size; ++k) {
       const auto unknown = static_cast<std::size_t>(k + 1 - first_);
-      if (first_ > 0) jacobian(0, k) = tangent_.ofDepthIntegral(unknown) / line_.length;
+      if (first_ > 0) jacobian(0, k) = jacobian_.ofDepthIntegral(unknown) / line_.length;
       for (std::size_t i = 0; i < change_.size(); ++i)
         jacobian(first_ + static_cast<Index>(i), k) =
-            tangent_.ofYieldChange(i, unknown) / change_[i];
+            jacobian_.ofYieldChange(i, unknown) / change_[i];
     }
     const Eigen::PartialPivLU<Matrix> factors(jacobian);
     if (!(factors.matrixLU().diagonal().array().abs() > 0).all()) return false;
@@ -201,18 +202,19 @@ class ArmSolver::Search {
     for (int i = 0; i < 12 && !(worst_ < worstBefore); ++i) {
       step *= 0.35;
       unknown_ = from + step;
-      residual = evaluate(&tangent_);
+      residual = evaluate();
     }
   }
 
   const PreparedProfile& line_;
   const ArmCoefficients& coefficients_;
-  ArmPass& pass_;
+  const ArmVectors& vectors_;
+  ArmWorkspace& work_;
+  ArmJacobian& jacobian_;
   double load_, fixedDepth_;
   Index arms_, first_;  // first_: of the strains among the unknowns
   Vector unknown_;
-  double low_, high_;  // m, of the depth
-  ArmTangent tangent_;
+  double low_, high_;           // m, of the depth
   Matrix inverse_;              // of the Jacobian
   std::vector<double> change_;  // 1 - exp(-L / c_i)
   std::vector<double>
@@ -227,7 +229,9 @@ ArmSolver::ArmSolver(const PreparedProfile& line, const ElementLaw& law,
                      const RetardationModes& modes, double velocity)
     : line_(line),
       coefficients_(law, modes, velocity, line.spacing, line.length, line.blocks.size()),
-      pass_(line, coefficients_) {}
+      vectors_(coefficients_),
+      work_(vectors_),
+      jacobian_(vectors_) {}
 
 ArmBalance ArmSolver::atLoad(double load, const ArmBalance* guess) {
   return Search(*this, load, 0).run(guess);
@@ -239,9 +243,9 @@ ArmBalance ArmSolver::atDepth(double depth, const ArmBalance* guess) {
 
 bool ArmSolver::isContactComplete(double depth) {
   std::vector<double> strain(coefficients_.arms());
-  pass_.completeStrains(strain);
-  pass_.run(depth, strain);
-  return pass_.wasComplete();
+  findCompleteStrains(line_, vectors_, strain, work_);
+  runArmPass(line_, vectors_, depth, strain, Output::Force, work_);
+  return work_.wasComplete();
 }
 
 double ArmSolver::completeAbove() {
@@ -255,8 +259,13 @@ double ArmSolver::completeAbove() {
 }
 
 PassSums ArmSolver::sums(const ArmBalance& balance, ArmShape* shape) {
-  pass_.runForState(balance.force.depth, balance.strain, shape);
-  return pass_.sums();
+  if (shape) {
+    ArmPass pass(line_, coefficients_);
+    pass.runForState(balance.force.depth, balance.strain, shape);
+    return pass.sums();
+  }
+  runArmPass(line_, vectors_, balance.force.depth, balance.strain, Output::Everything, work_);
+  return work_.sums;
 }
 
 namespace {

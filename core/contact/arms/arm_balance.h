@@ -12,6 +12,7 @@
 
 #include <vector>
 
+#include "core/contact/arms/arm_kernel.h"
 #include "core/contact/arms/arm_pass.h"
 #include "core/contact/force_balance.h"
 #include "core/contact/steady_sliding.h"
@@ -50,7 +51,9 @@ class ArmSolver {
 
   const PreparedProfile& line_;
   ArmCoefficients coefficients_;
-  ArmPass pass_;
+  ArmVectors vectors_;
+  ArmWorkspace work_;
+  ArmJacobian jacobian_;
 };
 
 /// A steady state in SI units, and the balance to start the next one from.

@@ -92,13 +92,19 @@ HWY_INLINE OneMask operator&(OneMask x, OneMask y) { return {hn::And(x.m, y.m)};
 HWY_INLINE OneMask operator|(OneMask x, OneMask y) { return {hn::Or(x.m, y.m)}; }
 HWY_INLINE OneMask operator^(OneMask x, OneMask y) { return {hn::Xor(x.m, y.m)}; }
 HWY_INLINE OneMask operator!(OneMask x) { return {hn::Not(x.m)}; }
+HWY_INLINE double sumOf(One x) { return hn::GetLane(hn::SumOfLanes(kTag, x.v)); }
 HWY_INLINE bool any(OneMask x) { return !hn::AllFalse(kTag, x.m); }
 HWY_INLINE unsigned bitsOf(OneMask x) { std::uint8_t bits[8] = {}; hn::StoreMaskBits(kTag, x.m, bits); return bits[0]; }
 // clang-format on
 
-/// 1 - exp(-x) to two units in the last place; beyond -350 to 350 x counts as that. Half as long as
-/// the library's, whose steps wait for each other, as edges of contact wait for this.
-HWY_INLINE One lostAfter(One x) {
+/// exp(-x) = two (1 + grown), with a power of two and a rest near 1.
+struct OneExponential {
+  One two, grown;
+};
+
+/// To two units in the last place; beyond -350 to 350 x counts as that. Half as long as the
+/// library's, whose steps wait for each other, as edges of contact wait for this.
+HWY_INLINE OneExponential exponentialOf(One x) {
   constexpr double kWhole = 6755399441055744.0;  // added to it, numbers lose their fractions
   x = max(min(x, One::all(350)), One::all(-350));
   // -x = n ln 2 + r
@@ -117,7 +123,13 @@ HWY_INLINE One lostAfter(One x) {
   const hn::RebindToUnsigned<decltype(kTag)> bits;
   const auto power = hn::ShiftLeft<52>(hn::BitCast(bits, moved.v));
   const One two = {hn::BitCast(kTag, hn::Add(power, hn::Set(bits, 0x3FF0000000000000ULL)))};
-  return negMulAdd(two, grown, One::all(1) - two);
+  return {two, grown};
+}
+
+/// 1 - exp(-x).
+HWY_INLINE One lostAfter(One x) {
+  const OneExponential e = exponentialOf(x);
+  return negMulAdd(e.two, e.grown, One::all(1) - e.two);
 }
 
 // clang-format off

@@ -1,0 +1,374 @@
+// One element with arms, its arms (or modes) in the lanes of vectors: strains in contact,
+// amplitudes of the free surface, and what both add to the sums. Where contact begins and ends is
+// for arm_kernel-inl.h to find. See arm_pass.h and arm_events.cpp for the same in plain form.
+// Compiled once per instruction set.
+
+#if defined(ASPERITY_ARM_ELEMENT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASPERITY_ARM_ELEMENT_INL
+#undef ASPERITY_ARM_ELEMENT_INL
+#else
+#define ASPERITY_ARM_ELEMENT_INL
+#endif
+
+#include <algorithm>
+#include <utility>
+
+#include "core/contact/arms/arm_decay-inl.h"
+#include "core/contact/arms/arm_vectors.h"
+#include "core/contact/line/polynomial.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace asperity {
+namespace HWY_NAMESPACE {
+
+/// A value and its derivative.
+struct ValueAndSlope {
+  double value, slope;
+};
+
+/// A part of a segment in contact: w (m) over u in [0, 1], in the direction of travel.
+struct ContactPiece {
+  Cubic depth;
+  double length;  // m
+
+  HWY_INLINE ContactPiece until(double u) const {
+    return {{depth.c0, depth.c1 * u, depth.c2 * u * u, depth.c3 * u * u * u}, length * u};
+  }
+};
+
+class ArmElement {
+ public:
+  ArmElement(const ArmVectors& vectors, ArmWorkspace& work)
+      : vectors_(vectors),
+        work_(work),
+        armLanes_(lanesFor(vectors.arms)),
+        slowLanes_(lanesFor(vectors.slow)),
+        modeLanes_(lanesFor(vectors.modes)),
+        strain_(work.rows.row(ArmWorkspace::Strain)),
+        trial_(work.rows.row(ArmWorkspace::Trial)),
+        amplitude_(work.rows.row(ArmWorkspace::Amplitude)),
+        arcAmplitude_(work.rows.row(ArmWorkspace::ArcAmplitude)),
+        yield_(work.rows.row(ArmWorkspace::Yield)) {}
+
+  /// Strains (m) that the pass begins with.
+  HWY_INLINE void begin(const double* strain) {
+    std::copy_n(strain, vectors_.arms, strain_);
+    std::fill_n(yield_, slowLanes_, 0.0);
+    trialWay_ = -1;
+    sumStrains();
+  }
+  const double* strains() const { return strain_; }
+  const double* yields() const { return yield_; }
+
+  // ---- In contact
+
+  /// p / 4G where the present strains are.
+  HWY_INLINE ValueAndSlope pressure(const ContactPiece& piece) const {
+    return pressureWith(strainSum_, lossSum_, piece, 0);
+  }
+
+  /// p / 4G at the end of a whole segment, and its slope over the segment.
+  HWY_INLINE ValueAndSlope pressureAfterSegment(const ContactPiece& piece) {
+    const One d0 = One::all(piece.depth.c1), d1 = One::all(2 * piece.depth.c2),
+              d2 = One::all(3 * piece.depth.c3);
+    One strainSum = One::all(0), lossSum = One::all(0);
+    for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
+      const One driven =
+          mulAdd(d0, arm(ArmVectors::Driven0, k),
+                 mulAdd(d1, arm(ArmVectors::Driven1, k), d2 * arm(ArmVectors::Driven2, k)));
+      const One e = mulAdd(arm(ArmVectors::Kept, k), One::load(strain_ + k), driven);
+      e.store(trial_ + k);
+      strainSum = mulAdd(arm(ArmVectors::Modulus, k), e, strainSum);
+      lossSum = mulAdd(arm(ArmVectors::LossRate, k), e, lossSum);
+    }
+    return tried(piece, 1, strainSum, lossSum);
+  }
+
+  /// p / 4G at u of any piece that begins with the present strains, and its derivative there.
+  HWY_INLINE ValueAndSlope pressureAt(const ContactPiece& piece, double u) {
+    const Cubic& w = piece.depth;
+    const One d0 = One::all(u * w.c1), d1 = One::all(2 * u * u * w.c2),
+              d2 = One::all(3 * u * u * u * w.c3), way = One::all(piece.length * u);
+    One strainSum = One::all(0), lossSum = One::all(0);
+    for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
+      const ArmDecay decay = armDecay(way * arm(ArmVectors::Inverse, k));
+      const One e = decay.strain(One::load(strain_ + k), d0, d1, d2);
+      e.store(trial_ + k);
+      strainSum = mulAdd(arm(ArmVectors::Modulus, k), e, strainSum);
+      lossSum = mulAdd(arm(ArmVectors::LossRate, k), e, lossSum);
+    }
+    return tried(piece, u, strainSum, lossSum);
+  }
+
+  /// Goes on over a whole segment, at the end of which the pressure has just been asked for.
+  HWY_INLINE void advanceSegment(const ContactPiece& piece) {
+    const One d0 = One::all(piece.depth.c1), d1 = One::all(2 * piece.depth.c2),
+              d2 = One::all(3 * piece.depth.c3);
+    for (std::size_t k = 0; k < slowLanes_; k += One::kLanes) {
+      const One driven =
+          mulAdd(d0, arm(ArmVectors::YieldDriven0, k),
+                 mulAdd(d1, arm(ArmVectors::YieldDriven1, k),
+                        mulAdd(d2, arm(ArmVectors::YieldDriven2, k), One::load(yield_ + k))));
+      mulAdd(arm(ArmVectors::YieldKept, k), One::load(strain_ + k), driven).store(yield_ + k);
+    }
+    takeTrial();
+  }
+
+  /// Goes on to u of the piece.
+  HWY_INLINE void advance(const ContactPiece& piece, double u) {
+    if (trialWay_ != piece.length * u) pressureAt(piece, u);
+    addYield(piece.until(u));
+    takeTrial();
+  }
+
+  /// Sums of a whole segment in contact, before the strains go on.
+  HWY_INLINE void gatherSegment(const ContactPiece& piece, PassSums& sums) const {
+    const double d0 = piece.depth.c1, d1 = 2 * piece.depth.c2, d2 = 3 * piece.depth.c3;
+    const One w0 = One::all(d0), w1 = One::all(d1), w2 = One::all(d2);
+    One moment0 = One::all(0), moment1 = One::all(0), moment2 = One::all(0), loss = One::all(0);
+    for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
+      const One e = One::load(strain_ + k);
+      moment0 = mulAdd(arm(ArmVectors::Moment0, k), e, moment0);
+      moment1 = mulAdd(arm(ArmVectors::Moment1, k), e, moment1);
+      moment2 = mulAdd(arm(ArmVectors::Moment2, k), e, moment2);
+      const One with =
+          mulAdd(w0, arm(ArmVectors::LossWith0, k),
+                 mulAdd(w1, arm(ArmVectors::LossWith1, k), w2 * arm(ArmVectors::LossWith2, k)));
+      loss = mulAdd(e, mulAdd(arm(ArmVectors::LossOfStrain, k), e, with), loss);
+    }
+    // What the strains at the start give, and what the segment itself drives.
+    const double with[3] = {sumOf(moment0), sumOf(moment1), sumOf(moment2)};
+    const double slope[3] = {d0, d1, d2};
+    double strain = with[0], work = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      strain += vectors_.own[0][k] * slope[k];
+      work += slope[k] * with[k];
+      for (std::size_t l = 0; l < 3; ++l) work += slope[k] * vectors_.own[k][l] * slope[l];
+    }
+    const std::array<double, 6>& dd = vectors_.lossOfSlopes;
+    const double lost = sumOf(loss) + d0 * (dd[0] * d0 + dd[1] * d1 + dd[2] * d2) +
+                        d1 * (dd[3] * d1 + dd[4] * d2) + dd[5] * d2 * d2;
+    addContact(piece, strain, work, lost, sums);
+  }
+
+  /// The same of any piece.
+  HWY_INLINE void gatherPiece(const ContactPiece& piece, PassSums& sums) const {
+    const One length = One::all(piece.length);
+    One strain = One::all(0), work = One::all(0), loss = One::all(0);
+    for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
+      const ArmIntegrals found =
+          armIntegrals(length * arm(ArmVectors::Inverse, k), One::load(strain_ + k), piece.depth.c1,
+                       2 * piece.depth.c2, 3 * piece.depth.c3);
+      const One g = arm(ArmVectors::Modulus, k);
+      strain = mulAdd(g, found.strain, strain);
+      work = mulAdd(g, found.work, work);
+      loss = mulAdd(g, found.loss, loss);
+    }
+    addContact(piece, sumOf(strain), sumOf(work), sumOf(loss), sums);
+  }
+
+  /// Contact ends at this depth (m): amplitudes that go with it and the strains.
+  HWY_INLINE void setFree(double depth) {
+    const One w = One::all(depth);
+    for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
+      One amplitude = w * mode(ArmVectors::Settled, k), other = One::all(0);
+      std::size_t i = 0;
+      for (; i + 1 < vectors_.arms; i += 2) {
+        amplitude =
+            negMulAdd(One::all(strain_[i]), One::load(vectors_.ofYield.row(i) + k), amplitude);
+        other =
+            negMulAdd(One::all(strain_[i + 1]), One::load(vectors_.ofYield.row(i + 1) + k), other);
+      }
+      if (i < vectors_.arms)
+        amplitude =
+            negMulAdd(One::all(strain_[i]), One::load(vectors_.ofYield.row(i) + k), amplitude);
+      amplitude = amplitude + other;
+      amplitude.store(amplitude_ + k);
+      amplitude.store(arcAmplitude_ + k);
+    }
+  }
+
+  // ---- Free
+
+  /// How far (m) the surface comes back over a block of segments of this level.
+  HWY_INLINE double comesBackOverBlock(std::size_t level) const {
+    const double* lost = vectors_.lost.row(level);
+    One back = One::all(0);
+    for (std::size_t k = 0; k < modeLanes_; k += One::kLanes)
+      back = mulAdd(One::load(amplitude_ + k), One::load(lost + k), back);
+    return sumOf(back);
+  }
+  HWY_INLINE void relaxOverBlock(std::size_t level) {
+    const double* decay = vectors_.decay.row(level);
+    for (std::size_t k = 0; k < modeLanes_; k += One::kLanes)
+      (One::load(amplitude_ + k) * One::load(decay + k)).store(amplitude_ + k);
+  }
+
+  /// How far (m) the surface comes back over any distance (m), and how fast it does there.
+  HWY_INLINE ValueAndSlope comesBack(double distance) const {
+    const One way = One::all(distance);
+    One back = One::all(0), speed = One::all(0);
+    for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
+      const One a = One::load(amplitude_ + k), rate = mode(ArmVectors::Rate, k);
+      const One lost = lostAfter(rate * way);
+      back = mulAdd(a, lost, back);
+      speed = mulAdd(rate, negMulAdd(a, lost, a), speed);
+    }
+    return {sumOf(back), sumOf(speed)};
+  }
+  /// How fast it does now.
+  HWY_INLINE double speedBack() const {
+    One speed = One::all(0);
+    for (std::size_t k = 0; k < modeLanes_; k += One::kLanes)
+      speed = mulAdd(mode(ArmVectors::Rate, k), One::load(amplitude_ + k), speed);
+    return sumOf(speed);
+  }
+  /// Relaxes over any distance and returns how far the surface comes back.
+  HWY_INLINE double relax(double distance) {
+    const One way = One::all(distance);
+    One back = One::all(0);
+    for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
+      const One a = One::load(amplitude_ + k);
+      const OneExponential e = exponentialOf(mode(ArmVectors::Rate, k) * way);
+      const One kept = mulAdd(e.two, e.grown, e.two);
+      back = mulAdd(a, negMulAdd(e.two, e.grown, One::all(1) - e.two), back);
+      (a * kept).store(amplitude_ + k);
+    }
+    return sumOf(back);
+  }
+
+  /// Ends a free arc of this length (m), with the amplitudes there, and adds its sums. Each
+  /// amplitude relaxes by itself and takes what its own spring has stored.
+  template <bool Everything>
+  HWY_INLINE void endArc(double length, PassSums& sums) {
+    const One way = One::all(length);
+    One volume = One::all(0), loss = One::all(0);
+    for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
+      const One a = One::load(arcAmplitude_ + k), z = mode(ArmVectors::Rate, k) * way;
+      const One lost = lostAfter(z), gone = a * lost;
+      const One mean = select(z > One::all(0), lost / z, One::all(1));
+      volume = mulAdd(a, mean, volume);
+      (a - gone).store(amplitude_ + k);
+      gone.store(arcAmplitude_ + k);
+      if constexpr (Everything)
+        loss = mulAdd(mode(ArmVectors::Stiffness, k) * a, gone * (One::all(2) - lost), loss);
+    }
+    sums.depth += sumOf(volume) * length;
+    if constexpr (Everything) sums.dissipation += 0.5 * sumOf(loss);
+    // What slow arms yield.
+    for (std::size_t k = 0; k < slowLanes_; k += One::kLanes) {
+      One yield = One::load(yield_ + k);
+      for (std::size_t j = 0; j < vectors_.modes; ++j)
+        yield =
+            negMulAdd(One::all(arcAmplitude_[j]), One::load(vectors_.toYield.row(j) + k), yield);
+      yield.store(yield_ + k);
+    }
+    // Strains that go with the amplitudes.
+    for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
+      One strain = One::all(0), other = One::all(0);
+      std::size_t j = 0;
+      for (; j + 1 < vectors_.modes; j += 2) {
+        strain = mulAdd(One::all(amplitude_[j]), One::load(vectors_.toStrain.row(j) + k), strain);
+        other =
+            mulAdd(One::all(amplitude_[j + 1]), One::load(vectors_.toStrain.row(j + 1) + k), other);
+      }
+      if (j < vectors_.modes)
+        strain = mulAdd(One::all(amplitude_[j]), One::load(vectors_.toStrain.row(j) + k), strain);
+      (strain + other).store(strain_ + k);
+    }
+    trialWay_ = -1;
+    sumStrains();
+  }
+
+ private:
+  static std::size_t lanesFor(std::size_t count) {
+    return (count + One::kLanes - 1) / One::kLanes * One::kLanes;
+  }
+  HWY_INLINE One arm(std::size_t row, std::size_t k) const {
+    return One::load(vectors_.arm.row(row) + k);
+  }
+  HWY_INLINE One mode(std::size_t row, std::size_t k) const {
+    return One::load(vectors_.mode.row(row) + k);
+  }
+
+  HWY_INLINE ValueAndSlope pressureWith(double strainSum, double lossSum, const ContactPiece& piece,
+                                        double u) const {
+    const Cubic& w = piece.depth;
+    const double perLength = vectors_.dashpot / piece.length, rising = w.derivative(u);
+    return {
+        w(u) + strainSum + perLength * rising,
+        rising * vectors_.glassy - piece.length * lossSum + perLength * (2 * w.c2 + 6 * u * w.c3)};
+  }
+  HWY_INLINE ValueAndSlope tried(const ContactPiece& piece, double u, One strainSum, One lossSum) {
+    trialWay_ = piece.length * u;
+    trialStrainSum_ = sumOf(strainSum);
+    trialLossSum_ = sumOf(lossSum);
+    return pressureWith(trialStrainSum_, trialLossSum_, piece, u);
+  }
+  /// The strains that were tried last become the present ones.
+  HWY_INLINE void takeTrial() {
+    std::swap(strain_, trial_);
+    strainSum_ = trialStrainSum_;
+    lossSum_ = trialLossSum_;
+    trialWay_ = -1;
+  }
+  HWY_INLINE void sumStrains() {
+    One strainSum = One::all(0), lossSum = One::all(0);
+    for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
+      const One e = One::load(strain_ + k);
+      strainSum = mulAdd(arm(ArmVectors::Modulus, k), e, strainSum);
+      lossSum = mulAdd(arm(ArmVectors::LossRate, k), e, lossSum);
+    }
+    strainSum_ = sumOf(strainSum);
+    lossSum_ = sumOf(lossSum);
+  }
+
+  /// What slow arms yield on a piece: z times the integral of e, by the series that their small z
+  /// allows.
+  HWY_INLINE void addYield(const ContactPiece& piece) {
+    const One d0 = One::all(piece.depth.c1), d1 = One::all(piece.depth.c2),
+              d2 = One::all(piece.depth.c3), one = One::all(1);
+    for (std::size_t k = 0; k < slowLanes_; k += One::kLanes) {
+      // Beside slow arms there may be others in a vector, of which nothing is used.
+      const One z = min(One::all(piece.length) * arm(ArmVectors::Inverse, k), One::all(0.5));
+      const One driven3 = drivenSeries<3>(z);
+      const One driven2 = One::all(1.0 / 3) * negMulAdd(z, driven3, one);
+      const One driven1 = One::all(0.5) * negMulAdd(z, driven2, one);
+      const One driven0 = negMulAdd(z, driven1, one);
+      const One integral = mulAdd(driven0, One::load(strain_ + k),
+                                  mulAdd(driven1, d0, mulAdd(driven2, d1, driven3 * d2)));
+      mulAdd(z, integral, One::load(yield_ + k)).store(yield_ + k);
+    }
+  }
+
+  /// Sums over a piece in contact, of whose arms the integrals are known. The elastic part of the
+  /// work is added where contact ends.
+  HWY_INLINE void addContact(const ContactPiece& piece, double strain, double work, double loss,
+                             PassSums& sums) const {
+    const double length = piece.length;
+    const double slopeSquared = piece.depth.integralOfSlopeSquared(1) / length;
+    const double damped = vectors_.dashpot * slopeSquared;
+    sums.pressure += length * (piece.depth.integral(1) + strain) +
+                     vectors_.dashpot * (piece.depth.c1 + piece.depth.c2 + piece.depth.c3);
+    sums.work += work + damped;
+    sums.dissipation += loss + damped;
+    sums.contactLength += length;
+    sums.slopeSquared += slopeSquared;
+  }
+
+  const ArmVectors& vectors_;
+  ArmWorkspace& work_;
+  std::size_t armLanes_, slowLanes_, modeLanes_;
+  double *strain_, *trial_;             // m; e_i, and where the pressure was last asked for
+  double *amplitude_, *arcAmplitude_;   // m, a_j, and where the arc began
+  double* yield_;                       // m, of slow arms
+  double strainSum_ = 0, lossSum_ = 0;  // sum g_i e_i (m), sum g_i e_i / c_i
+  double trialStrainSum_ = 0, trialLossSum_ = 0;  // of what was tried
+  double trialWay_ = -1;                          // m, where that was, or below 0
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace asperity
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard
