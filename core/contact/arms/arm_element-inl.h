@@ -73,13 +73,14 @@ class ArmElement {
               d2 = One::all(3 * piece.depth.c3);
     One strainSum = One::all(0), lossSum = One::all(0);
     for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
+      const Quantities arm = armsFrom(k);
       const One driven =
-          mulAdd(d0, arm(ArmVectors::Driven0, k),
-                 mulAdd(d1, arm(ArmVectors::Driven1, k), d2 * arm(ArmVectors::Driven2, k)));
-      const One e = mulAdd(arm(ArmVectors::Kept, k), One::load(strain_ + k), driven);
+          mulAdd(d0, arm[ArmVectors::Driven0],
+                 mulAdd(d1, arm[ArmVectors::Driven1], d2 * arm[ArmVectors::Driven2]));
+      const One e = mulAdd(arm[ArmVectors::Kept], One::load(strain_ + k), driven);
       e.store(trial_ + k);
-      strainSum = mulAdd(arm(ArmVectors::Modulus, k), e, strainSum);
-      lossSum = mulAdd(arm(ArmVectors::LossRate, k), e, lossSum);
+      strainSum = mulAdd(arm[ArmVectors::Modulus], e, strainSum);
+      lossSum = mulAdd(arm[ArmVectors::LossRate], e, lossSum);
     }
     return tried(piece, 1, strainSum, lossSum);
   }
@@ -91,11 +92,12 @@ class ArmElement {
               d2 = One::all(3 * u * u * u * w.c3), way = One::all(piece.length * u);
     One strainSum = One::all(0), lossSum = One::all(0);
     for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
-      const ArmDecay decay = armDecay(way * arm(ArmVectors::Inverse, k));
+      const Quantities arm = armsFrom(k);
+      const ArmDecay decay = armDecay(way * arm[ArmVectors::Inverse]);
       const One e = decay.strain(One::load(strain_ + k), d0, d1, d2);
       e.store(trial_ + k);
-      strainSum = mulAdd(arm(ArmVectors::Modulus, k), e, strainSum);
-      lossSum = mulAdd(arm(ArmVectors::LossRate, k), e, lossSum);
+      strainSum = mulAdd(arm[ArmVectors::Modulus], e, strainSum);
+      lossSum = mulAdd(arm[ArmVectors::LossRate], e, lossSum);
     }
     return tried(piece, u, strainSum, lossSum);
   }
@@ -105,11 +107,12 @@ class ArmElement {
     const One d0 = One::all(piece.depth.c1), d1 = One::all(2 * piece.depth.c2),
               d2 = One::all(3 * piece.depth.c3);
     for (std::size_t k = 0; k < slowLanes_; k += One::kLanes) {
+      const Quantities arm = armsFrom(k);
       const One driven =
-          mulAdd(d0, arm(ArmVectors::YieldDriven0, k),
-                 mulAdd(d1, arm(ArmVectors::YieldDriven1, k),
-                        mulAdd(d2, arm(ArmVectors::YieldDriven2, k), One::load(yield_ + k))));
-      mulAdd(arm(ArmVectors::YieldKept, k), One::load(strain_ + k), driven).store(yield_ + k);
+          mulAdd(d0, arm[ArmVectors::YieldDriven0],
+                 mulAdd(d1, arm[ArmVectors::YieldDriven1],
+                        mulAdd(d2, arm[ArmVectors::YieldDriven2], One::load(yield_ + k))));
+      mulAdd(arm[ArmVectors::YieldKept], One::load(strain_ + k), driven).store(yield_ + k);
     }
     takeTrial();
   }
@@ -127,14 +130,15 @@ class ArmElement {
     const One w0 = One::all(d0), w1 = One::all(d1), w2 = One::all(d2);
     One moment0 = One::all(0), moment1 = One::all(0), moment2 = One::all(0), loss = One::all(0);
     for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
+      const Quantities arm = armsFrom(k);
       const One e = One::load(strain_ + k);
-      moment0 = mulAdd(arm(ArmVectors::Moment0, k), e, moment0);
-      moment1 = mulAdd(arm(ArmVectors::Moment1, k), e, moment1);
-      moment2 = mulAdd(arm(ArmVectors::Moment2, k), e, moment2);
+      moment0 = mulAdd(arm[ArmVectors::Moment0], e, moment0);
+      moment1 = mulAdd(arm[ArmVectors::Moment1], e, moment1);
+      moment2 = mulAdd(arm[ArmVectors::Moment2], e, moment2);
       const One with =
-          mulAdd(w0, arm(ArmVectors::LossWith0, k),
-                 mulAdd(w1, arm(ArmVectors::LossWith1, k), w2 * arm(ArmVectors::LossWith2, k)));
-      loss = mulAdd(e, mulAdd(arm(ArmVectors::LossOfStrain, k), e, with), loss);
+          mulAdd(w0, arm[ArmVectors::LossWith0],
+                 mulAdd(w1, arm[ArmVectors::LossWith1], w2 * arm[ArmVectors::LossWith2]));
+      loss = mulAdd(e, mulAdd(arm[ArmVectors::LossOfStrain], e, with), loss);
     }
     // What the strains at the start give, and what the segment itself drives.
     const double with[3] = {sumOf(moment0), sumOf(moment1), sumOf(moment2)};
@@ -156,10 +160,11 @@ class ArmElement {
     const One length = One::all(piece.length);
     One strain = One::all(0), work = One::all(0), loss = One::all(0);
     for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
+      const Quantities arm = armsFrom(k);
       const ArmIntegrals found =
-          armIntegrals(length * arm(ArmVectors::Inverse, k), One::load(strain_ + k), piece.depth.c1,
+          armIntegrals(length * arm[ArmVectors::Inverse], One::load(strain_ + k), piece.depth.c1,
                        2 * piece.depth.c2, 3 * piece.depth.c3);
-      const One g = arm(ArmVectors::Modulus, k);
+      const One g = arm[ArmVectors::Modulus];
       strain = mulAdd(g, found.strain, strain);
       work = mulAdd(g, found.work, work);
       loss = mulAdd(g, found.loss, loss);
@@ -171,7 +176,8 @@ class ArmElement {
   HWY_INLINE void setFree(double depth) {
     const One w = One::all(depth);
     for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
-      One amplitude = w * mode(ArmVectors::Settled, k), other = One::all(0);
+      const Quantities mode = modesFrom(k);
+      One amplitude = w * mode[ArmVectors::Settled], other = One::all(0);
       std::size_t i = 0;
       for (; i + 1 < vectors_.arms; i += 2) {
         amplitude =
@@ -209,18 +215,22 @@ class ArmElement {
     const One way = One::all(distance);
     One back = One::all(0), speed = One::all(0);
     for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
-      const One a = One::load(amplitude_ + k), rate = mode(ArmVectors::Rate, k);
+      const Quantities mode = modesFrom(k);
+      const One a = One::load(amplitude_ + k), rate = mode[ArmVectors::Rate];
       const One lost = lostAfter(rate * way);
       back = mulAdd(a, lost, back);
       speed = mulAdd(rate, negMulAdd(a, lost, a), speed);
     }
-    return {sumOf(back), sumOf(speed)};
+    const TwoSums sums = sumsOf(back, speed);
+    return {sums.x, sums.y};
   }
   /// How fast it does now.
   HWY_INLINE double speedBack() const {
     One speed = One::all(0);
-    for (std::size_t k = 0; k < modeLanes_; k += One::kLanes)
-      speed = mulAdd(mode(ArmVectors::Rate, k), One::load(amplitude_ + k), speed);
+    for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
+      const Quantities mode = modesFrom(k);
+      speed = mulAdd(mode[ArmVectors::Rate], One::load(amplitude_ + k), speed);
+    }
     return sumOf(speed);
   }
   /// Relaxes over any distance and returns how far the surface comes back.
@@ -228,8 +238,9 @@ class ArmElement {
     const One way = One::all(distance);
     One back = One::all(0);
     for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
+      const Quantities mode = modesFrom(k);
       const One a = One::load(amplitude_ + k);
-      const OneExponential e = exponentialOf(mode(ArmVectors::Rate, k) * way);
+      const OneExponential e = exponentialOf(mode[ArmVectors::Rate] * way);
       const One kept = mulAdd(e.two, e.grown, e.two);
       back = mulAdd(a, negMulAdd(e.two, e.grown, One::all(1) - e.two), back);
       (a * kept).store(amplitude_ + k);
@@ -244,14 +255,15 @@ class ArmElement {
     const One way = One::all(length);
     One volume = One::all(0), loss = One::all(0);
     for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
-      const One a = One::load(arcAmplitude_ + k), z = mode(ArmVectors::Rate, k) * way;
+      const Quantities mode = modesFrom(k);
+      const One a = One::load(arcAmplitude_ + k), z = mode[ArmVectors::Rate] * way;
       const One lost = lostAfter(z), gone = a * lost;
       const One mean = select(z > One::all(0), lost / z, One::all(1));
       volume = mulAdd(a, mean, volume);
       (a - gone).store(amplitude_ + k);
       gone.store(arcAmplitude_ + k);
       if constexpr (Everything)
-        loss = mulAdd(mode(ArmVectors::Stiffness, k) * a, gone * (One::all(2) - lost), loss);
+        loss = mulAdd(mode[ArmVectors::Stiffness] * a, gone * (One::all(2) - lost), loss);
     }
     sums.depth += sumOf(volume) * length;
     if constexpr (Everything) sums.dissipation += 0.5 * sumOf(loss);
@@ -284,12 +296,15 @@ class ArmElement {
   static std::size_t lanesFor(std::size_t count) {
     return (count + One::kLanes - 1) / One::kLanes * One::kLanes;
   }
-  HWY_INLINE One arm(std::size_t row, std::size_t k) const {
-    return One::load(vectors_.arm.row(row) + k);
-  }
-  HWY_INLINE One mode(std::size_t row, std::size_t k) const {
-    return One::load(vectors_.mode.row(row) + k);
-  }
+  /// The quantities of the arms or modes of one vector.
+  struct Quantities {
+    const double* from;
+    HWY_INLINE One operator[](std::size_t quantity) const {
+      return One::load(from + quantity * kWidestVector);
+    }
+  };
+  HWY_INLINE Quantities armsFrom(std::size_t k) const { return {vectors_.arm.from(k)}; }
+  HWY_INLINE Quantities modesFrom(std::size_t k) const { return {vectors_.mode.from(k)}; }
 
   HWY_INLINE ValueAndSlope pressureWith(double strainSum, double lossSum, const ContactPiece& piece,
                                         double u) const {
@@ -301,8 +316,9 @@ class ArmElement {
   }
   HWY_INLINE ValueAndSlope tried(const ContactPiece& piece, double u, One strainSum, One lossSum) {
     trialWay_ = piece.length * u;
-    trialStrainSum_ = sumOf(strainSum);
-    trialLossSum_ = sumOf(lossSum);
+    const TwoSums sums = sumsOf(strainSum, lossSum);
+    trialStrainSum_ = sums.x;
+    trialLossSum_ = sums.y;
     return pressureWith(trialStrainSum_, trialLossSum_, piece, u);
   }
   /// The strains that were tried last become the present ones.
@@ -315,12 +331,14 @@ class ArmElement {
   HWY_INLINE void sumStrains() {
     One strainSum = One::all(0), lossSum = One::all(0);
     for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
+      const Quantities arm = armsFrom(k);
       const One e = One::load(strain_ + k);
-      strainSum = mulAdd(arm(ArmVectors::Modulus, k), e, strainSum);
-      lossSum = mulAdd(arm(ArmVectors::LossRate, k), e, lossSum);
+      strainSum = mulAdd(arm[ArmVectors::Modulus], e, strainSum);
+      lossSum = mulAdd(arm[ArmVectors::LossRate], e, lossSum);
     }
-    strainSum_ = sumOf(strainSum);
-    lossSum_ = sumOf(lossSum);
+    const TwoSums sums = sumsOf(strainSum, lossSum);
+    strainSum_ = sums.x;
+    lossSum_ = sums.y;
   }
 
   /// What slow arms yield on a piece: z times the integral of e, by the series that their small z
@@ -329,8 +347,9 @@ class ArmElement {
     const One d0 = One::all(piece.depth.c1), d1 = One::all(piece.depth.c2),
               d2 = One::all(piece.depth.c3), one = One::all(1);
     for (std::size_t k = 0; k < slowLanes_; k += One::kLanes) {
+      const Quantities arm = armsFrom(k);
       // Beside slow arms there may be others in a vector, of which nothing is used.
-      const One z = min(One::all(piece.length) * arm(ArmVectors::Inverse, k), One::all(0.5));
+      const One z = min(One::all(piece.length) * arm[ArmVectors::Inverse], One::all(0.5));
       const One driven3 = drivenSeries<3>(z);
       const One driven2 = One::all(1.0 / 3) * negMulAdd(z, driven3, one);
       const One driven1 = One::all(0.5) * negMulAdd(z, driven2, one);

@@ -102,9 +102,10 @@ class ArmKernel {
       element_.advanceSegment(piece);
     }
     element_.advance(pieceOf(insideOf(last), 1, 0), 1);
-    const double* inverse = vectors_.arm.row(ArmVectors::Inverse);
-    for (std::size_t k = 0; k < vectors_.arms; ++k)
-      strain[k] = element_.strains()[k] / -std::expm1(-line_.length * inverse[k]);
+    for (std::size_t k = 0; k < vectors_.arms; ++k) {
+      const double inverse = vectors_.arm.from(k)[ArmVectors::Inverse * kWidestVector];
+      strain[k] = element_.strains()[k] / -std::expm1(-line_.length * inverse);
+    }
   }
 
  private:

@@ -20,9 +20,7 @@ namespace HWY_NAMESPACE {
 class ArmTangentKernel {
  public:
   ArmTangentKernel(const ArmVectors& vectors, ArmJacobian& jacobian)
-      : vectors_(vectors),
-        jacobian_(jacobian),
-        lanes_((vectors.arms + 1 + One::kLanes - 1) / One::kLanes * One::kLanes) {}
+      : vectors_(vectors), jacobian_(jacobian), lanes_(lanesFor(vectors.arms + 1)) {}
 
   /// lengths: as of ArmWorkspace.
   void run(const std::vector<double>& lengths) {
@@ -31,7 +29,10 @@ class ArmTangentKernel {
       const bool isLast = i + 1 == lengths.size();
       if (i % 2 == 0) {
         contact(lengths[i]);
-        if (!isLast) leave();
+        // What the first arms remember is all that the lanes hold from here on.
+        const std::size_t remembered = armsRememberedAfter(lengths[i]);
+        if (i == 0) lanes_ = lanesFor(remembered + 1);
+        if (!isLast) leave(remembered);
       } else {
         arc(lengths[i]);
         if (!isLast || vectors_.slow < vectors_.arms) enter();
@@ -47,6 +48,21 @@ class ArmTangentKernel {
   }
 
  private:
+  static std::size_t lanesFor(std::size_t count) {
+    return (count + One::kLanes - 1) / One::kLanes * One::kLanes;
+  }
+
+  /// Arms, from the slowest on, of whose strains a contact of this length leaves something; those
+  /// of all others are lost to the last digit.
+  std::size_t armsRememberedAfter(double length) const {
+    constexpr double kForgotten = 45;
+    std::size_t count = vectors_.arms;
+    while (count > 0 &&
+           vectors_.arm.from(count - 1)[ArmVectors::Inverse * kWidestVector] * length > kForgotten)
+      --count;
+    return count;
+  }
+
   void begin() {
     const std::size_t unknowns = vectors_.arms + 1;
     jacobian_.strain.shape(vectors_.arms, unknowns);
@@ -58,11 +74,11 @@ class ArmTangentKernel {
   /// Strains decay; what slow arms lose is yielded.
   void contact(double length) {
     jacobian_.volume.row(0)[0] += length;
-    const double* inverse = vectors_.arm.row(ArmVectors::Inverse);
     const One way = One::all(length);
     alignas(64) double lost[One::kLanes];
     for (std::size_t first = 0; first < vectors_.arms; first += One::kLanes) {
-      lostAfter(way * One::load(inverse + first)).store(lost);
+      const double* inverse = vectors_.arm.from(first) + ArmVectors::Inverse * kWidestVector;
+      lostAfter(way * One::load(inverse)).store(lost);
       for (std::size_t i = first; i < std::min(first + One::kLanes, vectors_.arms); ++i) {
         const One share = One::all(lost[i - first]);
         double *strain = jacobian_.strain.row(i), *change = jacobian_.change.row(i);
@@ -76,19 +92,19 @@ class ArmTangentKernel {
   }
 
   /// Rows of amplitudes from those of strains where contact ends.
-  void leave() {
-    const double* settled = vectors_.mode.row(ArmVectors::Settled);
-    product(vectors_.modes, vectors_.arms, vectors_.ofYield, jacobian_.strain, jacobian_.mode);
-    for (std::size_t j = 0; j < vectors_.modes; ++j) jacobian_.mode.row(j)[0] += settled[j];
+  void leave(std::size_t remembered) {
+    product(vectors_.modes, remembered, vectors_.ofYield, jacobian_.strain, jacobian_.mode);
+    for (std::size_t j = 0; j < vectors_.modes; ++j)
+      jacobian_.mode.row(j)[0] += vectors_.mode.from(j)[ArmVectors::Settled * kWidestVector];
   }
 
   void arc(double length) {
-    const double* rate = vectors_.mode.row(ArmVectors::Rate);
     const One way = One::all(length);
     double* volume = jacobian_.volume.row(0);
     alignas(64) double lost[One::kLanes], mean[One::kLanes];
     for (std::size_t first = 0; first < vectors_.modes; first += One::kLanes) {
-      const One z = way * One::load(rate + first), gone = lostAfter(z);
+      const double* rate = vectors_.mode.from(first) + ArmVectors::Rate * kWidestVector;
+      const One z = way * One::load(rate), gone = lostAfter(z);
       gone.store(lost);
       select(z > One::all(0), gone / z * way, way).store(mean);
       for (std::size_t j = first; j < std::min(first + One::kLanes, vectors_.modes); ++j) {

@@ -18,33 +18,37 @@ ArmVectors::ArmVectors(const ArmCoefficients& from)
       dashpot(from.dashpot),
       glassy(from.glassy),
       own(from.own),
-      arm(ArmRows, arms),
-      mode(ModeRows, modes),
+      arm(arms),
+      mode(modes),
       decay(from.decay.size(), modes),
       lost(from.lost.size(), modes),
       toStrain(modes, arms),
       toYield(modes, arms),
       ofYield(arms, modes) {
-  copy(from.inverse, arm.row(Inverse));
-  copy(from.modulus, arm.row(Modulus));
-  copy(from.lossRate, arm.row(LossRate));
-  copy(from.kept, arm.row(Kept));
-  copy(from.yieldKept, arm.row(YieldKept));
-  for (std::size_t k = 0; k < 3; ++k) {
-    copy(from.driven[k], arm.row(Driven0 + k));
-    copy(from.yieldDriven[k], arm.row(YieldDriven0 + k));
-    copy(from.moment[k], arm.row(Moment0 + k));
-  }
   for (std::size_t i = 0; i < arms; ++i) {
-    const LossForm& loss = from.loss[i];
     const double g = from.modulus[i];
-    arm.row(LossOfStrain)[i] = g * loss.ee;
-    for (std::size_t k = 0; k < 3; ++k) arm.row(LossWith0 + k)[i] = g * loss.ed[k];
+    arm.value(Inverse, i) = from.inverse[i];
+    arm.value(Modulus, i) = g;
+    arm.value(LossRate, i) = from.lossRate[i];
+    arm.value(Kept, i) = from.kept[i];
+    const LossForm& loss = from.loss[i];
+    arm.value(LossOfStrain, i) = g * loss.ee;
+    for (std::size_t k = 0; k < 3; ++k) {
+      arm.value(Driven0 + k, i) = from.driven[k][i];
+      arm.value(Moment0 + k, i) = from.moment[k][i];
+      arm.value(LossWith0 + k, i) = g * loss.ed[k];
+    }
     for (std::size_t k = 0; k < 6; ++k) lossOfSlopes[k] += g * loss.dd[k];
   }
-  copy(from.rate, mode.row(Rate));
-  copy(from.stiffness, mode.row(Stiffness));
-  copy(from.settled, mode.row(Settled));
+  for (std::size_t i = 0; i < slow; ++i) {
+    arm.value(YieldKept, i) = from.yieldKept[i];
+    for (std::size_t k = 0; k < 3; ++k) arm.value(YieldDriven0 + k, i) = from.yieldDriven[k][i];
+  }
+  for (std::size_t j = 0; j < modes; ++j) {
+    mode.value(Rate, j) = from.rate[j];
+    mode.value(Stiffness, j) = from.stiffness[j];
+    mode.value(Settled, j) = from.settled[j];
+  }
   for (std::size_t level = 0; level < from.decay.size(); ++level) {
     copy(from.decay[level], decay.row(level));
     copy(from.lost[level], lost.row(level));

@@ -13,33 +13,55 @@
 
 namespace asperity {
 
+/// Lanes of the widest vector.
+inline constexpr std::size_t kWidestVector = 8;
+struct alignas(64) WideCell {
+  std::array<double, kWidestVector> value{};
+};
+
 /// Rows of numbers of one width, each at the start of a cache line.
 class AlignedRows {
  public:
-  static constexpr std::size_t kWidest = 8;  // lanes of a vector
-
   AlignedRows() = default;
   AlignedRows(std::size_t rows, std::size_t width) { shape(rows, width); }
 
   /// All numbers become 0.
   void shape(std::size_t rows, std::size_t width) {
-    stride_ = (width + kWidest - 1) / kWidest;
-    cells_.assign(rows * stride_, Cell{});
+    stride_ = (width + kWidestVector - 1) / kWidestVector;
+    cells_.assign(rows * stride_, WideCell{});
   }
   double* row(std::size_t i) { return cells_[i * stride_].value.data(); }
   const double* row(std::size_t i) const { return cells_[i * stride_].value.data(); }
 
  private:
-  struct alignas(64) Cell {
-    std::array<double, kWidest> value{};
-  };
-
   std::size_t stride_ = 0;
-  std::vector<Cell> cells_;
+  std::vector<WideCell> cells_;
+};
+
+/// Several quantities of each arm or mode: all of those in one vector stand together, so that one
+/// pointer leads to them.
+template <std::size_t Quantities>
+class LaneTable {
+ public:
+  explicit LaneTable(std::size_t width)
+      : cells_((width + kWidestVector - 1) / kWidestVector * Quantities) {}
+
+  /// Of arm or mode i.
+  double& value(std::size_t quantity, std::size_t i) {
+    return cells_[i / kWidestVector * Quantities + quantity].value[i % kWidestVector];
+  }
+  /// The place from which quantity q of the vector that begins with arm or mode i is kWidestVector
+  /// q on.
+  const double* from(std::size_t i) const {
+    return cells_[i / kWidestVector * Quantities].value.data() + i % kWidestVector;
+  }
+
+ private:
+  std::vector<WideCell> cells_;
 };
 
 struct ArmVectors {
-  /// The rows of `arm`, of the quantities of ArmCoefficients that they are named after.
+  /// What `arm` holds, of the quantities of ArmCoefficients that they are named after.
   enum Arm : std::size_t {
     Inverse,
     Modulus,
@@ -69,7 +91,8 @@ struct ArmVectors {
   double dashpot, glassy;
   std::array<std::array<double, 3>, 3> own;
   std::array<double, 6> lossOfSlopes{};  // sum g_i dd_i of loss
-  AlignedRows arm, mode;
+  LaneTable<ArmRows> arm;
+  LaneTable<ModeRows> mode;
   AlignedRows decay, lost;        // [level] over modes
   AlignedRows toStrain, toYield;  // [mode] over arms
   AlignedRows ofYield;            // [arm] over modes

@@ -97,6 +97,30 @@ HWY_INLINE bool any(OneMask x) { return !hn::AllFalse(kTag, x.m); }
 HWY_INLINE unsigned bitsOf(OneMask x) { std::uint8_t bits[8] = {}; hn::StoreMaskBits(kTag, x.m, bits); return bits[0]; }
 // clang-format on
 
+/// The sums over the lanes of two vectors, which take hardly longer than one.
+struct TwoSums {
+  double x, y;
+};
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE TwoSums sumsOf(One x, One y) {
+  return {hn::GetLane(x.v), hn::GetLane(y.v)};
+}
+#else
+/// Lanes that belong to x and y in turn are added up until each is left once.
+template <class Tag, class Values>
+HWY_INLINE TwoSums sumsOfPairs(Tag, Values values) {
+  const hn::Half<Tag> half;
+  if constexpr (hn::MaxLanes(Tag()) == 2)
+    return {hn::GetLane(values), hn::GetLane(hn::UpperHalf(half, values))};
+  else
+    return sumsOfPairs(half, hn::Add(hn::LowerHalf(half, values), hn::UpperHalf(half, values)));
+}
+HWY_INLINE TwoSums sumsOf(One x, One y) {
+  return sumsOfPairs(
+      kTag, hn::Add(hn::InterleaveLower(kTag, x.v, y.v), hn::InterleaveUpper(kTag, x.v, y.v)));
+}
+#endif
+
 /// exp(-x) = two (1 + grown), with a power of two and a rest near 1.
 struct OneExponential {
   One two, grown;
