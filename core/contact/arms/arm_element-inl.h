@@ -36,11 +36,19 @@ struct ContactPiece {
   }
 };
 
+/// Whole segments one after another, one in each lane: w' = (D_0 + D_1 u + D_2 u^2) / spacing. Sums
+/// over the arms at their starts, and behind them at the last one's end.
+struct SegmentBatch {
+  static constexpr std::size_t kCount = One::kLanes;
+
+  alignas(64) double d0[kCount], d1[kCount], d2[kCount];
+  alignas(64) double strainSum[kCount + 1], lossSum[kCount + 1];  // m; sum g_i e_i / c_i
+};
+
 class ArmElement {
  public:
   ArmElement(const ArmVectors& vectors, ArmWorkspace& work)
       : vectors_(vectors),
-        work_(work),
         armLanes_(lanesFor(vectors.arms)),
         slowLanes_(lanesFor(vectors.slow)),
         modeLanes_(lanesFor(vectors.modes)),
@@ -48,7 +56,9 @@ class ArmElement {
         trial_(work.rows.row(ArmWorkspace::Trial)),
         amplitude_(work.rows.row(ArmWorkspace::Amplitude)),
         arcAmplitude_(work.rows.row(ArmWorkspace::ArcAmplitude)),
-        yield_(work.rows.row(ArmWorkspace::Yield)) {}
+        yield_(work.rows.row(ArmWorkspace::Yield)),
+        after_(work.rows.row(ArmWorkspace::After)),
+        afterStride_(static_cast<std::size_t>(work.rows.row(ArmWorkspace::After + 1) - after_)) {}
 
   /// Strains (m) that the pass begins with.
   HWY_INLINE void begin(const double* strain) {
@@ -67,23 +77,128 @@ class ArmElement {
     return pressureWith(strainSum_, lossSum_, piece, 0);
   }
 
-  /// p / 4G at the end of a whole segment, and its slope over the segment.
-  HWY_INLINE ValueAndSlope pressureAfterSegment(const ContactPiece& piece) {
-    const One d0 = One::all(piece.depth.c1), d1 = One::all(2 * piece.depth.c2),
-              d2 = One::all(3 * piece.depth.c3);
-    One strainSum = One::all(0), lossSum = One::all(0);
+  /// Strains over a batch of segments, and the sums over the arms that say where contact ends.
+  HWY_INLINE void drive(SegmentBatch& batch) {
+    constexpr std::size_t kCount = SegmentBatch::kCount;
+    One strainSum[kCount], lossSum[kCount];
+    for (std::size_t n = 0; n < kCount; ++n) strainSum[n] = lossSum[n] = One::all(0);
     for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
       const Quantities arm = armsFrom(k);
-      const One driven =
-          mulAdd(d0, arm[ArmVectors::Driven0],
-                 mulAdd(d1, arm[ArmVectors::Driven1], d2 * arm[ArmVectors::Driven2]));
-      const One e = mulAdd(arm[ArmVectors::Kept], One::load(strain_ + k), driven);
-      e.store(trial_ + k);
-      strainSum = mulAdd(arm[ArmVectors::Modulus], e, strainSum);
-      lossSum = mulAdd(arm[ArmVectors::LossRate], e, lossSum);
+      const One kept = arm[ArmVectors::Kept], g = arm[ArmVectors::Modulus],
+                lossRate = arm[ArmVectors::LossRate], driven0 = arm[ArmVectors::Driven0],
+                driven1 = arm[ArmVectors::Driven1], driven2 = arm[ArmVectors::Driven2];
+      One e = One::load(strain_ + k);
+      double* after = after_ + k;
+      for (std::size_t n = 0; n < kCount; ++n, after += afterStride_) {
+        const One driven =
+            mulAdd(One::all(batch.d0[n]), driven0,
+                   mulAdd(One::all(batch.d1[n]), driven1, One::all(batch.d2[n]) * driven2));
+        e = mulAdd(kept, e, driven);
+        e.store(after);
+        strainSum[n] = mulAdd(g, e, strainSum[n]);
+        lossSum[n] = mulAdd(lossRate, e, lossSum[n]);
+      }
     }
-    return tried(piece, 1, strainSum, lossSum);
+    batch.strainSum[0] = strainSum_;
+    batch.lossSum[0] = lossSum_;
+    for (std::size_t n = 0; n < kCount; ++n) {
+      const TwoSums sums = sumsOf(strainSum[n], lossSum[n]);
+      batch.strainSum[n + 1] = sums.x;
+      batch.lossSum[n + 1] = sums.y;
+    }
   }
+
+  /// Goes on over the first `count` segments of the batch, whose length is `spacing`, and adds what
+  /// the arms give to the sums.
+  template <bool Everything>
+  HWY_INLINE void take(const SegmentBatch& batch, std::size_t count, double spacing,
+                       PassSums& sums) {
+    if (count == 0) return;
+    const auto sumOfFirst = [count](One x) { return sumOf(onlyIn({hn::FirstN(kTag, count)}, x)); };
+    const One d0 = One::load(batch.d0), d1 = One::load(batch.d1), d2 = One::load(batch.d2);
+    // What slow arms yield.
+    if (slowLanes_ > 0) {
+      const One sum0 = One::all(sumOfFirst(d0)), sum1 = One::all(sumOfFirst(d1)),
+                sum2 = One::all(sumOfFirst(d2));
+      for (std::size_t k = 0; k < slowLanes_; k += One::kLanes) {
+        const Quantities arm = armsFrom(k);
+        One strains = One::load(strain_ + k);
+        for (std::size_t n = 0; n + 1 < count; ++n)
+          strains = strains + One::load(after_ + n * afterStride_ + k);
+        const One driven =
+            mulAdd(sum0, arm[ArmVectors::YieldDriven0],
+                   mulAdd(sum1, arm[ArmVectors::YieldDriven1],
+                          mulAdd(sum2, arm[ArmVectors::YieldDriven2], One::load(yield_ + k))));
+        mulAdd(arm[ArmVectors::YieldKept], strains, driven).store(yield_ + k);
+      }
+    }
+    if constexpr (Everything) {
+      // Integrals over a segment are forms in its strains and D_k: the forms' terms are summed over
+      // the segments first.
+      One strain = One::all(0), work = One::all(0), loss = One::all(0);
+      for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
+        const Quantities arm = armsFrom(k);
+        One e = One::load(strain_ + k);
+        One sum = One::all(0), square = sum, with0 = sum, with1 = sum, with2 = sum;
+        for (std::size_t n = 0; n < count; ++n) {
+          sum = sum + e;
+          square = mulAdd(e, e, square);
+          with0 = mulAdd(One::all(batch.d0[n]), e, with0);
+          with1 = mulAdd(One::all(batch.d1[n]), e, with1);
+          with2 = mulAdd(One::all(batch.d2[n]), e, with2);
+          e = One::load(after_ + n * afterStride_ + k);
+        }
+        strain = mulAdd(arm[ArmVectors::Moment0], sum, strain);
+        work = mulAdd(
+            arm[ArmVectors::Moment0], with0,
+            mulAdd(arm[ArmVectors::Moment1], with1, mulAdd(arm[ArmVectors::Moment2], with2, work)));
+        loss = mulAdd(arm[ArmVectors::LossOfStrain], square,
+                      mulAdd(arm[ArmVectors::LossWith0], with0,
+                             mulAdd(arm[ArmVectors::LossWith1], with1,
+                                    mulAdd(arm[ArmVectors::LossWith2], with2, loss))));
+      }
+      // And what the segments drive themselves.
+      const double s00 = sumOfFirst(d0 * d0), s01 = sumOfFirst(d0 * d1), s02 = sumOfFirst(d0 * d2),
+                   s11 = sumOfFirst(d1 * d1), s12 = sumOfFirst(d1 * d2), s22 = sumOfFirst(d2 * d2);
+      const double s0 = sumOfFirst(d0), s1 = sumOfFirst(d1), s2 = sumOfFirst(d2);
+      const auto& own = vectors_.own;
+      const auto& dd = vectors_.lossOfSlopes;
+      const double ownWork = own[0][0] * s00 + own[1][1] * s11 + own[2][2] * s22 +
+                             (own[0][1] + own[1][0]) * s01 + (own[0][2] + own[2][0]) * s02 +
+                             (own[1][2] + own[2][1]) * s12;
+      const double ownLoss =
+          dd[0] * s00 + dd[1] * s01 + dd[2] * s02 + dd[3] * s11 + dd[4] * s12 + dd[5] * s22;
+      const double slopeSquared =
+          (s00 + s01 + (s11 + 2 * s02) / 3 + 0.5 * s12 + 0.2 * s22) / spacing;
+      const double damped = vectors_.dashpot * slopeSquared;
+      sums.pressure +=
+          spacing * (sumOf(strain) + own[0][0] * s0 + own[0][1] * s1 + own[0][2] * s2) +
+          vectors_.dashpot * (s0 + 0.5 * s1 + s2 / 3);
+      sums.work += sumOf(work) + ownWork + damped;
+      sums.dissipation += sumOf(loss) + ownLoss + damped;
+      sums.contactLength += spacing * static_cast<double>(count);
+      sums.slopeSquared += slopeSquared;
+    }
+    std::copy_n(after_ + (count - 1) * afterStride_, armLanes_, strain_);
+    strainSum_ = batch.strainSum[count];
+    lossSum_ = batch.lossSum[count];
+    trialWay_ = -1;
+  }
+
+  /// The pressure at the end of segment n of the batch, where the first n of it have been taken, as
+  /// if it had been asked for.
+  HWY_INLINE ValueAndSlope pressureAfter(const SegmentBatch& batch, std::size_t n,
+                                         const ContactPiece& piece) {
+    std::copy_n(after_ + n * afterStride_, armLanes_, trial_);
+    trialWay_ = piece.length;
+    trialStrainSum_ = batch.strainSum[n + 1];
+    trialLossSum_ = batch.lossSum[n + 1];
+    return pressureWith(trialStrainSum_, trialLossSum_, piece, 1);
+  }
+
+  /// w + dashpot w' and the slope of both and of the springs, for pressure in all lanes of a batch.
+  double dashpot() const { return vectors_.dashpot; }
+  double glassy() const { return vectors_.glassy; }
 
   /// p / 4G at u of any piece that begins with the present strains, and its derivative there.
   HWY_INLINE ValueAndSlope pressureAt(const ContactPiece& piece, double u) {
@@ -102,21 +217,6 @@ class ArmElement {
     return tried(piece, u, strainSum, lossSum);
   }
 
-  /// Goes on over a whole segment, at the end of which the pressure has just been asked for.
-  HWY_INLINE void advanceSegment(const ContactPiece& piece) {
-    const One d0 = One::all(piece.depth.c1), d1 = One::all(2 * piece.depth.c2),
-              d2 = One::all(3 * piece.depth.c3);
-    for (std::size_t k = 0; k < slowLanes_; k += One::kLanes) {
-      const Quantities arm = armsFrom(k);
-      const One driven =
-          mulAdd(d0, arm[ArmVectors::YieldDriven0],
-                 mulAdd(d1, arm[ArmVectors::YieldDriven1],
-                        mulAdd(d2, arm[ArmVectors::YieldDriven2], One::load(yield_ + k))));
-      mulAdd(arm[ArmVectors::YieldKept], One::load(strain_ + k), driven).store(yield_ + k);
-    }
-    takeTrial();
-  }
-
   /// Goes on to u of the piece.
   HWY_INLINE void advance(const ContactPiece& piece, double u) {
     if (trialWay_ != piece.length * u) pressureAt(piece, u);
@@ -124,38 +224,8 @@ class ArmElement {
     takeTrial();
   }
 
-  /// Sums of a whole segment in contact, before the strains go on.
-  HWY_INLINE void gatherSegment(const ContactPiece& piece, PassSums& sums) const {
-    const double d0 = piece.depth.c1, d1 = 2 * piece.depth.c2, d2 = 3 * piece.depth.c3;
-    const One w0 = One::all(d0), w1 = One::all(d1), w2 = One::all(d2);
-    One moment0 = One::all(0), moment1 = One::all(0), moment2 = One::all(0), loss = One::all(0);
-    for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
-      const Quantities arm = armsFrom(k);
-      const One e = One::load(strain_ + k);
-      moment0 = mulAdd(arm[ArmVectors::Moment0], e, moment0);
-      moment1 = mulAdd(arm[ArmVectors::Moment1], e, moment1);
-      moment2 = mulAdd(arm[ArmVectors::Moment2], e, moment2);
-      const One with =
-          mulAdd(w0, arm[ArmVectors::LossWith0],
-                 mulAdd(w1, arm[ArmVectors::LossWith1], w2 * arm[ArmVectors::LossWith2]));
-      loss = mulAdd(e, mulAdd(arm[ArmVectors::LossOfStrain], e, with), loss);
-    }
-    // What the strains at the start give, and what the segment itself drives.
-    const double with[3] = {sumOf(moment0), sumOf(moment1), sumOf(moment2)};
-    const double slope[3] = {d0, d1, d2};
-    double strain = with[0], work = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      strain += vectors_.own[0][k] * slope[k];
-      work += slope[k] * with[k];
-      for (std::size_t l = 0; l < 3; ++l) work += slope[k] * vectors_.own[k][l] * slope[l];
-    }
-    const std::array<double, 6>& dd = vectors_.lossOfSlopes;
-    const double lost = sumOf(loss) + d0 * (dd[0] * d0 + dd[1] * d1 + dd[2] * d2) +
-                        d1 * (dd[3] * d1 + dd[4] * d2) + dd[5] * d2 * d2;
-    addContact(piece, strain, work, lost, sums);
-  }
-
-  /// The same of any piece.
+  /// All sums of a piece in contact, before the strains go on. The elastic part of the work is
+  /// added where contact ends.
   HWY_INLINE void gatherPiece(const ContactPiece& piece, PassSums& sums) const {
     const One length = One::all(piece.length);
     One strain = One::all(0), work = One::all(0), loss = One::all(0);
@@ -169,7 +239,14 @@ class ArmElement {
       work = mulAdd(g, found.work, work);
       loss = mulAdd(g, found.loss, loss);
     }
-    addContact(piece, sumOf(strain), sumOf(work), sumOf(loss), sums);
+    const double slopeSquared = piece.depth.integralOfSlopeSquared(1) / piece.length;
+    const double damped = vectors_.dashpot * slopeSquared;
+    sums.pressure += piece.length * (piece.depth.integral(1) + sumOf(strain)) +
+                     vectors_.dashpot * (piece.depth.c1 + piece.depth.c2 + piece.depth.c3);
+    sums.work += sumOf(work) + damped;
+    sums.dissipation += sumOf(loss) + damped;
+    sums.contactLength += piece.length;
+    sums.slopeSquared += slopeSquared;
   }
 
   /// Contact ends at this depth (m): amplitudes that go with it and the strains.
@@ -360,28 +437,14 @@ class ArmElement {
     }
   }
 
-  /// Sums over a piece in contact, of whose arms the integrals are known. The elastic part of the
-  /// work is added where contact ends.
-  HWY_INLINE void addContact(const ContactPiece& piece, double strain, double work, double loss,
-                             PassSums& sums) const {
-    const double length = piece.length;
-    const double slopeSquared = piece.depth.integralOfSlopeSquared(1) / length;
-    const double damped = vectors_.dashpot * slopeSquared;
-    sums.pressure += length * (piece.depth.integral(1) + strain) +
-                     vectors_.dashpot * (piece.depth.c1 + piece.depth.c2 + piece.depth.c3);
-    sums.work += work + damped;
-    sums.dissipation += loss + damped;
-    sums.contactLength += length;
-    sums.slopeSquared += slopeSquared;
-  }
-
   const ArmVectors& vectors_;
-  ArmWorkspace& work_;
   std::size_t armLanes_, slowLanes_, modeLanes_;
-  double *strain_, *trial_;             // m; e_i, and where the pressure was last asked for
-  double *amplitude_, *arcAmplitude_;   // m, a_j, and where the arc began
-  double* yield_;                       // m, of slow arms
-  double strainSum_ = 0, lossSum_ = 0;  // sum g_i e_i (m), sum g_i e_i / c_i
+  double *strain_, *trial_;            // m; e_i, and where the pressure was last asked for
+  double *amplitude_, *arcAmplitude_;  // m, a_j, and where the arc began
+  double* yield_;                      // m, of slow arms
+  double* after_;                      // m, e_i at the ends of a batch's segments
+  std::size_t afterStride_;
+  double strainSum_ = 0, lossSum_ = 0;            // sum g_i e_i (m), sum g_i e_i / c_i
   double trialStrainSum_ = 0, trialLossSum_ = 0;  // of what was tried
   double trialWay_ = -1;                          // m, where that was, or below 0
 };

@@ -11,6 +11,7 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/contact/arms/arm_element-inl.h"
@@ -96,10 +97,12 @@ class ArmKernel {
     depth_ = 0;
     const std::size_t last = line_.segments() - 1;
     element_.advance(pieceOf(insideOf(0), 0, 1), 1);
-    for (std::size_t i = 1; i < last; ++i) {
-      const ContactPiece piece = pieceOf(insideOf(i), 0, 1);
-      element_.pressureAfterSegment(piece);
-      element_.advanceSegment(piece);
+    SegmentBatch batch;
+    for (std::size_t i = 1; i < last; i += SegmentBatch::kCount) {
+      const std::size_t count = std::min(SegmentBatch::kCount, last - i);
+      loadSegments(i, count, batch);
+      element_.drive(batch);
+      element_.take<false>(batch, count, line_.spacing, sums_);
     }
     element_.advance(pieceOf(insideOf(last), 1, 0), 1);
     for (std::size_t k = 0; k < vectors_.arms; ++k) {
@@ -148,27 +151,79 @@ class ArmKernel {
   /// Whole segments in contact, as long as pressure surely lasts; then a look inside of one.
   template <bool Everything>
   std::size_t contactSegments(std::size_t i) {
-    const double h = line_.spacing;
+    const std::size_t last = line_.segments() - 1;
     if (i == 0) return lookInside<Everything>(i, nullptr);
-    for (; i + 1 < line_.segments(); ++i) {
-      const ContactPiece piece{
-          [&] {
-            const Cubic height =
-                hermiteCubic(line_.heightAboveMinimum[i], line_.heightAboveMinimum[i + 1],
-                             line_.slopeIn[i] * h, line_.slopeAtEnd(i) * h);
-            return Cubic{depth_ - height.c0, -height.c1, -height.c2, -height.c3};
-          }(),
-          h};
-      const ValueAndSlope before = element_.pressure(piece);
-      ValueAndSlope after = element_.pressureAfterSegment(piece);
-      // A dip between the ends lies above where the tangents meet.
-      const bool lasts = before.value > 0 && after.value > 0 && !mayDip(before, after, 1);
-      if (!lasts) return lookInside<Everything>(i, &after);
-      sums_.depth += depth_ * h - line_.bounds(i).heightIntegral;
-      if constexpr (Everything) element_.gatherSegment(piece, sums_);
-      element_.advanceSegment(piece);
+    SegmentBatch batch;
+    while (i < last) {
+      const std::size_t count = std::min(SegmentBatch::kCount, last - i);
+      const Segments segments = loadSegments(i, count, batch);
+      element_.drive(batch);
+      const std::size_t lasting = std::min(lastingIn(segments, batch), count);
+      if constexpr (Everything) sums_.pressure += depthIn(segments, lasting);
+      sums_.depth += depthIn(segments, lasting);
+      element_.template take<Everything>(batch, lasting, line_.spacing, sums_);
+      i += lasting;
+      if (lasting == count) continue;
+      const ValueAndSlope after =
+          element_.pressureAfter(batch, lasting, pieceOf(insideOf(i), 0, 1));
+      return lookInside<Everything>(i, &after);
     }
     return lookInside<Everything>(i, nullptr);
+  }
+
+  /// Heights (m) at both ends of the segments of a batch, D_k and the mean height.
+  struct Segments {
+    One begin, end, d0, d1, d2, mean;
+  };
+
+  /// The first `count` of a batch from segment i on; the others are flat.
+  HWY_INLINE Segments loadSegments(std::size_t i, std::size_t count, SegmentBatch& batch) const {
+    const double* height = line_.heightAboveMinimum.data() + i;
+    const double* slopeOut = line_.slopeOut.empty() ? line_.slopeIn.data() : line_.slopeOut.data();
+    const One h = One::all(line_.spacing);
+    Segments s;
+    s.begin = One::loadFirst(height, count);
+    s.end = One::loadFirst(height + 1, count);
+    // Hermite's cubic, as in polynomial.h.
+    const One in = h * One::loadFirst(line_.slopeIn.data() + i, count),
+              out = h * One::loadFirst(slopeOut + i, count), step = s.end - s.begin;
+    const One c2 = mulSub(One::all(3), step, in + in + out),
+              c3 = negMulAdd(One::all(2), step, in + out);
+    s.d0 = -in;
+    s.d1 = -(c2 + c2);
+    s.d2 = One::all(-3) * c3;
+    s.mean = mulAdd(One::all(1.0 / 12), in - out, One::all(0.5) * (s.begin + s.end));
+    s.d0.store(batch.d0);
+    s.d1.store(batch.d1);
+    s.d2.store(batch.d2);
+    return s;
+  }
+
+  /// Of how many segments from the first on pressure surely lasts.
+  HWY_INLINE std::size_t lastingIn(const Segments& s, const SegmentBatch& batch) const {
+    const One zero = One::all(0), depth = One::all(depth_), h = One::all(line_.spacing),
+              glassy = One::all(element_.glassy()),
+              perLength = One::all(element_.dashpot() / line_.spacing);
+    const One rise = s.d0 + s.d1 + s.d2;
+    // Pressure and its slope at both ends.
+    const One before = mulAdd(perLength, s.d0, depth - s.begin + One::load(batch.strainSum));
+    const One slopeBefore =
+        mulAdd(s.d0, glassy, mulSub(perLength, s.d1, h * One::load(batch.lossSum)));
+    const One after = mulAdd(perLength, rise, depth - s.end + One::load(batch.strainSum + 1));
+    const One slopeAfter = mulAdd(
+        rise, glassy, mulSub(perLength, s.d1 + s.d2 + s.d2, h * One::load(batch.lossSum + 1)));
+    // A dip between the ends lies above where the tangents meet.
+    const One meet = (after - before - slopeAfter) / (slopeBefore - slopeAfter);
+    const OneMask mayDip =
+        (slopeBefore < zero) & (slopeAfter > zero) & !(mulAdd(slopeBefore, meet, before) > zero);
+    const OneMask lasts = (before > zero) & (after > zero) & !mayDip;
+    return static_cast<std::size_t>(std::countr_one(bitsOf(lasts)));
+  }
+
+  /// Integral (m^2) of w over the first `count` segments.
+  HWY_INLINE double depthIn(const Segments& s, std::size_t count) const {
+    const One w = onlyIn({hn::FirstN(kTag, count)}, One::all(depth_) - s.mean);
+    return line_.spacing * sumOf(w);
   }
 
   /// Whether the tangents at both ends of an interval meet below 0.

@@ -109,7 +109,15 @@ struct ArmWorkspace {
   void addLength(double length);
   bool wasComplete() const { return lengths.size() == 1; }
 
-  enum Row : std::size_t { Strain, Trial, Amplitude, ArcAmplitude, Yield, Rows };
+  enum Row : std::size_t {
+    Strain,
+    Trial,
+    Amplitude,
+    ArcAmplitude,
+    Yield,
+    After,
+    Rows = After + kWidestVector
+  };
   AlignedRows rows;
 };
 
