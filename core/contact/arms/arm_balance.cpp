@@ -18,7 +18,7 @@ constexpr int kMostArmPasses = 200;
 constexpr double kQuasiNewtonBelow = 1e-3;
 /// Relative residual at which a search ends: not far above what sums over thousands of elements
 /// lose to rounding.
-constexpr double kWantedArmResidual = 1e-12;
+constexpr double kWantedArmResidual = 5e-12;
 /// Relative residual from which on the next pass is expected to end the search.
 constexpr double kNearlyMet = 1e-6;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();

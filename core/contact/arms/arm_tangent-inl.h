@@ -25,19 +25,24 @@ class ArmTangentKernel {
   /// lengths: as of ArmWorkspace.
   void run(const std::vector<double>& lengths) {
     begin();
+    // Arms are remembered over a contact from the slowest one on; of those that it makes forgotten
+    // nothing is needed before or after.
+    std::size_t remembered = armsRememberedAfter(lengths[0]);
     for (std::size_t i = 0; i < lengths.size(); ++i) {
       const bool isLast = i + 1 == lengths.size();
       if (i % 2 == 0) {
-        contact(lengths[i]);
-        // What the first arms remember is all that the lanes hold from here on.
-        const std::size_t remembered = armsRememberedAfter(lengths[i]);
+        contact(lengths[i], remembered);
+        // So the lanes of forgotten strains at the lowest point hold nothing from here on.
         if (i == 0) lanes_ = lanesFor(remembered + 1);
         if (!isLast) leave(remembered);
       } else {
         arc(lengths[i]);
-        if (!isLast || vectors_.slow < vectors_.arms) enter();
+        remembered = isLast ? vectors_.arms : armsRememberedAfter(lengths[i + 1]);
+        enter(remembered);
       }
     }
+    for (std::size_t i = remembered; i < vectors_.arms; ++i)
+      std::fill_n(jacobian_.strain.row(i), lanes_, 0.0);
     // Arms that change much in a period yield what their strains lose.
     for (std::size_t i = vectors_.slow; i < vectors_.arms; ++i) {
       double *change = jacobian_.change.row(i), *strain = jacobian_.strain.row(i);
@@ -72,14 +77,14 @@ class ArmTangentKernel {
   }
 
   /// Strains decay; what slow arms lose is yielded.
-  void contact(double length) {
+  void contact(double length, std::size_t remembered) {
     jacobian_.volume.row(0)[0] += length;
     const One way = One::all(length);
     alignas(64) double lost[One::kLanes];
-    for (std::size_t first = 0; first < vectors_.arms; first += One::kLanes) {
+    for (std::size_t first = 0; first < remembered; first += One::kLanes) {
       const double* inverse = vectors_.arm.from(first) + ArmVectors::Inverse * kWidestVector;
       lostAfter(way * One::load(inverse)).store(lost);
-      for (std::size_t i = first; i < std::min(first + One::kLanes, vectors_.arms); ++i) {
+      for (std::size_t i = first; i < std::min(first + One::kLanes, remembered); ++i) {
         const One share = One::all(lost[i - first]);
         double *strain = jacobian_.strain.row(i), *change = jacobian_.change.row(i);
         for (std::size_t k = 0; k < lanes_; k += One::kLanes) {
@@ -132,9 +137,9 @@ class ArmTangentKernel {
   }
 
   /// Strains of the free surface, and what the line presses it in beyond.
-  void enter() {
-    product(vectors_.arms, vectors_.modes, vectors_.toYield, jacobian_.mode, jacobian_.strain);
-    for (std::size_t i = 0; i < vectors_.arms; ++i) jacobian_.strain.row(i)[0] += 1;
+  void enter(std::size_t remembered) {
+    product(remembered, vectors_.modes, vectors_.toYield, jacobian_.mode, jacobian_.strain);
+    for (std::size_t i = 0; i < remembered; ++i) jacobian_.strain.row(i)[0] += 1;
   }
 
   /// to[i] = - sum over m of factor.row(m)[i] from[m], four rows of `to` at a time.
