@@ -16,11 +16,11 @@ namespace {
 constexpr int kMostArmPasses = 200;
 /// Relative residual from which on the Jacobian is only kept up by Broyden's update.
 constexpr double kQuasiNewtonBelow = 1e-3;
-/// Relative residual at which a search ends: not far above what sums over thousands of elements
-/// lose to rounding.
-constexpr double kWantedArmResidual = 5e-12;
 /// Relative residual from which on the next pass is expected to end the search.
 constexpr double kNearlyMet = 1e-6;
+/// Residual that may be rounding, and the error of the springs' force, relative to that of the
+/// equilibrium, that is as good as none.
+constexpr double kRoundingResidual = 5e-12, kForceError = 1e-11;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 using Eigen::Index;
@@ -58,21 +58,20 @@ class ArmSolver::Search {
     start(guess);
     Vector residual = evaluate();
     bool fresh = true;  // the Jacobian is that of this very pass
-    int stalled = 0;
     if (!factorJacobian()) return best_;
-    while (passes_ < kMostArmPasses && bestWorst_ > kWantedArmResidual && stalled < kPatience) {
+    double contraction = 1;  // of the residual by the last step
+    while (passes_ < kMostArmPasses && bestWorst_ > kWantedResidual) {
       const Vector from = unknown_, before = residual;
       const double worstBefore = worst_;
       Vector step = -applyInverse(residual);
       limit(step);
       unknown_ = from + step;
-      const bool exact = !(worstBefore < kQuasiNewtonBelow);
       residual = evaluate(worstBefore < kNearlyMet ? Output::Everything : Output::Force);
       const bool good = worst_ < 0.5 * worstBefore;
-      stalled = good || bestWorst_ > kAcceptedResidual ? 0 : stalled + 1;
-      if (!good && fresh && bestWorst_ > kAcceptedResidual)
-        shorten(from, step, worstBefore, residual);
-      fresh = exact || !good;
+      if (isEnough(contraction * worstBefore) || (!good && bestWorst_ <= kAcceptedResidual)) break;
+      if (!good && fresh) shorten(from, step, worstBefore, residual);
+      contraction = std::min(worst_ / worstBefore, 1.0);
+      fresh = !good || !(worstBefore < kQuasiNewtonBelow);
       if (fresh)
         factorJacobian();
       else
@@ -82,6 +81,15 @@ class ArmSolver::Search {
   }
 
  private:
+  /// Whether another step would gain nothing. Stiff arms make more of an error of their strains.
+  /// expected: the residual that the last step should have left but for rounding, as steps do not
+  /// become worse towards the end.
+  bool isEnough(double expected) const {
+    const double least = kForceError / coefficients_.glassy;
+    return worst_ <= std::max(least, kWantedResidual) ||
+           (worst_ <= kRoundingResidual && expected <= least);
+  }
+
   /// Complete contact: depth and strains are known, up to what slow arms lose to rounding. A pass
   /// says whether it is.
   bool tryComplete() {
@@ -94,7 +102,7 @@ class ArmSolver::Search {
     for (int i = 0; i < 3; ++i) {
       const Vector residual = evaluate();
       if (!work_.wasComplete()) break;
-      if (bestWorst_ <= kWantedArmResidual) return best_.isComplete = true;
+      if (bestWorst_ <= kWantedResidual) return best_.isComplete = true;
       unknown_.tail(arms_) -= residual.tail(arms_);
     }
     forget();

@@ -38,7 +38,9 @@ double ArmGuess::strainAt(const Known& known, double relaxationLength) const {
     return strain[0] +
            (strain[0] - strain[1]) * (1 - slowest / tau) / (slowest / arms[1].relaxationTime - 1);
   }
-  const std::size_t first = next > 1 ? next - 2 : 0, end = std::min(next + 2, count);
+  const std::size_t window = std::min<std::size_t>(count, 4);
+  const std::size_t first = std::min(next > 1 ? next - 2 : 0, count - window);
+  const std::size_t end = first + window;
   const double logTau = std::log(tau);
   double sum = 0;
   for (std::size_t i = first; i < end; ++i) {
