@@ -114,7 +114,7 @@ class ArmKernel {
  private:
   static constexpr double kNone = 2;               // beyond [0, 1]
   static constexpr int kMostEvents = 64;           // in one segment, as in arm_pass.cpp
-  static constexpr double kPlaceTolerance = 1e-9;  // of a last step, relative to the place
+  static constexpr double kPlaceTolerance = 1e-6;  // of a last step, relative to the place
 
   /// A segment to look inside, as in arm_pass.h.
   struct Inside {
@@ -348,33 +348,45 @@ class ArmKernel {
   /// First place in (from, to] where the line reaches the free surface, or kNone.
   double findEntry(const Inside& inside, double from, double to) const {
     const double onward = to > from ? 1 : -1;
+    // The free surface rises, over the rest of a segment not farther than over a whole one.
+    const double highest = leftHeight_ + (back_ + element_.comesBackOverBlock(0));
+    const auto gap = [&](double t) { return gapAt(inside, from, t); };
+    // From one breakpoint to the next the line goes up or down all the way.
     Few<4> stops = breakpoints(inside.height, to > from);
     stops.add(to);
-    const auto gap = [&](double t) { return gapAt(inside, from, t); };
-    double a = from;
-    ValueAndSlope atA{leftHeight_ + back_ - inside.height(from),
+    double a = from, heightA = inside.height(from);
+    ValueAndSlope atA{leftHeight_ + back_ - heightA,
                       -inside.height.derivative(from) + inside.along * element_.speedBack()};
-    const auto zeroBefore = [&](double b, ValueAndSlope atB) {
-      const bool isGuessed = (atA.value < 0) != (atB.value < 0);
-      const double guess = isGuessed ? hermiteZero(a, atA, b, atB) : 0.5 * (a + b);
-      return zeroNear(guess, std::min(a, b), std::max(a, b), onward > 0, kPlaceTolerance, gap);
-    };
+    bool isKnownAtA = true;
     for (const double b : stops) {
       if ((b - a) * onward <= 0) continue;
-      const ValueAndSlope atB = gap(b);
-      if (atB.value > 0) return zeroBefore(b, atB);
-      // The line may come up and go down again in between.
-      if (atA.slope * onward > 0 && atB.slope * onward < 0) {
-        double low = a, high = b;
-        for (int i = 0; i < 60 && std::abs(high - low) > 1e-9; ++i) {
-          const double middle = 0.5 * (low + high);
-          const ValueAndSlope at = gap(middle);
-          if (at.value > 0) return zeroBefore(middle, at);
-          (at.slope * onward > 0 ? low : high) = middle;
+      const double heightB = inside.height(b);
+      if (std::min(heightA, heightB) >= highest) {
+        isKnownAtA = false;
+      } else {
+        if (!isKnownAtA) atA = gap(a);
+        const ValueAndSlope atB = gap(b);
+        const auto zeroBefore = [&](double t, ValueAndSlope at) {
+          const bool isGuessed = (atA.value < 0) != (at.value < 0);
+          const double guess = isGuessed ? hermiteZero(a, atA, t, at) : 0.5 * (a + t);
+          return zeroNear(guess, std::min(a, t), std::max(a, t), onward > 0, kPlaceTolerance, gap);
+        };
+        if (atB.value > 0) return zeroBefore(b, atB);
+        // The line may come down to the surface and go up again in between.
+        if (atA.slope * onward > 0 && atB.slope * onward < 0) {
+          double low = a, high = b;
+          for (int i = 0; i < 60 && std::abs(high - low) > 1e-9; ++i) {
+            const double middle = 0.5 * (low + high);
+            const ValueAndSlope at = gap(middle);
+            if (at.value > 0) return zeroBefore(middle, at);
+            (at.slope * onward > 0 ? low : high) = middle;
+          }
         }
+        atA = atB;
+        isKnownAtA = true;
       }
       a = b;
-      atA = atB;
+      heightA = heightB;
     }
     return kNone;
   }
@@ -394,7 +406,7 @@ class ArmKernel {
       }
       const double entry = findEntry(inside, t, end);
       if (entry > 1) {
-        back_ += element_.relax(std::abs((end - t) * inside.along));
+        relaxTo(inside, t, end);
         return i + 1;
       }
       enter<Everything>(inside.at(entry), inside.height(entry));
@@ -404,9 +416,19 @@ class ArmKernel {
     if (touching_) {
       element_.advance(pieceOf(inside, t, end), 1);
     } else {
-      back_ += element_.relax(std::abs((end - t) * inside.along));
+      relaxTo(inside, t, end);
     }
     return i + 1;
+  }
+
+  /// The free surface creeps back to the end of a segment.
+  HWY_INLINE void relaxTo(const Inside& inside, double from, double end) {
+    if (from == 0 && inside.along == line_.spacing) {
+      back_ += element_.comesBackOverBlock(0);
+      element_.relaxOverBlock(0);
+    } else {
+      back_ += element_.relax(std::abs((end - from) * inside.along));
+    }
   }
 
   const PreparedProfile& line_;
