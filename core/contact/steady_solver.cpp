@@ -1,6 +1,7 @@
 #include "core/contact/steady_solver.h"
 
 #include "core/base/input_error.h"
+#include "core/contact/arms/arm_guess.h"
 #include "core/contact/complete_contact.h"
 #include "core/contact/sweep.h"
 #include "core/scene/effects.h"
@@ -17,7 +18,9 @@ SteadySolver::SteadySolver(const Scene& scene)
   checkEffects(scene);
   needEquilibrium(scene);
   if (callsFor(scene, Purpose::Curve, Stage::TemperatureShift)) countStage(Stage::TemperatureShift);
-  if (hasArms_) modes_ = retardationModes(law_);
+  if (!hasArms_) return;
+  modes_ = retardationModes(law_);
+  tables_ = std::make_unique<ArmTables>(law_, modes_);
 }
 
 SlidingConditions SteadySolver::conditions(double velocity) const {
@@ -45,12 +48,13 @@ void SteadySolver::countSteady(const Load& load) const {
 bool SteadySolver::sweepArms(const PreparedProfile& line, const Load& load,
                              std::span<const double> velocities, std::span<SteadyResult> results,
                              const std::stop_token& stop) const {
-  ArmState last;
+  ArmGuess guess(law_);
   for (std::size_t i = 0; i < velocities.size(); ++i) {
     if (stop.stop_requested()) return false;
-    const bool known = i > 0 && last.result.status == SteadyStatus::Balanced;
-    last = slideWithArms(line, law_, modes_, load, velocities[i], known ? &last : nullptr);
-    results[i] = last.result;
+    const ArmState found =
+        slideWithArms(line, *tables_, load, velocities[i], guess.at(velocities[i]));
+    guess.take(velocities[i], found.balance);
+    results[i] = found.result;
   }
   return true;
 }
@@ -74,7 +78,7 @@ SteadyState SteadySolver::at(const PreparedProfile& line, double velocity) const
   countSteady(held);
   SteadyState state;
   if (hasArmsAt(velocity)) {
-    ArmState found = slideWithArms(line, law_, modes_, held, velocity);
+    ArmState found = slideWithArms(line, *tables_, held, velocity);
     state = {found.result, std::move(found.balance)};
   } else {
     state.result = slideAtLoad(line, conditions(velocity), held);
@@ -84,12 +88,12 @@ SteadyState SteadySolver::at(const PreparedProfile& line, double velocity) const
 }
 
 bool SteadySolver::isComplete(const PreparedProfile& line, double depth, double velocity) const {
-  return hasArmsAt(velocity) ? ArmSolver(line, law_, modes_, velocity).isContactComplete(depth)
+  return hasArmsAt(velocity) ? ArmSolver(line, *tables_, velocity).isContactComplete(depth)
                              : isContactComplete(line, depth, velocity * law_.relaxationTime);
 }
 
 double SteadySolver::completeAbove(const PreparedProfile& line, double velocity) const {
-  return hasArmsAt(velocity) ? ArmSolver(line, law_, modes_, velocity).completeAbove()
+  return hasArmsAt(velocity) ? ArmSolver(line, *tables_, velocity).completeAbove()
                              : asperity::completeAbove(line, velocity * law_.relaxationTime);
 }
 
@@ -98,7 +102,7 @@ SteadyShape SteadySolver::shape(const PreparedProfile& line, double velocity,
   countStage(Stage::Shape);
   SteadyShape shape;
   if (hasArmsAt(velocity)) {
-    ArmShape found = armShapeAt(line, law_, modes_, velocity, state.arms);
+    ArmShape found = armShapeAt(line, *tables_, velocity, state.arms);
     shape = {std::move(found.nodes), std::move(found.modes)};
   } else {
     shape.nodes = shapeAt(line, conditions(velocity), state.result.indentation);

@@ -5,6 +5,7 @@
 // no steady state; afterwards `status` of a result tells its quality.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -32,6 +33,9 @@ struct SteadyShape {
 class SteadySolver {
  public:
   explicit SteadySolver(const Scene& scene);
+  /// The tables of the arms refer to the law.
+  SteadySolver(const SteadySolver&) = delete;
+  SteadySolver& operator=(const SteadySolver&) = delete;
 
   const ElementLaw& law() const { return law_; }
   const RetardationModes& modes() const { return modes_; }
@@ -63,6 +67,7 @@ class SteadySolver {
   bool hasInterface_, hasArms_;
   ElementLaw law_;
   RetardationModes modes_;
+  std::unique_ptr<ArmTables> tables_;  // of elements with arms
 };
 
 }  // namespace asperity

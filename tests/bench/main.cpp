@@ -1,6 +1,8 @@
-// asperity_bench [--quick] [--accuracy] [--effects] [--output FOLDER] [Google Benchmark's options]
+// asperity_bench [--quick] [--accuracy] [--effects] [--arms] [--output FOLDER]
+//                [Google Benchmark's options]
 // Measures, prints the tables, and writes them to FOLDER/<CPU name>.md. With a filter only what ran
 // is printed and nothing is written. --accuracy, --effects: only the page on accuracy, on effects.
+// --arms: only the section on elements with arms, printed and not written.
 // Exit: 0 done, 1 failed, 2 bad usage.
 #include <cstdio>
 #include <exception>
@@ -10,6 +12,7 @@
 
 #include "core/contact/kernels/kernels.h"
 #include "tests/bench/accuracy_report.h"
+#include "tests/bench/arms_report.h"
 #include "tests/bench/cancel.h"
 #include "tests/bench/effects_report.h"
 #include "tests/bench/fields.h"
@@ -23,7 +26,7 @@ namespace asperity::bench {
 namespace {
 
 struct Options {
-  bool isQuick = false, isFiltered = false, isAccuracy = false, isEffects = false;
+  bool isQuick = false, isFiltered = false, isAccuracy = false, isEffects = false, isArms = false;
   std::string output, memoryChild;
   std::vector<char*> rest;  // for Google Benchmark
 };
@@ -39,6 +42,8 @@ Options readOptions(int count, char** arguments) {
       options.isAccuracy = true;
     else if (argument == "--effects")
       options.isEffects = true;
+    else if (argument == "--arms")
+      options.isArms = true;
     else if (argument == "--output" && hasValue)
       options.output = arguments[++i];
     else if (argument == "--memory-child" && hasValue)
@@ -99,10 +104,15 @@ int run(int count, char** arguments) {
   int left = static_cast<int>(options.rest.size());
   ::benchmark::Initialize(&left, options.rest.data());
   if (::benchmark::ReportUnrecognizedArguments(left, options.rest.data())) return 2;
+  if (options.isArms) {
+    std::printf("%s", armsSection(options.isQuick).c_str());
+    return 0;
+  }
   const bool isOnePage = options.isAccuracy || options.isEffects;
   if (!options.isFiltered || isOnePage) {
     if ((options.isEffects || !isOnePage) &&
-        !addPage(options, "_effects", effectsReport(options.isQuick)))
+        !addPage(options, "_effects",
+                 effectsReport(options.isQuick) + "\n" + armsSection(options.isQuick)))
       return 1;
     if ((options.isAccuracy || !isOnePage) &&
         !addPage(options, "_accuracy", accuracyReport(options.isQuick)))

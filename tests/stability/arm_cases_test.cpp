@@ -107,14 +107,15 @@ TEST(ArmCases, ASearchAmongNoNumbersEnds) {
   const ElementLaw law = SteadySolver(scene).law();
   RetardationModes modes = retardationModes(law);
   for (double& fluidity : modes.fluidity) fluidity = std::numeric_limits<double>::quiet_NaN();
+  ArmTables tables(law, modes);
   for (const LoadKind kind : {LoadKind::Force, LoadKind::Indentation}) {
     Load load;
     load.kind = kind;
-    const ArmState found = slideWithArms(line, law, modes, load, 1);
+    const ArmState found = slideWithArms(line, tables, load, 1);
     EXPECT_TRUE(isRefused(found.result));
     EXPECT_FALSE(found.balance.isMet());
     EXPECT_EQ(found.balance.strain.size(), 2U);
-    const ArmShape shape = armShapeAt(line, law, modes, 1, found.balance);
+    const ArmShape shape = armShapeAt(line, tables, 1, found.balance);
     EXPECT_EQ(shape.nodes.depth.size(), line.segments());
   }
   std::feclearexcept(FE_ALL_EXCEPT);

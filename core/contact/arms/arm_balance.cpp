@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 
 #include "core/base/flush_denormals.h"
@@ -14,6 +16,11 @@ namespace {
 constexpr int kMostArmPasses = 200;
 /// Relative residual from which on the Jacobian is only kept up by Broyden's update.
 constexpr double kQuasiNewtonBelow = 1e-3;
+/// Relative residual from which on the next pass is expected to end the search.
+constexpr double kNearlyMet = 1e-6;
+/// Residual that may be rounding, and the error of the springs' force, relative to that of the
+/// equilibrium, that is as good as none.
+constexpr double kRoundingResidual = 5e-12, kForceError = 1e-11;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 using Eigen::Index;
@@ -27,16 +34,17 @@ class ArmSolver::Search {
  public:
   Search(ArmSolver& solver, double load, double depth)
       : line_(solver.line_),
-        coefficients_(solver.coefficients_),
-        pass_(solver.pass_),
+        coefficients_(solver.table_->coefficients),
+        vectors_(solver.table_->vectors),
+        work_(solver.work_),
+        jacobian_(solver.jacobian_),
         load_(load),
         fixedDepth_(depth),
         arms_(static_cast<Index>(coefficients_.arms())),
         first_(load > 0 ? 1 : 0),
         unknown_(Vector::Zero(first_ + arms_)),
         low_(load / line_.length),
-        high_(load > 0 ? low_ + line_.meanHeight : depth),
-        tangent_(coefficients_) {
+        high_(load > 0 ? low_ + line_.meanHeight : depth) {
     for (const double inverse : coefficients_.inverse) {
       const double periods = line_.length * inverse;  // slid in one relaxation length
       change_.push_back(-std::expm1(-periods));
@@ -48,44 +56,52 @@ class ArmSolver::Search {
   ArmBalance run(const ArmBalance* guess) {
     if (tryComplete()) return best_;
     start(guess);
-    Vector residual = evaluate(&tangent_);
+    Vector residual = evaluate();
     bool fresh = true;  // the Jacobian is that of this very pass
-    int stalled = 0;
-    if (!invertJacobian()) return best_;
-    while (passes_ < kMostArmPasses && bestWorst_ > kWantedResidual && stalled < kPatience) {
+    if (!factorJacobian()) return best_;
+    double contraction = 1;  // of the residual by the last step
+    while (passes_ < kMostArmPasses && bestWorst_ > kWantedResidual) {
       const Vector from = unknown_, before = residual;
       const double worstBefore = worst_;
-      Vector step = -(inverse_ * residual);
+      Vector step = -applyInverse(residual);
       limit(step);
       unknown_ = from + step;
-      const bool exact = !(worstBefore < kQuasiNewtonBelow);
-      residual = evaluate(exact ? &tangent_ : nullptr);
+      residual = evaluate(worstBefore < kNearlyMet ? Output::Everything : Output::Force);
       const bool good = worst_ < 0.5 * worstBefore;
-      stalled = good || bestWorst_ > kAcceptedResidual ? 0 : stalled + 1;
-      if (!good && fresh && bestWorst_ > kAcceptedResidual)
-        shorten(from, step, worstBefore, residual);
-      fresh = exact || !good;
-      if (!exact && !good && bestWorst_ > kWantedResidual) residual = evaluate(&tangent_);
+      if (isEnough(contraction * worstBefore) || (!good && bestWorst_ <= kAcceptedResidual)) break;
+      if (!good && fresh) shorten(from, step, worstBefore, residual);
+      contraction = std::min(worst_ / worstBefore, 1.0);
+      fresh = !good || !(worstBefore < kQuasiNewtonBelow);
       if (fresh)
-        invertJacobian();
+        factorJacobian();
       else
-        updateInverse(step, residual - before);
+        update(step, residual - before);
     }
     return best_;
   }
 
  private:
+  /// Whether another step would gain nothing. Stiff arms make more of an error of their strains.
+  /// expected: the residual that the last step should have left but for rounding, as steps do not
+  /// become worse towards the end.
+  bool isEnough(double expected) const {
+    const double least = kForceError / coefficients_.glassy;
+    return worst_ <= std::max(least, kWantedResidual) ||
+           (worst_ <= kRoundingResidual && expected <= least);
+  }
+
   /// Complete contact: depth and strains are known, up to what slow arms lose to rounding. A pass
   /// says whether it is.
   bool tryComplete() {
     const double depth = first_ > 0 ? high_ : fixedDepth_;
-    const std::vector<double>& height = line_.heightAboveMinimum;
-    if (depth < *std::max_element(height.begin(), height.end())) return false;
+    // Somewhere the line is higher, as a rule soon.
+    if (std::ranges::any_of(line_.heightAboveMinimum, [&](double z) { return z > depth; }))
+      return false;
     if (first_ > 0) unknown_[0] = depth;
-    pass_.completeStrains(strains());
+    findCompleteStrains(line_, vectors_, strains(), work_);
     for (int i = 0; i < 3; ++i) {
-      const Vector residual = evaluate(nullptr);
-      if (!pass_.wasComplete()) break;
+      const Vector residual = evaluate();
+      if (!work_.wasComplete()) break;
       if (bestWorst_ <= kWantedResidual) return best_.isComplete = true;
       unknown_.tail(arms_) -= residual.tail(arms_);
     }
@@ -119,12 +135,12 @@ class ArmSolver::Search {
 
   /// A pass at the unknowns. Returns residuals in m: the missing mean depth first, then how far
   /// each arm is from where its period closes.
-  Vector evaluate(ArmTangent* tangent) {
-    pass_.run(depth(), strains(), tangent);
+  Vector evaluate(Output output = Output::Force) {
+    runArmPass(line_, vectors_, depth(), strains(), output, work_);
     ++passes_;
     Vector residual(unknown_.size());
     // The force.
-    const double mean = pass_.sums().depth / line_.length;
+    const double mean = work_.sums.depth / line_.length;
     const double target = first_ > 0 ? load_ / line_.length : mean;
     if (first_ > 0) residual[0] = mean - target;
     forceResidual_ = first_ > 0 ? std::abs(residual[0]) / target : 0;
@@ -132,7 +148,7 @@ class ArmSolver::Search {
     const double scale = strainScale(mean);
     periodicityError_ = 0;
     for (std::size_t i = 0; i < change_.size(); ++i) {
-      const double missing = pass_.yieldChange()[i] / change_[i];
+      const double missing = work_.yieldChange[i] / change_[i];
       // What is no number must not pass for closed: a maximum would skip it.
       const double share = std::abs(missing) / scale;
       periodicityError_ = std::max(periodicityError_, share >= 0 ? share : kInfinite);
@@ -140,7 +156,8 @@ class ArmSolver::Search {
     }
     worst_ = std::max(forceResidual_, periodicityError_);
     if (!(worst_ >= 0)) worst_ = kInfinite;
-    if (worst_ < bestWorst_) remember();
+    if (getenv("DBG")) fprintf(stderr, "%.1e(%.0e) ", worst_, forceResidual_);
+    if (worst_ < bestWorst_) remember(output);
     best_.force.passes = passes_;
     return residual;
   }
@@ -153,38 +170,46 @@ class ArmSolver::Search {
     return std::max(std::min(scale, std::abs(meanDepth)), std::numeric_limits<double>::min());
   }
 
-  void remember() {
+  void remember(Output output) {
     bestWorst_ = worst_;
     best_.force.depth = depth();
     best_.force.residual = forceResidual_;
     best_.periodicityError = periodicityError_;
     best_.strain.assign(strains().begin(), strains().end());
+    best_.sums.reset();
+    if (output == Output::Everything) best_.sums = work_.sums;
   }
 
-  /// Inverts the Jacobian that the last pass has gathered; returns false where it is singular.
-  bool invertJacobian() {
+  /// Takes the Jacobian of the last pass; returns false where it is singular.
+  bool factorJacobian() {
+    findArmJacobian(vectors_, work_, jacobian_);
     const Index size = unknown_.size();
-    Matrix jacobian(size, size);
+    matrix_.resize(size, size);
     for (Index k = 0; k < size; ++k) {
       const auto unknown = static_cast<std::size_t>(k + 1 - first_);
-      if (first_ > 0) jacobian(0, k) = tangent_.ofDepthIntegral(unknown) / line_.length;
+      if (first_ > 0) matrix_(0, k) = jacobian_.ofDepthIntegral(unknown) / line_.length;
       for (std::size_t i = 0; i < change_.size(); ++i)
-        jacobian(first_ + static_cast<Index>(i), k) =
-            tangent_.ofYieldChange(i, unknown) / change_[i];
+        matrix_(first_ + static_cast<Index>(i), k) =
+            jacobian_.ofYieldChange(i, unknown) / change_[i];
     }
-    const Eigen::PartialPivLU<Matrix> factors(jacobian);
-    if (!(factors.matrixLU().diagonal().array().abs() > 0).all()) return false;
-    inverse_ = factors.inverse();
-    return true;
+    updates_.clear();
+    factors_.compute(matrix_);
+    return (factors_.matrixLU().diagonal().array().abs() > 0).all();
+  }
+
+  /// The inverse Jacobian as it was factored and updated since, times a vector.
+  Vector applyInverse(const Vector& vector) const {
+    Vector result = factors_.solve(vector);
+    for (const Update& update : updates_) result += update.correction * update.step.dot(result);
+    return result;
   }
 
   /// Broyden's update of the inverse Jacobian by a step and the change of the residual in it.
-  void updateInverse(const Vector& step, const Vector& change) {
-    const Vector predicted = inverse_ * change;
+  void update(const Vector& step, const Vector& change) {
+    const Vector predicted = applyInverse(change);
     const double scale = step.dot(predicted);
     if (!(std::abs(scale) > 1e-6 * step.squaredNorm())) return;
-    const Eigen::RowVectorXd row = step.transpose() * inverse_;
-    inverse_ += (step - predicted) * row / scale;
+    updates_.push_back({step, (step - predicted) / scale});
   }
 
   /// Keeps the depth where a force can be carried, to rounding.
@@ -201,19 +226,26 @@ class ArmSolver::Search {
     for (int i = 0; i < 12 && !(worst_ < worstBefore); ++i) {
       step *= 0.35;
       unknown_ = from + step;
-      residual = evaluate(&tangent_);
+      residual = evaluate();
     }
   }
 
   const PreparedProfile& line_;
   const ArmCoefficients& coefficients_;
-  ArmPass& pass_;
+  const ArmVectors& vectors_;
+  ArmWorkspace& work_;
+  ArmJacobian& jacobian_;
   double load_, fixedDepth_;
   Index arms_, first_;  // first_: of the strains among the unknowns
   Vector unknown_;
   double low_, high_;  // m, of the depth
-  ArmTangent tangent_;
-  Matrix inverse_;              // of the Jacobian
+  Matrix matrix_;
+  Eigen::PartialPivLU<Matrix> factors_;  // of the Jacobian
+  /// By which the inverse Jacobian gains correction step^T times itself.
+  struct Update {
+    Vector step, correction;
+  };
+  std::vector<Update> updates_;
   std::vector<double> change_;  // 1 - exp(-L / c_i)
   std::vector<double>
       slowness_;  // 1: an arm hardly changes in a period; 0: it forgets the last one
@@ -223,11 +255,11 @@ class ArmSolver::Search {
   ArmBalance best_;
 };
 
-ArmSolver::ArmSolver(const PreparedProfile& line, const ElementLaw& law,
-                     const RetardationModes& modes, double velocity)
+ArmSolver::ArmSolver(const PreparedProfile& line, ArmTables& tables, double velocity)
     : line_(line),
-      coefficients_(law, modes, velocity, line.spacing, line.length, line.blocks.size()),
-      pass_(line, coefficients_) {}
+      table_(tables.at(velocity, line)),
+      work_(table_->vectors),
+      jacobian_(table_->vectors) {}
 
 ArmBalance ArmSolver::atLoad(double load, const ArmBalance* guess) {
   return Search(*this, load, 0).run(guess);
@@ -238,10 +270,10 @@ ArmBalance ArmSolver::atDepth(double depth, const ArmBalance* guess) {
 }
 
 bool ArmSolver::isContactComplete(double depth) {
-  std::vector<double> strain(coefficients_.arms());
-  pass_.completeStrains(strain);
-  pass_.run(depth, strain);
-  return pass_.wasComplete();
+  std::vector<double> strain(table_->vectors.arms);
+  findCompleteStrains(line_, table_->vectors, strain, work_);
+  runArmPass(line_, table_->vectors, depth, strain, Output::Force, work_);
+  return work_.wasComplete();
 }
 
 double ArmSolver::completeAbove() {
@@ -255,8 +287,14 @@ double ArmSolver::completeAbove() {
 }
 
 PassSums ArmSolver::sums(const ArmBalance& balance, ArmShape* shape) {
-  pass_.runForState(balance.force.depth, balance.strain, shape);
-  return pass_.sums();
+  if (shape) {
+    ArmPass pass(line_, table_->coefficients);
+    pass.runForState(balance.force.depth, balance.strain, shape);
+    return pass.sums();
+  }
+  runArmPass(line_, table_->vectors, balance.force.depth, balance.strain, Output::Everything,
+             work_);
+  return work_.sums;
 }
 
 namespace {
@@ -264,13 +302,11 @@ namespace {
 /// Balances at one load, by searches that begin from each other where a plain one fails.
 class Continuation {
  public:
-  Continuation(const PreparedProfile& line, const ElementLaw& law, const RetardationModes& modes,
-               const Load& load)
+  Continuation(const PreparedProfile& line, ArmTables& tables, const Load& load)
       : line_(line),
-        law_(law),
-        modes_(modes),
+        tables_(tables),
         byForce_(load.kind == LoadKind::Force),
-        value_(byForce_ ? load.normalForce / (4 * law.equilibriumModulus) : load.depth) {}
+        value_(byForce_ ? load.normalForce / (4 * tables.law().equilibriumModulus) : load.depth) {}
 
   ArmBalance solve(double velocity, const ArmBalance* guess) {
     ArmBalance found = attempt(velocity, guess);
@@ -284,7 +320,8 @@ class Continuation {
   static constexpr int kMostSteps = 60;
 
   ArmBalance attempt(double velocity, const ArmBalance* guess) {
-    ArmSolver solver(line_, law_, modes_, velocity);
+    if (getenv("DBG")) fprintf(stderr, "\n v %g: ", velocity);
+    ArmSolver solver(line_, tables_, velocity);
     ArmBalance found = byForce_ ? solver.atLoad(value_, guess) : solver.atDepth(value_, guess);
     passes_ += found.force.passes;
     return found;
@@ -294,7 +331,7 @@ class Continuation {
   /// where they fail.
   ArmBalance follow(double velocity, ArmBalance failed) {
     double reached =
-        std::min(0.01 * line_.length / law_.arms.front().relaxationTime, 0.1 * velocity);
+        std::min(0.01 * line_.length / tables_.law().arms.front().relaxationTime, 0.1 * velocity);
     ArmBalance known = attempt(reached, nullptr);
     if (!known.isMet()) return failed;
     double factor = 4;
@@ -313,8 +350,7 @@ class Continuation {
   }
 
   const PreparedProfile& line_;
-  const ElementLaw& law_;
-  const RetardationModes& modes_;
+  ArmTables& tables_;
   bool byForce_;
   double value_;  // m^2, load per 4G, or m, depth
   int passes_ = 0;
@@ -322,31 +358,30 @@ class Continuation {
 
 }  // namespace
 
-ArmState slideWithArms(const PreparedProfile& line, const ElementLaw& law,
-                       const RetardationModes& modes, const Load& load, double velocity,
-                       const ArmState* guess) {
+ArmState slideWithArms(const PreparedProfile& line, ArmTables& tables, const Load& load,
+                       double velocity, const ArmBalance* guess) {
   const FlushDenormals flush;
   countStage(Stage::Arms);
   countStage(Stage::Periodicity);
   ArmState state;
-  state.balance =
-      Continuation(line, law, modes, load).solve(velocity, guess ? &guess->balance : nullptr);
+  state.balance = Continuation(line, tables, load).solve(velocity, guess);
   if (!state.balance.isComplete) countStage(Stage::ContactSearch);
   const Balance& force = state.balance.force;
   const double periodicityError = state.balance.periodicityError;
-  const PassSums sums = ArmSolver(line, law, modes, velocity).sums(state.balance);
+  const PassSums sums = state.balance.sums ? *state.balance.sums
+                                           : ArmSolver(line, tables, velocity).sums(state.balance);
   state.result = steadyResult(
-      line, {law.equilibriumModulus, 0, velocity},
+      line, {tables.law().equilibriumModulus, 0, velocity},
       Balance{force.depth, force.passes, std::max(force.residual, periodicityError)}, sums);
   state.result.periodicityError = periodicityError;
   return state;
 }
 
-ArmShape armShapeAt(const PreparedProfile& line, const ElementLaw& law,
-                    const RetardationModes& modes, double velocity, const ArmBalance& balance) {
+ArmShape armShapeAt(const PreparedProfile& line, ArmTables& tables, double velocity,
+                    const ArmBalance& balance) {
   const FlushDenormals flush;
   ArmShape shape;
-  ArmSolver(line, law, modes, velocity).sums(balance, &shape);
+  ArmSolver(line, tables, velocity).sums(balance, &shape);
   return shape;
 }
 

@@ -10,28 +10,31 @@
 // Failure: no exception; the result's status says whether balance and period closed.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "core/contact/arms/arm_kernel.h"
 #include "core/contact/arms/arm_pass.h"
+#include "core/contact/arms/arm_tables.h"
 #include "core/contact/force_balance.h"
 #include "core/contact/steady_sliding.h"
 
 namespace asperity {
 
 struct ArmBalance {
-  Balance force;                // depth, all passes, residual of F_N (0 at a given depth)
-  bool isComplete = false;      // contact: nothing was sought
-  double periodicityError = 0;  // largest change of an arm's strain over a period, as if it had as
-                                // many periods as it takes; relative to strains, heights or depth
-  std::vector<double> strain;   // m, at the lowest point
+  Balance force;                 // depth, all passes, residual of F_N (0 at a given depth)
+  bool isComplete = false;       // contact: nothing was sought
+  double periodicityError = 0;   // largest change of an arm's strain over a period, as if it had as
+                                 // many periods as it takes; relative to strains, heights or depth
+  std::vector<double> strain;    // m, at the lowest point
+  std::optional<PassSums> sums;  // all, where the pass that met it has gathered them
   bool isMet() const { return force.isMet() && periodicityError <= kAcceptedResidual; }
 };
 
 class ArmSolver {
  public:
-  /// law: with an equilibrium modulus and at least one arm; velocity > 0 (m/s).
-  ArmSolver(const PreparedProfile& line, const ElementLaw& law, const RetardationModes& modes,
-            double velocity);
+  /// Of a law with an equilibrium modulus and at least one arm; velocity > 0 (m/s).
+  ArmSolver(const PreparedProfile& line, ArmTables& tables, double velocity);
 
   /// load = F_N / 4G (m^2, > 0), G the equilibrium modulus. guess: an answer nearby, or null.
   ArmBalance atLoad(double load, const ArmBalance* guess = nullptr);
@@ -49,8 +52,9 @@ class ArmSolver {
   class Search;
 
   const PreparedProfile& line_;
-  ArmCoefficients coefficients_;
-  ArmPass pass_;
+  std::shared_ptr<const ArmTable> table_;
+  ArmWorkspace work_;
+  ArmJacobian jacobian_;
 };
 
 /// A steady state in SI units, and the balance to start the next one from.
@@ -59,15 +63,15 @@ struct ArmState {
   ArmBalance balance;
 };
 
-/// law: with an equilibrium modulus and at least one arm; velocity > 0 (m/s). `guess` may be null.
+/// Of a law with an equilibrium modulus and at least one arm; velocity > 0 (m/s). `guess`, an
+/// answer nearby, may be null.
 /// Where a search from the guess and one from nothing both fail, the answer is followed up from a
 /// velocity so low that the arms forget.
-ArmState slideWithArms(const PreparedProfile& line, const ElementLaw& law,
-                       const RetardationModes& modes, const Load& load, double velocity,
-                       const ArmState* guess = nullptr);
+ArmState slideWithArms(const PreparedProfile& line, ArmTables& tables, const Load& load,
+                       double velocity, const ArmBalance* guess = nullptr);
 
 /// Shape and amplitudes at that state; pressure per 4G.
-ArmShape armShapeAt(const PreparedProfile& line, const ElementLaw& law,
-                    const RetardationModes& modes, double velocity, const ArmBalance& balance);
+ArmShape armShapeAt(const PreparedProfile& line, ArmTables& tables, double velocity,
+                    const ArmBalance& balance);
 
 }  // namespace asperity

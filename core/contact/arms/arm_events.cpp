@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kNone = 2;  // beyond [0, 1]
 
-/// Where the slope of a cubic or its curvature changes sign inside (0, 1), in order of travel.
+}  // namespace
+
 Few<4> breakpoints(const Cubic& cubic, bool onwards) {
   Few<4> found;
   const double turn = cubic.c3 != 0 ? -cubic.c2 / (3 * cubic.c3) : kNone;
@@ -25,8 +26,6 @@ Few<4> breakpoints(const Cubic& cubic, bool onwards) {
     std::reverse(found.values.begin(), found.values.begin() + found.count);
   return found;
 }
-
-}  // namespace
 
 ArmPass::Inside ArmPass::insideOf(std::size_t i) const {
   if (i + 1 < line_.segments())

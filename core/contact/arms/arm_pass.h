@@ -24,6 +24,9 @@ struct ArmShape {
   std::vector<double> modes;  // m, [node][mode]: amplitudes a_j, in contact too
 };
 
+/// Where the slope of a cubic or its curvature changes sign inside (0, 1), in order of travel.
+Few<4> breakpoints(const Cubic& cubic, bool onwards);
+
 class ArmPass {
  public:
   ArmPass(const PreparedProfile& line, const ArmCoefficients& coefficients);

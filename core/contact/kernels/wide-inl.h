@@ -93,15 +93,44 @@ HWY_INLINE OneMask operator&(OneMask x, OneMask y) { return {hn::And(x.m, y.m)};
 HWY_INLINE OneMask operator|(OneMask x, OneMask y) { return {hn::Or(x.m, y.m)}; }
 HWY_INLINE OneMask operator^(OneMask x, OneMask y) { return {hn::Xor(x.m, y.m)}; }
 HWY_INLINE OneMask operator!(OneMask x) { return {hn::Not(x.m)}; }
+HWY_INLINE double sumOf(One x) { return hn::GetLane(hn::SumOfLanes(kTag, x.v)); }
 HWY_INLINE bool any(OneMask x) { return !hn::AllFalse(kTag, x.m); }
 HWY_INLINE unsigned bitsOf(OneMask x) { std::uint8_t bits[8] = {}; hn::StoreMaskBits(kTag, x.m, bits); return bits[0]; }
 // clang-format on
 
-/// Returns 1 - exp(-x) to two units in the last place; x is limited to -350 to 350. It takes half
-/// the time of the library's function, whose steps depend on each other; edges of contact wait for
-/// this result.
-HWY_INLINE One lostAfter(One x) {
-  constexpr double kWhole = 6755399441055744.0;  // adding it removes the fraction of a number
+/// The sums over the lanes of two vectors, which take hardly longer than one.
+struct TwoSums {
+  double x, y;
+};
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE TwoSums sumsOf(One x, One y) {
+  return {hn::GetLane(x.v), hn::GetLane(y.v)};
+}
+#else
+/// Lanes that belong to x and y in turn are added up until each is left once.
+template <class Tag, class Values>
+HWY_INLINE TwoSums sumsOfPairs(Tag, Values values) {
+  const hn::Half<Tag> half;
+  if constexpr (hn::MaxLanes(Tag()) == 2)
+    return {hn::GetLane(values), hn::GetLane(hn::UpperHalf(half, values))};
+  else
+    return sumsOfPairs(half, hn::Add(hn::LowerHalf(half, values), hn::UpperHalf(half, values)));
+}
+HWY_INLINE TwoSums sumsOf(One x, One y) {
+  return sumsOfPairs(
+      kTag, hn::Add(hn::InterleaveLower(kTag, x.v, y.v), hn::InterleaveUpper(kTag, x.v, y.v)));
+}
+#endif
+
+/// exp(-x) = two (1 + grown), with a power of two and a rest near 1.
+struct OneExponential {
+  One two, grown;
+};
+
+/// To two units in the last place; beyond -350 to 350 x counts as that. Half as long as the
+/// library's, whose steps wait for each other, as edges of contact wait for this.
+HWY_INLINE OneExponential exponentialOf(One x) {
+  constexpr double kWhole = 6755399441055744.0;  // added to it, numbers lose their fractions
   x = max(min(x, One::all(350)), One::all(-350));
   // -x = n ln 2 + r
   const One moved = negMulAdd(x, One::all(1.4426950408889634), One::all(kWhole));
@@ -119,7 +148,13 @@ HWY_INLINE One lostAfter(One x) {
   const hn::RebindToUnsigned<decltype(kTag)> bits;
   const auto power = hn::ShiftLeft<52>(hn::BitCast(bits, moved.v));
   const One two = {hn::BitCast(kTag, hn::Add(power, hn::Set(bits, 0x3FF0000000000000ULL)))};
-  return negMulAdd(two, grown, One::all(1) - two);
+  return {two, grown};
+}
+
+/// 1 - exp(-x).
+HWY_INLINE One lostAfter(One x) {
+  const OneExponential e = exponentialOf(x);
+  return negMulAdd(e.two, e.grown, One::all(1) - e.two);
 }
 
 // clang-format off

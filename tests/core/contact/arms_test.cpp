@@ -8,11 +8,14 @@
 #include "core/contact/steady_solver.h"
 #include "core/material/element_law.h"
 #include "core/surface/line.h"
+#include "tests/core/contact/instruction_sets.h"
 #include "tests/core/contact/lines.h"
 #include "tests/core/elastomers.h"
 
 namespace asperity {
 namespace {
+
+class Arms : public EachInstructionSet {};
 
 double relative(double value, double exact) {
   return std::abs(value / exact - 1);
@@ -35,7 +38,7 @@ Load indentation(double metre) {
 }
 
 /// Wedge z = t |x| on a standard solid; b, where contact ends, from p(-b) = 0.
-TEST(Arms, ZenerWedgeIsExactWhateverTheGrid) {
+TEST_P(Arms, ZenerWedgeIsExactWhateverTheGrid) {
   const double t = 1e-3, d = 2e-6, a = d / t, g = 1e6, g1 = 4e6, tau = 1e-3;
   for (const double ratio : {0.01, 0.1, 0.5, 1.0, 5.0})
     for (const std::size_t nodes : {64UL, 1000UL}) {
@@ -60,7 +63,7 @@ TEST(Arms, ZenerWedgeIsExactWhateverTheGrid) {
 }
 
 /// F_x = 8 L integral C(q) q G''(q v) dq; of the modes: 2 L sum a_k^2 q_k G''.
-TEST(Arms, FullContactOfEveryRheologyIsTheIntegralOverTheSpectrum) {
+TEST_P(Arms, FullContactOfEveryRheologyIsTheIntegralOverTheSpectrum) {
   Scene scene;
   scene.surface.elements = 500;
   const LineSource source(scene, 8);
@@ -89,7 +92,7 @@ TEST(Arms, FullContactOfEveryRheologyIsTheIntegralOverTheSpectrum) {
 }
 
 /// One sine in full contact: F_x / L has its maximum A^2 q G_1 at q v tau = 1.
-TEST(Arms, ZenerSinePeaksWhereOneRadianTakesTheRelaxationTime) {
+TEST_P(Arms, ZenerSinePeaksWhereOneRadianTakesTheRelaxationTime) {
   const double amplitude = 5e-7, length = 0.01, q = 2 * std::numbers::pi * 4 / length, tau = 1e-3;
   const PreparedProfile line = prepareProfile(sineLine(length, 2000, amplitude, 4), Scheme::Cubic);
   const Elastomer solid = standardSolid(1e6, {3e6, tau});
@@ -102,7 +105,7 @@ TEST(Arms, ZenerSinePeaksWhereOneRadianTakesTheRelaxationTime) {
 }
 
 /// Arms so fast that they are a dashpot, and so slow that they are a spring.
-TEST(Arms, TendToKelvinAndToElastic) {
+TEST_P(Arms, TendToKelvinAndToElastic) {
   const PreparedProfile line = prepareProfile(roughLine(300, 2), Scheme::Cubic);
   const double v = 0.5;
   const SteadyResult kelvin = slideAtForce(line, {1e7, 1e-3, v}, 0.02);
@@ -117,7 +120,7 @@ TEST(Arms, TendToKelvinAndToElastic) {
 
 /// Arms a million times stiffer than the equilibrium, loads from light to heavy: strains far below
 /// depths keep their digits, and what is not balanced says so.
-TEST(Arms, AMillionTimesStifferThanTheEquilibriumStillBalance) {
+TEST_P(Arms, AMillionTimesStifferThanTheEquilibriumStillBalance) {
   const PreparedProfile line = prepareProfile(roughLine(47, 1), Scheme::Linear);
   for (const auto& elastomer :
        {standardSolid(1e3, {1e9, 1e-3}), prony(1e3, {{1e9, 1e-2}, {1e6, 1e-4}, {3e8, 1e-6}})})
@@ -133,7 +136,7 @@ TEST(Arms, AMillionTimesStifferThanTheEquilibriumStillBalance) {
 }
 
 /// Friction so small that it would be lost in what springs store and give back.
-TEST(Arms, SlowAndFastArmsKeepTheirDigits) {
+TEST_P(Arms, SlowAndFastArmsKeepTheirDigits) {
   const PreparedProfile line = prepareProfile(roughLine(100, 2), Scheme::Cubic);
   // All in contact, G'' of an arm falls as 1 / (q v tau) and as q v tau.
   const auto friction = [&](double tau) {
@@ -145,7 +148,7 @@ TEST(Arms, SlowAndFastArmsKeepTheirDigits) {
 }
 
 /// Why steady sliding needs an equilibrium: F_N = 4G integral of y, whatever arms and dashpot are.
-TEST(Arms, WithoutAnEquilibriumNothingIsCarried) {
+TEST_P(Arms, WithoutAnEquilibriumNothingIsCarried) {
   const PreparedProfile line = prepareProfile(roughLine(200, 2), Scheme::Cubic);
   double last = 0;
   for (const double g : {1e6, 1e4, 1e2, 1.0}) {
@@ -164,7 +167,7 @@ TEST(Arms, WithoutAnEquilibriumNothingIsCarried) {
 }
 
 /// Many arms that together are one, and arms without strength.
-TEST(Arms, OfNoStrengthChangeNothing) {
+TEST_P(Arms, OfNoStrengthChangeNothing) {
   const PreparedProfile line = prepareProfile(roughLine(300, 2), Scheme::Cubic);
   const SteadyResult one = slide(prony(1e6, {{5e6, 1e-3}}), line, 0.3, force(0.02)).result;
   const SteadyResult split =
@@ -180,7 +183,7 @@ TEST(Arms, OfNoStrengthChangeNothing) {
 }
 
 /// mu(v, T) = mu(v a_T, T_r).
-TEST(Arms, TemperatureIsVelocity) {
+TEST_P(Arms, TemperatureIsVelocity) {
   const PreparedProfile line = prepareProfile(roughLine(300, 2), Scheme::Cubic);
   for (const auto& [name, reference] : allElastomers()) {
     if (reference.rheology == Rheology::Elastic) continue;
@@ -194,7 +197,7 @@ TEST(Arms, TemperatureIsVelocity) {
 }
 
 /// What is repeated by hand needs L / (v tau) times as long to close.
-TEST(Arms, AnArmOfAHundredSecondsTakesAFewPasses) {
+TEST_P(Arms, AnArmOfAHundredSecondsTakesAFewPasses) {
   const PreparedProfile line = prepareProfile(roughLine(1000, 2), Scheme::Cubic);
   for (const double newton : {0.0034, 0.1, 10.0}) {
     const SteadyState state = slide(treadCompound(), line, 1, force(newton));
@@ -207,7 +210,7 @@ TEST(Arms, AnArmOfAHundredSecondsTakesAFewPasses) {
 }
 
 /// u <= z - d and p >= 0, and never both strict, at every node; friction is what is dissipated.
-TEST(Arms, PressureAndGapExcludeEachOther) {
+TEST_P(Arms, PressureAndGapExcludeEachOther) {
   const Line rough = roughLine(400, 2);
   const PreparedProfile line = prepareProfile(rough, Scheme::Cubic);
   for (const auto& [name, elastomer] : allElastomers())
@@ -234,7 +237,7 @@ TEST(Arms, PressureAndGapExcludeEachOther) {
 }
 
 /// F_x(-v; z(x)) = -F_x(v; z(-x)).
-TEST(Arms, MirrorSymmetry) {
+TEST_P(Arms, MirrorSymmetry) {
   const Line rough = roughLine(300, 2);
   Line mirrored = rough;
   const std::size_t n = rough.nodes();
@@ -252,7 +255,7 @@ TEST(Arms, MirrorSymmetry) {
 }
 
 /// Rougher summits: the rms slope in contact falls with growing depth; rougher valleys: it rises.
-TEST(Arms, SummitCorrelationReversesTheTrendOfTheSlopeInContact) {
+TEST_P(Arms, SummitCorrelationReversesTheTrendOfTheSlopeInContact) {
   for (const double kappa : {-0.9, 0.9}) {
     double light = 0, heavy = 0;
     for (int realization = 0; realization < 8; ++realization) {
@@ -273,7 +276,7 @@ TEST(Arms, SummitCorrelationReversesTheTrendOfTheSlopeInContact) {
 }
 
 /// Arms of any times and moduli, any velocity and load.
-TEST(Arms, AnyElastomerBalances) {
+TEST_P(Arms, AnyElastomerBalances) {
   std::uint64_t state = 7;
   const auto uniform = [&state](double low, double high) {
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;
@@ -302,7 +305,7 @@ TEST(Arms, AnyElastomerBalances) {
 }
 
 /// Second order for straight, fourth for cubic segments, as with one relaxation time.
-TEST(Arms, ConvergeAtTheOrderOfTheScheme) {
+TEST_P(Arms, ConvergeAtTheOrderOfTheScheme) {
   const auto friction = [](std::int64_t oversampling, Scheme scheme) {
     return slide(prony(1e6, {{3e6, 1e-2}, {2e7, 1e-4}}),
                  prepareProfile(roughLine(128, oversampling), scheme), 0.3, force(0.1))
@@ -318,4 +321,7 @@ TEST(Arms, ConvergeAtTheOrderOfTheScheme) {
 }
 
 }  // namespace
+
+ASPERITY_ON_EACH_INSTRUCTION_SET(Arms);
+
 }  // namespace asperity

@@ -1,0 +1,38 @@
+// The pass of arm_pass.h and its derivatives, compiled for several instruction sets with the arms
+// in the lanes of vectors; the best one that the machine has is chosen at run time (kernels.h).
+// Results agree with ArmPass and ArmTangent to rounding. Functions of their arguments; any thread.
+#pragma once
+
+#include <span>
+
+#include "core/contact/arms/arm_vectors.h"
+#include "core/contact/kernels/pass.h"
+#include "core/contact/line/prepared_profile.h"
+
+namespace asperity {
+
+/// One pass at an indentation (m), from these strains (m, one for each arm) at the lowest point.
+/// Output::Force: only sums.depth, lengths and yieldChange are gathered.
+void runArmPass(const PreparedProfile& line, const ArmVectors& vectors, double depth,
+                std::span<const double> strain, Output output, ArmWorkspace& work);
+
+/// As ArmPass::completeStrains.
+void findCompleteStrains(const PreparedProfile& line, const ArmVectors& vectors,
+                         std::span<double> strain, ArmWorkspace& work);
+
+/// Derivatives of the outcome of a pass; and the memory to find them in.
+struct ArmJacobian {
+  explicit ArmJacobian(const ArmVectors& vectors);
+
+  /// Unknown 0 is the indentation, 1 + k the strain of arm k at the lowest point.
+  double ofDepthIntegral(std::size_t unknown) const { return volume.row(0)[unknown]; }
+  double ofYieldChange(std::size_t i, std::size_t unknown) const { return change.row(i)[unknown]; }
+
+  AlignedRows volume, change;      // [arm] over unknowns
+  AlignedRows strain, mode, lost;  // [arm or mode] over unknowns, at a place of the pass
+};
+
+/// Of the last pass that was run in `work`.
+void findArmJacobian(const ArmVectors& vectors, const ArmWorkspace& work, ArmJacobian& jacobian);
+
+}  // namespace asperity

@@ -1,0 +1,124 @@
+// The coefficients of elements with arms as the vector kernels read them: one row of numbers for
+// each quantity, one number for each arm or mode, padded with zeros to whole vectors; and the
+// memory that a pass works in. ArmVectors are plain values, read by any thread; an ArmWorkspace
+// belongs to one thread.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/contact/arms/arm_coefficients.h"
+#include "core/contact/kernels/pass.h"
+
+namespace asperity {
+
+/// Lanes of the widest vector.
+inline constexpr std::size_t kWidestVector = 8;
+struct alignas(64) WideCell {
+  std::array<double, kWidestVector> value{};
+};
+
+/// Rows of numbers of one width, each at the start of a cache line.
+class AlignedRows {
+ public:
+  AlignedRows() = default;
+  AlignedRows(std::size_t rows, std::size_t width) { shape(rows, width); }
+
+  /// All numbers become 0.
+  void shape(std::size_t rows, std::size_t width) {
+    stride_ = (width + kWidestVector - 1) / kWidestVector;
+    cells_.assign(rows * stride_, WideCell{});
+  }
+  double* row(std::size_t i) { return cells_[i * stride_].value.data(); }
+  const double* row(std::size_t i) const { return cells_[i * stride_].value.data(); }
+
+ private:
+  std::size_t stride_ = 0;
+  std::vector<WideCell> cells_;
+};
+
+/// Several quantities of each arm or mode: all of those in one vector stand together, so that one
+/// pointer leads to them.
+template <std::size_t Quantities>
+class LaneTable {
+ public:
+  explicit LaneTable(std::size_t width)
+      : cells_((width + kWidestVector - 1) / kWidestVector * Quantities) {}
+
+  /// Of arm or mode i.
+  double& value(std::size_t quantity, std::size_t i) {
+    return cells_[i / kWidestVector * Quantities + quantity].value[i % kWidestVector];
+  }
+  /// The place from which quantity q of the vector that begins with arm or mode i is kWidestVector
+  /// q on.
+  const double* from(std::size_t i) const {
+    return cells_[i / kWidestVector * Quantities].value.data() + i % kWidestVector;
+  }
+
+ private:
+  std::vector<WideCell> cells_;
+};
+
+struct ArmVectors {
+  /// What `arm` holds, of the quantities of ArmCoefficients that they are named after.
+  enum Arm : std::size_t {
+    Inverse,
+    Modulus,
+    LossRate,
+    Kept,
+    Driven0,
+    Driven1,
+    Driven2,
+    YieldKept,
+    YieldDriven0,
+    YieldDriven1,
+    YieldDriven2,
+    Moment0,
+    Moment1,
+    Moment2,
+    LossOfStrain,  // of loss, times the modulus: ee
+    LossWith0,     // ed
+    LossWith1,
+    LossWith2,
+    ArmRows
+  };
+  enum Mode : std::size_t { Rate, Stiffness, Settled, ModeRows };
+
+  explicit ArmVectors(const ArmCoefficients& coefficients);
+
+  std::size_t arms, modes, slow;
+  double dashpot, glassy;
+  std::array<std::array<double, 3>, 3> own;
+  std::array<double, 6> lossOfSlopes{};  // sum g_i dd_i of loss
+  LaneTable<ArmRows> arm;
+  LaneTable<ModeRows> mode;
+  AlignedRows decay, lost;        // [level] over modes
+  AlignedRows toStrain, toYield;  // [mode] over arms
+  AlignedRows ofYield;            // [arm] over modes
+};
+
+/// What a pass begins from, works with and finds. Per 4G, as of ArmPass.
+struct ArmWorkspace {
+  explicit ArmWorkspace(const ArmVectors& vectors);
+
+  /// Lengths (m) along the period in contact, free, in contact, ..., from the lowest point on.
+  std::vector<double> lengths;
+  std::vector<double> yieldChange;  // m, of each arm
+  PassSums sums;
+  void addLength(double length);
+  bool wasComplete() const { return lengths.size() == 1; }
+
+  enum Row : std::size_t {
+    Strain,
+    Trial,
+    Amplitude,
+    ArcAmplitude,
+    Yield,
+    After,
+    Rows = After + kWidestVector
+  };
+  AlignedRows rows;
+};
+
+}  // namespace asperity
