@@ -54,7 +54,7 @@ constexpr std::array<ExtraColumn, 11> kExtraColumns{{
     {"mean_pressure", [](const CurvePoint& point) { return point.meanPressure; }},
 }};
 
-constexpr ColumnName kNotes = "notes";
+constexpr ColumnName kNotesColumn = "notes";
 
 bool hasNotes(const std::vector<CurvePoint>& points) {
   return std::ranges::any_of(points,
@@ -124,7 +124,7 @@ CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves) {
 std::string CurveTable::header() const {
   std::string text = withoutLineEnd(curveHeader());
   for (const std::size_t i : extra_) text += "," + kExtraColumns[i].name.text();
-  return hasNotes_ ? text + "," + kNotes.text() : text;
+  return hasNotes_ ? text + "," + kNotesColumn.text() : text;
 }
 
 std::string CurveTable::row(const CurvePoint& point) const {
@@ -142,7 +142,7 @@ nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
   row[kRealizations.text()] = point.realizations;
   for (const std::size_t i : extra_)
     row[kExtraColumns[i].name.text()] = cell(kExtraColumns[i].value(point));
-  if (hasNotes_) row[kNotes.text()] = notesOf(point);
+  if (hasNotes_) row[kNotesColumn.text()] = notesOf(point);
   return row;
 }
 
