@@ -18,6 +18,7 @@
 #include "app/vector_target.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "core/material/material_library.h"
 #include "core/paper/figure.h"
 #include "core/scene/parameter_help.h"
 #include "core/scene/scene_file.h"
@@ -416,6 +417,8 @@ Scene sceneOf(const CommonOptions& options) {
 std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const Scene& scene) {
   std::vector<std::filesystem::path> inputs{options.scene};
   if (!scene.surface.file.empty()) inputs.push_back(scene.folder / scene.surface.file);
+  if (!scene.elastomer.material.empty())
+    inputs.push_back(materialFile(scene.elastomer.material, scene.folder));
   return inputs;
 }
 

@@ -20,11 +20,10 @@ constexpr double kMostMismatch = 0.2;   // decades of modulus, beyond which noth
 constexpr double kEdgeMismatch = 0.02;  // the same where the overlap is the least allowed
 constexpr int kComparisons = 33;        // places at which two isotherms are compared
 constexpr int kHighestDegree = 4;
-// A vertical shift is the change of density times temperature, about two per cent from one isotherm
-// to the next. Where both moduli are
-// power laws it cannot be told from a horizontal one; this expected size decides then.
+// A vertical shift is the change of density times temperature. Where both moduli are power laws it
+// cannot be told from a horizontal one; then the law of entropy elasticity, b_T ~ T, decides, from
+// which vertical shifts are expected to differ by about so much.
 constexpr double kUsualVertical = 0.01;    // decades
-constexpr double kUsualDeviation = 0.01;   // decades, of measured moduli
 constexpr double kSimpleDifference = 0.1;  // decades, see isThermorheologicallySimple
 constexpr double kWrongWay = 0.3;          // decades against the order of temperatures
 
@@ -134,9 +133,14 @@ struct ShiftEstimate {
 /// coefficients of each modulus, the vertical shift and the horizontal one.
 class WindowFit {
  public:
-  WindowFit(const LogSweep& colder, const LogSweep& warmer, const Window& window, bool isVertical,
-            ShiftModuli moduli, double shift)
-      : colder_(colder), warmer_(warmer), window_(window), isVertical_(isVertical) {
+  /// expectedVertical: decades; nothing: there is no vertical shift.
+  WindowFit(const LogSweep& colder, const LogSweep& warmer, const Window& window,
+            std::optional<double> expectedVertical, ShiftModuli moduli, double shift)
+      : colder_(colder),
+        warmer_(warmer),
+        window_(window),
+        isVertical_(expectedVertical.has_value()),
+        expectedVertical_(expectedVertical.value_or(0)) {
     if (moduli != ShiftModuli::Loss) moduli_.push_back(&LogSweep::storage);
     if (moduli != ShiftModuli::Storage) moduli_.push_back(&LogSweep::loss);
     rows_ = static_cast<Eigen::Index>(window.size());
@@ -146,8 +150,23 @@ class WindowFit {
     scale_ = std::max(0.5 * range.width(), 0.05);
   }
 
-  /// Nothing where the deviations do not tell the shift.
-  std::optional<ShiftEstimate> solve(double shift) {
+  /// Nothing where the deviations do not tell the shift. What is expected of a vertical shift
+  /// counts as much as the deviations themselves allow, which are not known before.
+  std::optional<ShiftEstimate> solve(double start) {
+    if (!isVertical_) return iterate(start);
+    constexpr int kPasses = 4;
+    deviation_ = kUsualVertical;
+    std::optional<ShiftEstimate> found;
+    for (int i = 0; i < kPasses; ++i) {
+      found = iterate(start);
+      if (!found) return {};
+      deviation_ = std::max(1e-6, deviation_);
+    }
+    return found;
+  }
+
+ private:
+  std::optional<ShiftEstimate> iterate(double shift) {
     constexpr int kMostIterations = 60;
     constexpr double kLongestStep = 0.1, kConverged = 1e-10;  // decades
     const double start = shift;
@@ -170,7 +189,6 @@ class WindowFit {
     return estimate(shift);
   }
 
- private:
   Eigen::Index polynomialUnknowns() const { return degree_ + 1; }
   Eigen::Index moduliCount() const { return static_cast<Eigen::Index>(moduli_.size()); }
   Eigen::Index linearUnknowns() const {
@@ -184,7 +202,10 @@ class WindowFit {
     const Eigen::Index rows = moduliCount() * rows_ + (isVertical_ ? 1 : 0);
     system_ = Eigen::MatrixXd::Zero(rows, linearUnknowns() + (withShift ? 1 : 0));
     data_ = Eigen::VectorXd::Zero(rows);
-    if (isVertical_) system_(rows - 1, moduliCount() * block) = kUsualDeviation / kUsualVertical;
+    if (isVertical_) {
+      system_(rows - 1, moduliCount() * block) = deviation_ / kUsualVertical;
+      data_[rows - 1] = expectedVertical_ * deviation_ / kUsualVertical;
+    }
     for (Eigen::Index m = 0; m < moduliCount(); ++m) {
       Eigen::Index row = m * rows_;
       const auto add = [&](const LogSweep& sweep, std::size_t i, bool isColder) {
@@ -213,6 +234,7 @@ class WindowFit {
     unknowns[system_.cols() - 1] = 0;
     const double squares = (data_ - system_ * unknowns).squaredNorm();
     const auto left = static_cast<double>(system_.rows() - system_.cols());
+    deviation_ = std::sqrt(squares / std::max(1.0, left));
     ShiftEstimate found{{shift}, {isVertical_ ? unknowns[system_.cols() - 2] : 0}};
     if (!isVertical_) found.vertical.error = 0;
     if (left < 1) return found;
@@ -230,6 +252,8 @@ class WindowFit {
   const LogSweep &colder_, &warmer_;
   const Window& window_;
   bool isVertical_;
+  double expectedVertical_ = 0;  // decades
+  double deviation_ = 0;         // decades, of one measured modulus
   std::vector<std::vector<double> LogSweep::*> moduli_;
   Eigen::Index rows_ = 0, degree_ = 1;
   double centre_ = 0, scale_ = 1;
@@ -239,7 +263,8 @@ class WindowFit {
 
 /// The window follows the shift until both agree.
 std::optional<ShiftEstimate> fittedShift(const LogSweep& colder, const LogSweep& warmer,
-                                         double shift, bool isVertical, ShiftModuli moduli) {
+                                         double shift, std::optional<double> expectedVertical,
+                                         ShiftModuli moduli) {
   constexpr int kWindows = 4;
   std::optional<ShiftEstimate> found;
   Window used;
@@ -248,7 +273,7 @@ std::optional<ShiftEstimate> fittedShift(const LogSweep& colder, const LogSweep&
     const Window window = windowAt(colder, warmer, shift);
     if (window.size() < 4 || window.colder.size() < 2 || window.warmer.size() < 2) return found;
     if (found && window == used) return found;
-    WindowFit fit(colder, warmer, window, isVertical, moduli, shift);
+    WindowFit fit(colder, warmer, window, expectedVertical, moduli, shift);
     const std::optional<ShiftEstimate> next = fit.solve(shift);
     if (!next) return found;
     found = next;
@@ -277,7 +302,9 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
   const LogSweep colder = logarithms(cold), warmer = logarithms(warm);
   const std::optional<double> start = scannedShift(colder, warmer);
   if (!start) refuseGap(cold, warm);
-  const auto fitted = fittedShift(colder, warmer, *start, isVertical, ShiftModuli::Both);
+  std::optional<double> expected;
+  if (isVertical) expected = std::log10(cold.temperature / warm.temperature);
+  const auto fitted = fittedShift(colder, warmer, *start, expected, ShiftModuli::Both);
   NeighbourShifts found;
   Overlap& both = found.both;
   const ShiftEstimate shift = fitted.value_or(ShiftEstimate{{*start, kNaN}, {0, kNaN}});
@@ -289,7 +316,7 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
   if (both.decades > 0)
     both.mismatch = mismatchAt(colder, warmer, both.log10Shift, both.log10Vertical);
   const auto alone = [&](ShiftModuli moduli) {
-    const auto one = fittedShift(colder, warmer, both.log10Shift, false, moduli);
+    const auto one = fittedShift(colder, warmer, both.log10Shift, {}, moduli);
     return one ? one->horizontal : Estimate{kNaN, kNaN};
   };
   found.storage = alone(ShiftModuli::Storage);

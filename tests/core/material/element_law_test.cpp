@@ -32,6 +32,31 @@ TEST(TemperatureShift, EndsAboveTheVogelTemperature) {
   EXPECT_GT(shiftFactor(shift, 298.15 - 70), 1e10);
 }
 
+/// ln a_T = E/R (1/T - 1/T_r).
+TEST(TemperatureShift, ArrheniusIsItsClosedForm) {
+  TemperatureShift shift;
+  shift.kind = ShiftKind::Arrhenius;
+  shift.activationEnergy = 8e4;
+  for (const double kelvin : {260.0, 280.0, 298.0, 330.0, 400.0})
+    EXPECT_NEAR(std::log(shiftFactor(shift, kelvin)),
+                8e4 / 8.31446261815324 * (1 / kelvin - 1 / 298.15), 1e-12);
+  EXPECT_EQ(shiftFactor(shift, 298.15), 1);
+}
+
+TEST(TemperatureShift, ATableIsLinearBetweenItsRows) {
+  TemperatureShift shift;
+  shift.kind = ShiftKind::Table;
+  shift.table = {{280, 2}, {290, 1}, {300, 0}, {320, -1}};
+  EXPECT_EQ(log10ShiftFactor(shift, 290), 1);
+  EXPECT_NEAR(log10ShiftFactor(shift, 285), 1.5, 1e-15);
+  EXPECT_NEAR(log10ShiftFactor(shift, 315), -0.75, 1e-15);
+  EXPECT_EQ(shiftFactor(shift, 300), 1);
+  EXPECT_NO_THROW(shiftFactor(shift, 280));
+  EXPECT_NO_THROW(shiftFactor(shift, 320));
+  EXPECT_THROW(shiftFactor(shift, 279.999), InputError);
+  EXPECT_THROW(shiftFactor(shift, 320.001), InputError);
+}
+
 TEST(TemperatureShift, MultipliesEveryTimeAndTheViscosity) {
   Elastomer cold = prony({{2e6, 1e-2}, {3e6, 1e-5}}, 1e6, 7);
   cold.temperature = 280;

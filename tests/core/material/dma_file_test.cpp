@@ -1,0 +1,156 @@
+// Tables of dynamic moduli as instruments and people write them.
+#include "core/material/dma_file.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/input_error.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+DmaFile read(const std::string& text, const DmaChoices& choices = {}) {
+  TextTableOptions options;
+  options.keepsTexts = true;
+  return readDmaFile(readTextTable(text, "dma.csv", options), "dma.csv", choices);
+}
+
+std::string errorOf(const std::string& text, const DmaChoices& choices = {}) {
+  try {
+    read(text, choices);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+void expectRow(const MeasuredModulus& row, double kelvin, double hertz, double storage,
+               double loss) {
+  EXPECT_NEAR(row.temperature, kelvin, 1e-9);
+  EXPECT_NEAR(row.modulus.frequency, hertz, 1e-9 * hertz);
+  EXPECT_NEAR(row.modulus.storage, storage, 1e-9 * storage);
+  EXPECT_NEAR(row.modulus.loss, loss, 1e-9 * loss);
+}
+
+/// The same two rows in many forms: 20 °C, 1 and 10 Hz, G' 2 and 3 MPa, G'' 0.2 and 0.4 MPa.
+TEST(DmaFile, ReadsTheSameRowsFromManyForms) {
+  const std::string forms[] = {
+      "freq_hz,temperature_C,G_storage_pa,G_loss_pa\n1,20,2e6,2e5\n10,20,3e6,4e5\n",
+      "Frequency (Hz);Temp. (\u00B0C);G' (MPa);G'' (MPa)\n1,0;20,0;2,0;0,2\n10,0;20,0;3,0;0,4\n",
+      "f\tT\tG'\tG\"\nHz\tK\tkPa\tkPa\n1\t293.15\t2000\t200\n10\t293.15\t3000\t400\n",
+      "Angular frequency [rad/s],Temperature [\u00B0F],Shear storage modulus [Pa],Shear loss "
+      "modulus [Pa]\n6.283185307179586,68,2e6,2e5\n62.83185307179586,68,3e6,4e5\n",
+      "Frequenz / Hz;Temperatur / \u00B0C;Speichermodul G' / MPa;Verlustmodul G'' / MPa\n"
+      "1;20;2;0,2\n10;20;3;0,4\n",
+      "f (Hz),G' (MPa),tan(delta),T (C)\n1,2,0.1,20\n10,3,0.1333333333333333333,20\n",
+      "Temperature: 20 \u00B0C\nf (Hz),G' (Pa),G'' (Pa)\n1,2e6,2e5\n10,3e6,4e5\n",
+      "f (Hz),G' 20\u00B0C (MPa),G'' 20\u00B0C (MPa)\n1,2,0.2\n10,3,0.4\n",
+      "\u03C9 (rad/s),G\u2032 (Pa),G\u2033 (Pa),T (\u00B0C)\n6.283185307179586,2e6,2e5,20\n"
+      "62.83185307179586,3e6,4e5,20\n",
+      "# rheometer\nsample,freq_hz,temperature_C,G_storage_pa,G_loss_pa\nA,1,20,2e6,2e5\n"
+      "A,10,20,3e6,4e5\n",
+      "E' (MPa),E'' (MPa),f (Hz),T (\u00B0C)\n6,0.6,1,20\n9,1.2,10,20\n",
+  };
+  for (const std::string& form : forms) {
+    SCOPED_TRACE(form);
+    const DmaFile file = read(form);
+    ASSERT_EQ(file.rows.size(), 2U);
+    expectRow(file.rows[0], 293.15, 1, 2e6, 2e5);
+    expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+  }
+}
+
+/// |G*| exp(i delta) = G' + i G''.
+TEST(DmaFile, MagnitudeAndPhaseAreAComplexNumber) {
+  for (const char* header :
+       {"f (Hz),T (C),|G*| (MPa),phase (deg)\n", "f (Hz),T (C),G* (MPa),delta\n"}) {
+    const DmaFile file = read(std::string(header) + "1,20,2,30\n10,20,4,60\n");
+    expectRow(file.rows[0], 293.15, 1, 2e6 * std::cos(std::numbers::pi / 6),
+              2e6 * std::sin(std::numbers::pi / 6));
+  }
+}
+
+TEST(DmaFile, BlocksAndWideTablesHaveATemperatureEach) {
+  const DmaFile blocks = read(
+      "Temperature: 20 C\nf;G';G''\nHz;MPa;MPa\n1;2;1\n2;3;1\n\nTemperature: 30 C\nf;G';G''\n"
+      "Hz;MPa;MPa\n1;1.5;1\n2;2.5;1\n");
+  ASSERT_EQ(blocks.rows.size(), 4U);
+  expectRow(blocks.rows[0], 293.15, 1, 2e6, 1e6);
+  expectRow(blocks.rows[3], 303.15, 2, 2.5e6, 1e6);
+  const DmaFile wide = read(
+      "f (Hz),G' @ 20C (MPa),G'' @ 20C (MPa),G' @ 30C (MPa),G'' @ 30C (MPa)\n1,2,1,1.5,1\n"
+      "2,3,1,2.5,1\n");
+  ASSERT_EQ(wide.rows.size(), 4U);
+  expectRow(wide.rows[3], 303.15, 2, 2.5e6, 1e6);
+}
+
+TEST(DmaFile, ModuliOfTensionBecomeThoseOfShear) {
+  DmaChoices choices;
+  choices.poissonRatio = 0.35;
+  const DmaFile file =
+      read("f (Hz),T (C),E' (MPa),E'' (MPa)\n1,20,2.7,0.27\n2,20,2.7,0.27\n", choices);
+  expectRow(file.rows[0], 293.15, 1, 1e6, 1e5);
+  EXPECT_EQ(file.facts.modulus, ModulusKind::Tension);
+}
+
+TEST(DmaFile, TheUsersWordWins) {
+  DmaChoices choices;
+  choices.frequencyColumn = "3";
+  choices.storageColumn = "first";
+  choices.lossColumn = "second";
+  choices.modulus = ModulusKind::Shear;
+  choices.modulusUnit = "MPa";
+  choices.temperature = 293.15;
+  const DmaFile file = read("first,second,third\n2,0.2,1\n3,0.4,10\n", choices);
+  expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+  choices.lossColumn = "fourth";
+  EXPECT_THAT(errorOf("first,second,third\n2,0.2,1\n3,0.4,10\n", choices),
+              HasSubstr("--loss-column: fourth is not one of first, second, third"));
+}
+
+TEST(DmaFile, AMasterCurveIsAtOneTemperature) {
+  const DmaFile file = read(
+      "Reference temperature: 25 C\nReduced frequency (Hz),T (C),G' (Pa),G'' "
+      "(Pa)\n1e-3,60,1e6,1e5\n"
+      "1e5,-10,2e6,5e5\n");
+  EXPECT_TRUE(file.facts.isReduced);
+  expectRow(file.rows[1], 298.15, 1e5, 2e6, 5e5);
+}
+
+TEST(DmaFile, StrainAmplitudeIsKept) {
+  const DmaFile file =
+      read("f (Hz),T (C),G' (Pa),G'' (Pa),strain (%)\n1,20,1e6,1e5,0.2\n2,20,1e6,1e5,0.2\n");
+  EXPECT_NEAR(file.facts.strainAmplitude, 0.002, 1e-15);
+}
+
+TEST(DmaFile, MissingValuesAreLeftOutAndCounted) {
+  const DmaFile file =
+      read("f (Hz);T (C);G' (Pa);G'' (Pa)\n1;20;1e6;1e5\n2;20;;1e5\n3;20;2e6;NaN\n4;20;2e6;1e5\n");
+  EXPECT_EQ(file.rows.size(), 2U);
+  EXPECT_EQ(file.facts.leftOut, 2U);
+}
+
+TEST(DmaFile, WhatIsWrongIsSaidInOneLine) {
+  const std::string rows = "1,20,2e6,2e5\n10,20,3e6,4e5\n";
+  EXPECT_THAT(errorOf("a,b,c,d\n" + rows), HasSubstr("has no columns that are known"));
+  EXPECT_THAT(errorOf("f (Hz),T (C),storage modulus (Pa),loss modulus (Pa)\n" + rows),
+              HasSubstr("--modulus shear or --modulus tension"));
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),E'' (Pa)\n" + rows), HasSubstr("one is of shear"));
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' (MPa),G''\n" + rows), HasSubstr("G'': has no unit"));
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' [furlong],G'' [furlong]\n" + rows),
+              HasSubstr("has the unit furlong"));
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2e6,-1\n2,20,2e6,1\n"),
+              HasSubstr("line 2: the loss modulus is -1, which must be above 0"));
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n0,20,2e6,1\n2,20,2e6,1\n"),
+              HasSubstr("the frequency is 0"));
+  EXPECT_THAT(errorOf("f (Hz),T,G' (Pa),G'' (Pa)\n1,20,2e6,1\n2,300,2e6,1\n"), HasSubstr("mixed"));
+  EXPECT_THAT(errorOf("f (Hz),G' (Pa),G'' (Pa)\n1,2e6,1\n2,2e6,1\n"), HasSubstr("--temperature"));
+  EXPECT_THAT(errorOf("f,T,G',G''\n1,20,2,1\n2,20,2,1\n"), HasSubstr("--modulus-unit MPa"));
+}
+
+}  // namespace
+}  // namespace asperity

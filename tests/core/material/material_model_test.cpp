@@ -1,0 +1,140 @@
+// Materials from measured isotherms: real rubbers, held-back isotherms, the text that scenes read.
+#include "core/material/material_model.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/input_error.h"
+#include "core/base/regular_file.h"
+#include "core/material/element_law.h"
+#include "core/material/material_library.h"
+#include "core/scene/material_tables.h"
+#include "tests/core/material/synthetic_rubber.h"
+
+namespace asperity {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::ResultOf;
+
+std::string measurements(const std::string& name) {
+  return readRegularFile(std::string(ASPERITY_RESOURCES_DIR) + "/materials/measurements/" + name,
+                         1 << 20);
+}
+
+const Material& epdm() {
+  static const Material material = makeMaterial(measurements("epdm_70.csv"), "epdm_70.csv", {});
+  return material;
+}
+
+/// Measured once by an independent fit: overlaps of 0.008 to 0.028 decades, 16 terms with residuals
+/// of 5.6 % of G' and 4.6 % of G'', G_inf = 2.31 MPa, shifts that differ by half a decade.
+TEST(MaterialModel, TheEpdmIsFittedAsWellAsItCanBe) {
+  const Material& material = epdm();
+  ASSERT_EQ(material.isotherms.size(), 10U);
+  for (const Overlap& overlap : material.curve.overlaps) EXPECT_LE(overlap.mismatch, 0.03);
+  EXPECT_NEAR(std::log10(material.curve.lowestFrequency()), std::log10(7e-4), 0.1);
+  EXPECT_NEAR(std::log10(material.curve.highestFrequency()), std::log10(1.3e4), 0.1);
+  EXPECT_NEAR(material.series.equilibriumModulus, 2.31e6, 0.15e6);
+  MaterialChoices choices;
+  choices.series.terms = 16;
+  const Material sixteen = fitMaterial(material.isotherms, choices);
+  EXPECT_LE(std::hypot(sixteen.series.rmsStorage, sixteen.series.rmsLoss),
+            std::hypot(0.056, 0.046));
+  EXPECT_LE(sixteen.series.rmsLoss, 0.046);
+  EXPECT_LE(sixteen.series.rmsStorage, 0.057);
+  EXPECT_FALSE(material.curve.isThermorheologicallySimple);
+  EXPECT_NEAR(material.curve.largestStep, 0.5, 0.1);
+  EXPECT_EQ(material.shift.kind, ShiftKind::Table);
+  EXPECT_GT(material.wlf.rms, 0.1);
+  EXPECT_NEAR(material.measured.strainAmplitude, 0.0015, 1e-4);
+}
+
+/// Each inner isotherm in turn is predicted from the others, its shift interpolated.
+TEST(MaterialModel, HeldBackIsothermsArePredicted) {
+  std::vector<double> storage, loss;
+  for (std::size_t held = 1; held + 1 < epdm().isotherms.size(); ++held) {
+    std::vector<Isotherm> rest = epdm().isotherms;
+    const Isotherm one = rest[held];
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(held));
+    MaterialChoices choices;
+    choices.shift = ShiftKind::Table;
+    const Material material = fitMaterial(rest, choices);
+    const double shift = shiftFactor(material.shift, one.temperature);
+    double ofStorage = 0, ofLoss = 0;
+    for (const DynamicModulus& point : one.points) {
+      const DynamicModulus predicted = modulusAt(material.series, point.frequency * shift);
+      ofStorage += std::pow(predicted.storage / point.storage - 1, 2);
+      ofLoss += std::pow(predicted.loss / point.loss - 1, 2);
+    }
+    const auto count = static_cast<double>(one.points.size());
+    storage.push_back(std::sqrt(ofStorage / count));
+    loss.push_back(std::sqrt(ofLoss / count));
+  }
+  const auto median = [](std::vector<double> values) {
+    std::ranges::sort(values);
+    return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+  };
+  EXPECT_LE(median(storage), 0.06);
+  EXPECT_LE(median(loss), 0.07);
+  // The worst is the second coldest, beyond which the table is linear over 14 K.
+  EXPECT_LE(std::ranges::max(storage), 0.1);
+  EXPECT_LE(std::ranges::max(loss), 0.11);
+}
+
+TEST(MaterialModel, TheSummarySaysWhatWasMeasured) {
+  std::vector<std::string> lines;
+  for (const Message& line : materialSummary(epdm())) lines.push_back(line.english());
+  EXPECT_THAT(lines, Contains(HasSubstr("10 isotherms from \u221210.0 \u00B0C to 53.0 \u00B0C")));
+  EXPECT_THAT(lines, Contains(HasSubstr("not thermorheologically simple")));
+  EXPECT_THAT(lines, Contains(HasSubstr("the shift is kept as the table")));
+}
+
+/// The shipped materials are what the command makes from the shipped measurements.
+TEST(MaterialModel, ShippedMaterialsAreWhatTheirMeasurementsGive) {
+  ASSERT_GE(shippedMaterials().size(), 2U);
+  for (const ShippedMaterial& shipped : shippedMaterials()) {
+    const auto there = nlohmann::json::parse(shipped.json);
+    EXPECT_FALSE(there["source"].get<std::string>().empty());
+    const std::string file = there["origin"]["file"];
+    const auto here =
+        nlohmann::json::parse(materialJson(makeMaterial(measurements(file), file, {})));
+    EXPECT_EQ(here["origin"]["sha256"], there["origin"]["sha256"]);
+    for (const char* key : {"equilibrium_modulus", "arms", "shift", "measured"})
+      EXPECT_EQ(here[key], there[key]) << shipped.name << " " << key;
+  }
+}
+
+TEST(MaterialModel, TablesHaveARowForEverything) {
+  const std::string isotherms = isothermsCsv(epdm()), shifts = shiftsCsv(epdm());
+  EXPECT_EQ(std::ranges::count(isotherms, '\n'), 211);
+  EXPECT_EQ(std::ranges::count(shifts, '\n'), 11);
+  EXPECT_EQ(std::ranges::count(pronyCsv(epdm()), '\n'),
+            static_cast<std::ptrdiff_t>(2 + epdm().series.arms.size()));
+}
+
+TEST(MaterialModel, AReadySeriesHasItsOneTemperature) {
+  MaterialChoices choices;
+  choices.columns.temperature = 296.15;
+  const Material material =
+      makeMaterial("tau (s),G (MPa)\ninf,1\n0.1,2\n10,1\n", "series.csv", choices);
+  EXPECT_FALSE(material.isMeasured());
+  EXPECT_EQ(material.series.equilibriumModulus, 1e6);
+  EXPECT_EQ(material.shift.table, (std::vector<ShiftPoint>{{296.15, 0}}));
+  EXPECT_EQ(material.measured, MeasuredRange{});
+}
+
+TEST(MaterialModel, IsothermsMayBeLeftOut) {
+  MaterialChoices choices;
+  choices.leftOut = {326.15};
+  EXPECT_EQ(fitMaterial(epdm().isotherms, choices).isotherms.size(), 9U);
+  choices.leftOut = {400};
+  EXPECT_THROW(fitMaterial(epdm().isotherms, choices), InputError);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,101 @@
+// Ready Prony series as people and finite-element programs write them.
+#include "core/material/prony_file.h"
+
+#include <gmock/gmock.h>
+
+#include "core/base/input_error.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+std::optional<PronyFile> read(const std::string& text, const PronyChoices& choices = {}) {
+  std::optional<TextTable> table;
+  try {
+    TextTableOptions options;
+    options.keepsTexts = true;
+    table = readTextTable(text, "prony.txt", options);
+  } catch (const InputError&) {
+    table.reset();  // no table, as keywords are none
+  }
+  return readPronyFile(text, table ? &*table : nullptr, "prony.txt", choices);
+}
+
+std::string errorOf(const std::string& text, const PronyChoices& choices = {}) {
+  try {
+    read(text, choices);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// G_0 = 4 MPa: G_i = 2 and 1 MPa at 0.1 and 10 s, 1 MPa is left.
+void expectSeries(const std::optional<PronyFile>& file) {
+  ASSERT_TRUE(file.has_value());
+  EXPECT_NEAR(file->equilibriumModulus, 1e6, 1e-3);
+  ASSERT_EQ(file->arms.size(), 2U);
+  EXPECT_NEAR(file->arms[0].modulus, 1e6, 1e-3);
+  EXPECT_EQ(file->arms[0].relaxationTime, 10);
+  EXPECT_NEAR(file->arms[1].modulus, 2e6, 1e-3);
+  EXPECT_EQ(file->arms[1].relaxationTime, 0.1);
+}
+
+TEST(PronyFile, KeywordsOfAbaqus) {
+  expectSeries(
+      read("*MATERIAL, NAME=RUBBER\n*Elastic, moduli=INSTANTANEOUS\n12e6, 0.5\n"
+           "*VISCOELASTIC, TIME=PRONY\n** g_i, k_i, tau_i\n0.5, 0., 0.1\n0.25, 0., 10.\n"));
+  // Long-term moduli are the default: G_inf = E / (2 (1 + nu)).
+  expectSeries(
+      read("*ELASTIC\n3e6, 0.5\n*VISCOELASTIC, TIME=PRONY\n0.5, 0., 0.1\n0.25, 0., 10.\n"));
+  // Neo Hooke: G = 2 C10.
+  const auto file = read(
+      "*HYPERELASTIC, NEO HOOKE, MODULI=LONG TERM\n0.5e6, 0.\n*VISCOELASTIC, "
+      "TIME=PRONY\n0.5,0,0.1\n"
+      "0.25,0,10\n*TRS, DEFINITION=WLF\n25., 8.86, 101.6\n");
+  expectSeries(file);
+  ASSERT_TRUE(file->shift.has_value());
+  EXPECT_EQ(*file->shift, (TemperatureShift{8.86, 101.6, 298.15}));
+}
+
+TEST(PronyFile, CommandsOfAnsys) {
+  const auto file = read(
+      "/PREP7\nMP,EX,1,12e6\nMP,NUXY,1,0.5\nTB,PRONY,1,1,2,SHEAR\nTBDATA,1,0.5,0.1,0.25,10\n"
+      "TB,SHIFT,1,1,3,WLF\nTBDATA,1,298.15,8.86,101.6\n");
+  expectSeries(file);
+  EXPECT_EQ(file->shift->c2, 101.6);
+}
+
+TEST(PronyFile, TablesOfTimesAndModuli) {
+  expectSeries(read("tau (s),G (MPa)\ninf,1\n0.1,2\n10,1\n"));
+  expectSeries(read("G_inf: 1 MPa\ntau_i [s];G_i [MPa]\n0.1;2\n10;1\n"));
+  expectSeries(read("E_inf = 3 MPa\ntau (s)\tE (MPa)\n0.1\t6\n10\t3\n"));
+  PronyChoices choices;
+  choices.instantaneousModulus = 4e6;
+  expectSeries(read("tau,g_i\n0.1,0.5\n10,0.25\n", choices));
+  choices = {};
+  choices.equilibriumModulus = 1e6;
+  expectSeries(read("tau,g_i\n0.1,0.5\n10,0.25\n", choices));
+}
+
+TEST(PronyFile, ATableOfFrequenciesIsNone) {
+  EXPECT_FALSE(read("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2e6,2e5\n").has_value());
+}
+
+TEST(PronyFile, WhatIsWrongIsSaidInOneLine) {
+  const std::string head = "*ELASTIC\n3e6, 0.5\n*VISCOELASTIC, TIME=PRONY\n";
+  EXPECT_THAT(errorOf(head + "0.5, 0.\n"), HasSubstr("line 4: needs a number in place 3"));
+  EXPECT_THAT(errorOf(head + "0.7,0,1\n0.6,0,2\n"), HasSubstr("add up to 1.3"));
+  EXPECT_THAT(errorOf(head + "0.7,0,-1\n"), HasSubstr("relaxation time is -1"));
+  EXPECT_THAT(errorOf("*VISCOELASTIC, TIME=PRONY\n0.5,0,1\n"),
+              HasSubstr("--instantaneous-modulus"));
+  EXPECT_THAT(errorOf("tau (s),G (MPa)\n0.1,2\n10,1\n"), HasSubstr("--liquid"));
+  EXPECT_THAT(errorOf("tau,G\ninf,1\n0.1,2\n10,1\n"), HasSubstr("--modulus-unit MPa"));
+  PronyChoices liquid;
+  liquid.isLiquid = true;
+  EXPECT_EQ(read("tau (s),G (MPa)\n0.1,2\n10,1\n", liquid)->equilibriumModulus, 0);
+}
+
+}  // namespace
+}  // namespace asperity
