@@ -79,6 +79,8 @@ class ArmKernel {
     if (touching_) {
       if constexpr (Everything) sums_.work += elasticWork(0);
       work_.addLength(std::max(line_.length - contactStart_, 0.0));
+      // Where nothing was left, the whole period is no sum with rounding.
+      if (Everything && work_.wasComplete()) sums_.contactLength = line_.length;
     } else {
       // The lowest point takes over.
       endArc<Everything>(line_.length);
