@@ -31,8 +31,8 @@ constexpr std::array<CurveColumn, 10> kCurveColumns{{
 }};
 constexpr ColumnName kRealizations = "realizations";
 
-/// Further columns, each where its first row applies: local friction, a constant indentation, a
-/// target accuracy, the paper's single elements.
+/// Further columns, each for the rows to which it applies: local friction, a constant indentation,
+/// a target accuracy, the paper's single elements.
 struct ExtraColumn {
   ColumnName name;
   double (*value)(const CurvePoint& point);
@@ -89,7 +89,7 @@ std::string notesOf(const CurvePoint& point) {
   const double damping = 4 * std::sqrt(2.0) * point.dimensionlessVelocity / slope /
                          point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
                          point.contactFraction;
-  // Of what does not apply nothing is said.
+  // Where a value does not apply, there is no note.
   return std::isgreater(std::abs(point.mu - damping), damping) ? "unresolved_friction" : "";
 }
 

@@ -2244,7 +2244,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::FrictionChart</name>
+    <name>asperity::FrictionChartModel</name>
     <message>
         <source>v = %1 m/s</source>
         <translation>v = %1 m/s</translation>

@@ -7,6 +7,10 @@
 <context>
     <name>core</name>
     <message>
+        <source>%1 is not one of %2</source>
+        <translation>%1 ist keines von %2</translation>
+    </message>
+    <message>
         <source>%1 is not %2</source>
         <translation>%1 ist nicht %2</translation>
     </message>
