@@ -7,6 +7,242 @@
 <context>
     <name>core</name>
     <message>
+        <source>reduced sliding velocity a_T v at %1 K</source>
+        <translation>reduzierte Gleitgeschwindigkeit a_T v bei %1 K</translation>
+    </message>
+    <message>
+        <source>%1 = %2, %3 to %4</source>
+        <translation>%1 = %2, %3 bis %4</translation>
+    </message>
+    <message>
+        <source>%1:%2 is no range within %3</source>
+        <translation>%1:%2 ist kein Bereich innerhalb von %3</translation>
+    </message>
+    <message>
+        <source>the scene's %1 is outside %2 to %3</source>
+        <translation>der Wert der Szene, %1, liegt außerhalb von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>unknown key; did you mean %1?</source>
+        <translation>unbekannter Schlüssel; ist %1 gemeint?</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>unbekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>is not a real number, which alone can be varied</source>
+        <translation>ist keine reelle Zahl; nur solche lassen sich variieren</translation>
+    </message>
+    <message>
+        <source>has no meaning in this scene</source>
+        <translation>hat in dieser Szene keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>is 0, which means none; it needs a value to begin from</source>
+        <translation>ist 0, also ausgeschaltet; es braucht einen Anfangswert</translation>
+    </message>
+    <message>
+        <source>%1 ends at its limit; the best value may lie beyond</source>
+        <translation>%1 endet an seiner Grenze; der beste Wert liegt vielleicht dahinter</translation>
+    </message>
+    <message>
+        <source>%1 is not determined by these data: its standard error is %2 in %3</source>
+        <translation>%1 wird von diesen Daten nicht bestimmt: der Standardfehler ist %2 in %3</translation>
+    </message>
+    <message>
+        <source>%1 points do not determine %2 parameters; more points than parameters are needed</source>
+        <translation>%1 Punkte bestimmen keine %2 Parameter; es müssen mehr Punkte als Parameter sein</translation>
+    </message>
+    <message>
+        <source>no parameter is named</source>
+        <translation>kein Parameter ist genannt</translation>
+    </message>
+    <message>
+        <source>the fit ended before the sum of squares stopped falling</source>
+        <translation>die Anpassung endete, bevor die Summe der Quadrate aufhörte zu fallen</translation>
+    </message>
+    <message>
+        <source>the points lie further from the curve than their errors say: chi squared is %1 for %2 degrees of freedom</source>
+        <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: Chi-Quadrat ist %1 bei %2 Freiheitsgraden</translation>
+    </message>
+    <message>
+        <source>a temperature of %1 K is too cold for rubber; name the unit, as in "temperature (C)"</source>
+        <translation>eine Temperatur von %1 K ist zu kalt für Gummi; die Einheit nennen, etwa „temperature (C)“</translation>
+    </message>
+    <message>
+        <source>column %1 has texts where numbers are expected</source>
+        <translation>Spalte %1 enthält Texte, wo Zahlen erwartet werden</translation>
+    </message>
+    <message>
+        <source>column %1: %2 (%3)</source>
+        <translation>Spalte %1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>column %1: the unit %2 is unknown; known are %3</source>
+        <translation>Spalte %1: die Einheit %2 ist unbekannt; bekannt sind %3</translation>
+    </message>
+    <message>
+        <source>has %1 columns without names; name them: velocity, mu, and where there are some mu_error, normal_force, nominal_pressure, temperature, label</source>
+        <translation>hat %1 Spalten ohne Namen; so benennen: velocity, mu, und wo vorhanden mu_error, normal_force, nominal_pressure, temperature, label</translation>
+    </message>
+    <message>
+        <source>has %1 row of numbers; at least 2 are needed</source>
+        <translation>hat %1 Zeile mit Zahlen; mindestens 2 werden gebraucht</translation>
+    </message>
+    <message>
+        <source>has no column of the %1; its columns are %2</source>
+        <translation>hat keine Spalte mit %1; die Spalten sind %2</translation>
+    </message>
+    <message>
+        <source>has the velocity of row %1, %2 m/s; average repeated measurements and give their error as mu_error, or tell them apart by a label</source>
+        <translation>hat die Geschwindigkeit von Zeile %1, %2 m/s; wiederholte Messungen mitteln und ihren Fehler als mu_error angeben, oder mit einem Label unterscheiden</translation>
+    </message>
+    <message>
+        <source>has two columns of the %1: %2 and %3</source>
+        <translation>hat zwei Spalten mit %1: %2 und %3</translation>
+    </message>
+    <message>
+        <source>has both a normal force and a nominal pressure; one of them says the load</source>
+        <translation>hat Normalkraft und Nennpressung; eine von beiden gibt die Last an</translation>
+    </message>
+    <message>
+        <source>row %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>the %1 is %2, which is not above 0</source>
+        <translation>%1: %2 ist nicht größer als 0</translation>
+    </message>
+    <message>
+        <source>the %1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>the error of the velocity is below 0</source>
+        <translation>der Fehler der Geschwindigkeit ist kleiner als 0</translation>
+    </message>
+    <message>
+        <source>error of the coefficient of friction</source>
+        <translation>Fehler des Reibungskoeffizienten</translation>
+    </message>
+    <message>
+        <source>error of the velocity</source>
+        <translation>Fehler der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>label</source>
+        <translation>Label</translation>
+    </message>
+    <message>
+        <source>%1 is named twice</source>
+        <translation>%1 ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>a list of %1</source>
+        <translation>eine Liste aus %1</translation>
+    </message>
+    <message>
+        <source>a list of 0 to %1 {file, label}</source>
+        <translation>eine Liste von 0 bis %1 {file, label}</translation>
+    </message>
+    <message>
+        <source>has %1 tables; allowed is %2</source>
+        <translation>hat %1 Tabellen; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>needs an object of file and label</source>
+        <translation>braucht ein Objekt aus file und label</translation>
+    </message>
+    <message>
+        <source>unknown key; a table has file and label</source>
+        <translation>unbekannter Schlüssel; eine Tabelle hat file und label</translation>
+    </message>
+    <message>
+        <source>is no text</source>
+        <translation>ist kein Text</translation>
+    </message>
+    <message>
+        <source>measured / computed</source>
+        <translation>gemessen / berechnet</translation>
+    </message>
+    <message>
+        <source>fit ± standard error</source>
+        <translation>Anpassung ± Standardfehler</translation>
+    </message>
+    <message>
+        <source>What the data say about each parameter</source>
+        <translation>Was die Daten über jeden Parameter sagen</translation>
+    </message>
+    <message>
+        <source>The least sum of squares with one parameter held: flat where the data leave it open.</source>
+        <translation>Die kleinste Summe der Quadrate bei einem festgehaltenen Parameter: flach, wo die Daten ihn offen lassen.</translation>
+    </message>
+    <message>
+        <source>chi squared above its least</source>
+        <translation>Chi-Quadrat über dem kleinsten</translation>
+    </message>
+    <message>
+        <source>Gaussian foundation, low velocity</source>
+        <translation>Gaußsche Linie auf Bettung, kleine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>complete contact</source>
+        <translation>vollständiger Kontakt</translation>
+    </message>
+    <message>
+        <source>half-space, with long-range elasticity</source>
+        <translation>Halbraum, mit weitreichender Elastizität</translation>
+    </message>
+    <message>
+        <source>shear velocity</source>
+        <translation>Scher-Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>shear width</source>
+        <translation>Scher-Breite</translation>
+    </message>
+    <message>
+        <source>measured friction</source>
+        <translation>gemessene Reibung</translation>
+    </message>
+    <message>
+        <source>theories</source>
+        <translation>Theorien</translation>
+    </message>
+    <message>
+        <source>Velocity (times the temperature shift) at which the local shear is largest; 0: it does not depend on the velocity.</source>
+        <translation>Geschwindigkeit (mal Temperaturverschiebung), bei der die lokale Scherung am größten ist; 0: sie hängt nicht von der Geschwindigkeit ab.</translation>
+    </message>
+    <message>
+        <source>How fast the local shear falls beside that velocity: it is exp(-c) of its largest value a decade away.</source>
+        <translation>Wie schnell die lokale Scherung neben dieser Geschwindigkeit abfällt: eine Dekade daneben ist sie exp(-c) ihres größten Wertes.</translation>
+    </message>
+    <message>
+        <source>Tables of measured friction that are shown beside the curve: velocity and mu, with or without errors, force, temperature.</source>
+        <translation>Tabellen gemessener Reibung, die neben der Kurve gezeigt werden: velocity und mu, mit oder ohne Fehler, Kraft, Temperatur.</translation>
+    </message>
+    <message>
+        <source>Theories that are drawn beside the curve.</source>
+        <translation>Theorien, die neben der Kurve gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Eq. (11) of Li et al. (2013): self-affine lines, Kelvin elements, contact of many summits.</source>
+        <translation>Gl. (11) von Li et al. (2013): selbstaffine Linien, Kelvin-Elemente, Kontakt vieler Gipfel.</translation>
+    </message>
+    <message>
+        <source>Gaussian line on independent elements as the velocity goes to 0, without a fitted constant; it needs many independent waves.</source>
+        <translation>Gaußsche Linie auf unabhängigen Elementen bei verschwindender Geschwindigkeit, ohne angepasste Konstante; sie braucht viele unabhängige Wellen.</translation>
+    </message>
+    <message>
+        <source>Losses of all waves of the line in complete contact, for any linear rheology; below complete contact it is too large.</source>
+        <translation>Verluste aller Wellen der Linie bei vollständigem Kontakt, für jede lineare Rheologie; darunter ist sie zu groß.</translation>
+    </message>
+    <message>
+        <source>Persson (2001) for the isotropic surface that this line is equivalent to, at its nominal pressure: another model, whose elements feel each other.</source>
+        <translation>Persson (2001) für die isotrope Fläche, der diese Linie entspricht, bei ihrer Nennpressung: ein anderes Modell, dessen Elemente einander spüren.</translation>
+    </message>
+    <message>
         <source>%1 is not one of %2</source>
         <translation>%1 ist keines von %2</translation>
     </message>
