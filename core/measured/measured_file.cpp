@@ -61,7 +61,7 @@ UnitFact unitFact(const std::string& choice, const std::optional<StatedUnit>& st
 void requireChoices(const SurfaceSource& source) {
   const auto require = [&source](const char* key, const std::string& value, const auto& known) {
     if (std::ranges::find(known, value) == known.end())
-      throw InputError(source.name, key, Message::name(notOneOf(value, known)));
+      throw InputError(source.name, key, notOneOf(value, known));
   };
   require("surface.format", source.choices.format, kSurfaceFormats);
   require("surface.position_unit", source.choices.positionUnit, kSurfaceUnits);
@@ -246,13 +246,13 @@ void requireSize(const SurfaceSource& source, std::int64_t columns, std::int64_t
 std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_view axis,
                                      std::string_view unit) {
   if (unit.empty()) return {};
-  if (const auto metres = metresPer(unit)) return StatedUnit{std::string(unit), *metres};
+  if (const auto metres = metresPer(unit)) return StatedUnit{shortened(unit), *metres};
   const bool ofHeights = axis.starts_with('z') || axis.starts_with('Z');
   if ((ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto") return {};
   throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
                    message("the axis {} is in '{}', which is no unit of length; the key can say "
                            "another one",
-                           axis, unit));
+                           axis, shortened(unit)));
 }
 
 MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
