@@ -55,8 +55,8 @@ struct Missing {
 };
 Missing missingOf(const Scene& scene);
 
-/// Length and elements of the kinds that are not on the screen: a profile has its own, all others
-/// share theirs, and both come back with their kind.
+/// Length and elements of the kinds that are not on the screen: those with a file share theirs, all
+/// others share theirs, and both come back with their kind.
 class KeptSizes {
  public:
   explicit KeptSizes(const Surface& surface);
@@ -67,5 +67,9 @@ class KeptSizes {
  private:
   LineSize profile_, others_;
 };
+
+/// Realizations mean every row where a surface becomes a measured one, and a number again where it
+/// becomes another one. `next` has followed `before`.
+void followRealizations(const Scene& before, Scene& next);
 
 }  // namespace asperity
