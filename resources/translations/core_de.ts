@@ -3920,28 +3920,28 @@
         <translation>Reifen auf Asphalt</translation>
     </message>
     <message>
-        <source>Stones some millimetres wide press into a tread under 2.5 bar. Each stone is met on its front side alone: the rubber behind it comes back too late, and that is the friction. Wavelengths are those of road macrotexture (ISO 13473-1: 0.5 mm to 50 mm); height, roll-off, the moduli, which grow fourfold a decade as near the glass transition, and the width of 1 mm that turns pressure into force are an example. Shorter waves are left out, because with them slopes are no longer small.</source>
-        <translation>Steine von einigen Millimetern Breite drücken mit 2,5 bar in einen Laufstreifen. Jeder Stein wird nur an seiner Vorderseite berührt: Der Gummi dahinter kommt zu spät zurück, und das ist die Reibung. Die Wellenlängen sind die der Makrotextur von Straßen (ISO 13473-1: 0,5 mm bis 50 mm); Höhe, Roll-off, die Moduln, die je Dekade auf das Vierfache wachsen wie nahe dem Glasübergang, und die Breite von 1 mm, die aus Druck Kraft macht, sind ein Beispiel. Kürzere Wellen fehlen, weil mit ihnen Steigungen nicht mehr klein sind.</translation>
-    </message>
-    <message>
         <source>Rubber on sandpaper</source>
         <translation>Gummi auf Schleifpapier</translation>
-    </message>
-    <message>
-        <source>Grains of P80 paper are 0.2 mm wide on average (FEPA 43-1), and rubber touches only their tips. Move the velocity: slowly the rubber fills the valleys behind each tip and pushes from both sides; at some centimetres a second it is pushed from the front alone. The height of the paper is an example, low enough that slopes stay small (a new paper is steeper), and so is the rubber with its one relaxation time.</source>
-        <translation>Körner von Papier P80 sind im Mittel 0,2 mm breit (FEPA 43-1), und der Gummi berührt nur ihre Spitzen. Ändern Sie die Geschwindigkeit: Langsam füllt der Gummi die Täler hinter jeder Spitze und drückt von beiden Seiten; bei einigen Zentimetern in der Sekunde wird er nur von vorn gedrückt. Die Höhe des Papiers ist ein Beispiel, so niedrig, dass Steigungen klein bleiben (neues Papier ist steiler), und ebenso der Gummi mit seiner einen Relaxationszeit.</translation>
     </message>
     <message>
         <source>Shoe on concrete</source>
         <translation>Schuh auf Beton</translation>
     </message>
     <message>
-        <source>A soft sole on concrete, under the pressure of a person who stands on both feet. Slow creeping costs little and so does a fast slip: friction is highest where a ridge passes in the time in which the rubber relaxes, and a foot that begins to slip has less and less of it. All figures are an example; adhesion, which on clean dry concrete adds to this friction, is not in it.</source>
-        <translation>Eine weiche Sohle auf Beton unter dem Druck eines Menschen, der auf beiden Füßen steht. Langsames Kriechen kostet wenig, schnelles Rutschen ebenso: Die Reibung ist am größten, wo ein Grat in der Zeit vorbeikommt, in der der Gummi relaxiert, und ein Fuß, der zu rutschen beginnt, hat immer weniger davon. Alle Werte sind ein Beispiel; Adhäsion, die auf sauberem trockenem Beton dazukommt, ist nicht enthalten.</translation>
-    </message>
-    <message>
         <source>Everyday surfaces</source>
         <translation>Oberflächen des Alltags</translation>
+    </message>
+    <message>
+        <source>Each stone is met on its front side alone: the rubber behind it comes back too late, and that is the friction. Wavelengths of some millimetres are those of road macrotexture (ISO 13473-1: 0.5 mm to 50 mm), the pressure is that of a car tyre, and the height, the moduli near the glass transition and the width of 2 mm that turns pressure into force are an example; shorter waves, with which slopes are not small any more, are left out.</source>
+        <translation>Jeder Stein wird nur an seiner Vorderseite berührt: Der Gummi dahinter kommt zu spät zurück, und das ist die Reibung. Wellenlängen von einigen Millimetern sind die der Makrotextur von Straßen (ISO 13473-1: 0,5 mm bis 50 mm), der Druck ist der eines Autoreifens, und die Höhe, die Moduln nahe dem Glasübergang und die Breite von 2 mm, die aus Druck Kraft macht, sind ein Beispiel; kürzere Wellen, mit denen Steigungen nicht mehr klein sind, fehlen.</translation>
+    </message>
+    <message>
+        <source>Move the velocity: slowly the rubber fills the valleys behind each tip and pushes from both sides, at some centimetres a second it is met from the front alone. Grains of P80 paper are 0.2 mm wide on average (FEPA 43-1); the height, low enough that slopes stay small, and the rubber with its one relaxation time are an example.</source>
+        <translation>Ändern Sie die Geschwindigkeit: Langsam füllt der Gummi die Täler hinter jeder Spitze und drückt von beiden Seiten, bei einigen Zentimetern in der Sekunde wird er nur von vorn getroffen. Körner von Papier P80 sind im Mittel 0,2 mm breit (FEPA 43-1); die Höhe, so niedrig, dass Steigungen klein bleiben, und der Gummi mit seiner einen Relaxationszeit sind ein Beispiel.</translation>
+    </message>
+    <message>
+        <source>Slow creeping costs little and so does a fast slip: friction is highest where a ridge passes in the time in which the rubber relaxes, and a foot that begins to slip has less and less of it. All figures are an example for a soft sole under a person who stands on both feet; adhesion, which on clean dry concrete adds to this friction, is not in it.</source>
+        <translation>Langsames Kriechen kostet wenig, schnelles Rutschen ebenso: Die Reibung ist am größten, wo ein Grat in der Zeit vorbeikommt, in der der Gummi relaxiert, und ein Fuß, der zu rutschen beginnt, hat immer weniger davon. Alle Werte sind ein Beispiel für eine weiche Sohle unter einem Menschen, der auf beiden Füßen steht; Adhäsion, die auf sauberem trockenem Beton dazukommt, ist nicht enthalten.</translation>
     </message>
 </context>
 </TS>

@@ -128,4 +128,11 @@ void KeptSizes::follow(const Surface& before, Surface& next) {
   }
 }
 
+void followRealizations(const Scene& before, Scene& next) {
+  const Parameter& row = *findParameter(kRealizations);
+  const bool wasOpen = isLeftToProfile(row, before, 0), isOpen = isLeftToProfile(row, next, 0);
+  if (wasOpen == isOpen) return;
+  next.ensemble.realizations = isOpen ? 0 : Ensemble{}.realizations;
+}
+
 }  // namespace asperity

@@ -53,8 +53,8 @@ struct Missing {
 };
 Missing missingOf(const Scene& scene);
 
-/// Remembers length and elements of the surface kinds that are not shown: a profile has its own,
-/// all others share theirs, and both return with their kind.
+/// Remembers length and elements of the surface kinds that are not shown: those with a file share
+/// theirs, all others share theirs, and both return with their kind.
 class KeptSizes {
  public:
   explicit KeptSizes(const Surface& surface);
@@ -65,5 +65,9 @@ class KeptSizes {
  private:
   LineSize profile_, others_;
 };
+
+/// Realizations mean every row where a surface becomes a measured one, and a number again where it
+/// becomes another one. `next` has followed `before`.
+void followRealizations(const Scene& before, Scene& next);
 
 }  // namespace asperity
