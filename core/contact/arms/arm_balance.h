@@ -11,6 +11,7 @@
 // status says whether balance and period closed.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
