@@ -3234,8 +3234,8 @@
         <translation>Bereiche I bis IV</translation>
     </message>
     <message>
-        <source>Relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber. An example: its moduli come from one table of an unnamed compound and have no published source.</source>
-        <translation>Relaxationszeiten von 100 s bis 10⁻¹⁰ s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 10⁻¹⁰ s abgeschnitten, daher gehört der Abfall oberhalb von etwa 10⁵ m/s zur Anpassung und nicht zum Gummi. Ein Beispiel: die Moduln stammen aus einer Tabelle einer unbenannten Mischung und haben keine veröffentlichte Quelle.</translation>
+        <source>An example without a published source, relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber.</source>
+        <translation>Ein Beispiel ohne veröffentlichte Quelle, Relaxationszeiten von 100 s bis 10⁻¹⁰ s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 10⁻¹⁰ s abgeschnitten, daher gehört der Abfall oberhalb von etwa 10⁵ m/s zur Anpassung und nicht zum Gummi.</translation>
     </message>
     <message>
         <source>Reversal</source>
@@ -3302,8 +3302,8 @@
         <translation>Der Gummi gleitet eine gerade Flanke hinab, daher ist der Druck auf ihr gleichmäßig und fällt hinter der Spitze ab. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
     </message>
     <message>
-        <source>The series holds at 343 K; at 298 K every arm is about 140 times as slow and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing. The moduli are an example without a published source; the shift is that of Hentschke and Plagge (Sci. Rep. 2021, Fig. 1) for another filled rubber.</source>
-        <translation>Die Reihe gilt bei 343 K; bei 298 K ist jeder Arm etwa 140-mal so langsam, und die Reibung bei Schrittgeschwindigkeit ist die eines steiferen Gummis. Die Temperatur verschieben: Die Kurve wandert unverändert längs der Geschwindigkeit. Die Moduln sind ein Beispiel ohne veröffentlichte Quelle; die Verschiebung ist die von Hentschke und Plagge (Sci. Rep. 2021, Abb. 1) für einen anderen gefüllten Gummi.</translation>
+        <source>The series, an example without a published source, holds at 343 K; by the shift of another filled rubber (Hentschke and Plagge 2021) every arm is about 140 times as slow at 298 K, and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>
+        <translation>Die Reihe, ein Beispiel ohne veröffentlichte Quelle, gilt bei 343 K; mit der Verschiebung eines anderen gefüllten Gummis (Hentschke und Plagge 2021) ist jeder Arm bei 298 K etwa 140-mal so langsam, und die Reibung bei Schrittgeschwindigkeit ist die eines steiferen Gummis. Die Temperatur verschieben: Die Kurve wandert unverändert längs der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>The short waves lie in the valleys and the summits are smooth, so the slope in contact rises with the load. Friction at light load is far below that of the line with rough summits, at nearly the same spectrum.</source>
