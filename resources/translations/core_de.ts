@@ -3595,6 +3595,532 @@
     <message>
         <source>the positions along %1 are not uniform; surfaces need a uniform grid</source>
         <translation>die Orte längs %1 sind nicht gleichabständig; Flächen brauchen ein gleichabständiges Gitter</translation>
+        <source>%1 at %2 and %3 Hz is not above 0; leave such rows out, or correct the column</source>
+        <translation>%1 bei %2 und %3 Hz ist nicht über 0; solche Zeilen weglassen oder die Spalte berichtigen</translation>
+    </message>
+    <message>
+        <source>there is one frequency alone at %1, %2 Hz; a shift needs sweeps of at least two frequencies at each temperature</source>
+        <translation>bei %1 gibt es nur eine Frequenz, %2 Hz; eine Verschiebung braucht mindestens zwei Frequenzen bei jeder Temperatur</translation>
+    </message>
+    <message>
+        <source>holds no row of frequency and moduli</source>
+        <translation>enthält keine Zeile mit Frequenz und Moduln</translation>
+    </message>
+    <message>
+        <source>runs from %1 to %2 without a gap of more than %3 K; sweeps at constant temperatures are needed (--temperature-tolerance says how far the rows of one sweep may lie apart)</source>
+        <translation>läuft von %1 bis %2 ohne eine Lücke von mehr als %3 K; nötig sind Messungen bei festen Temperaturen (--temperature-tolerance sagt, wie weit die Zeilen einer Messung auseinanderliegen dürfen)</translation>
+    </message>
+    <message>
+        <source>the isotherms at %1 and %2 do not overlap: no shift brings their moduli together; a sweep at a temperature between them or over more frequencies is needed, or leave the isotherms beyond the gap out</source>
+        <translation>die Isothermen bei %1 und %2 überlappen nicht: keine Verschiebung bringt ihre Moduln zusammen; nötig ist eine Messung bei einer Temperatur dazwischen oder über mehr Frequenzen, oder die Isothermen jenseits der Lücke weglassen</translation>
+    </message>
+    <message>
+        <source>the isotherm at %1 is slower than that at %2 by %3 decades: the temperatures are out of order; correct the column, or leave an isotherm out</source>
+        <translation>die Isotherme bei %1 ist um %3 Dekaden langsamer als die bei %2: die Temperaturen sind vertauscht; die Spalte berichtigen oder eine Isotherme weglassen</translation>
+    </message>
+    <message>
+        <source>holds no isotherm</source>
+        <translation>enthält keine Isotherme</translation>
+    </message>
+    <message>
+        <source>%1 K is outside of the measured temperatures, %2 to %3 K (%4 to %5); a temperature may be written as 20C</source>
+        <translation>%1 K liegt außerhalb der gemessenen Temperaturen, %2 bis %3 K (%4 bis %5); eine Temperatur darf als 20C geschrieben werden</translation>
+    </message>
+    <message>
+        <source>has one value alone; a series needs a range of frequencies</source>
+        <translation>hat nur einen Wert; eine Reihe braucht einen Bereich von Frequenzen</translation>
+    </message>
+    <message>
+        <source>%1 is outside 1 to %2, what %3 points can tell</source>
+        <translation>%1 liegt außerhalb von 1 bis %2, was %3 Punkte hergeben</translation>
+    </message>
+    <message>
+        <source>is 0 in the fit: down to %1 Hz the storage modulus still falls as that of a liquid, which cannot carry a load for ever; measure at lower frequencies or higher temperatures, give --equilibrium-modulus, or allow it with --liquid</source>
+        <translation>ist 0 in der Anpassung: bis %1 Hz hinab fällt der Speichermodul wie der einer Flüssigkeit, die keine Last auf Dauer trägt; bei tieferen Frequenzen oder höheren Temperaturen messen, --equilibrium-modulus angeben oder es mit --liquid erlauben</translation>
+    </message>
+    <message>
+        <source>needs a number in place %1</source>
+        <translation>braucht eine Zahl an Stelle %1</translation>
+    </message>
+    <message>
+        <source>keywords of Abaqus</source>
+        <translation>Schlüsselwörter von Abaqus</translation>
+    </message>
+    <message>
+        <source>has a hyperelastic form whose shear modulus is not read; NEO HOOKE, MOONEY-RIVLIN and YEOH are, or give --equilibrium-modulus</source>
+        <translation>hat eine hyperelastische Form, deren Schubmodul nicht gelesen wird; NEO HOOKE, MOONEY-RIVLIN und YEOH werden es, oder --equilibrium-modulus angeben</translation>
+    </message>
+    <message>
+        <source>is not TIME=PRONY; a table of frequencies and moduli is read as such</source>
+        <translation>ist nicht TIME=PRONY; eine Tabelle von Frequenzen und Moduln wird als solche gelesen</translation>
+    </message>
+    <message>
+        <source>is a second *VISCOELASTIC; keep the material that is meant alone</source>
+        <translation>ist ein zweites *VISCOELASTIC; nur das gemeinte Material stehen lassen</translation>
+    </message>
+    <message>
+        <source>commands of Ansys</source>
+        <translation>Befehle von Ansys</translation>
+    </message>
+    <message>
+        <source>begins at a place that is outside 1 to 200</source>
+        <translation>beginnt an einer Stelle außerhalb von 1 bis 200</translation>
+    </message>
+    <message>
+        <source>a table of relaxation times and moduli</source>
+        <translation>eine Tabelle von Relaxationszeiten und Moduln</translation>
+    </message>
+    <message>
+        <source>holds no relaxation time</source>
+        <translation>enthält keine Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>holds no term of a Prony series</source>
+        <translation>enthält kein Glied einer Prony-Reihe</translation>
+    </message>
+    <message>
+        <source>has %1 terms; allowed is %2</source>
+        <translation>hat %1 Glieder; erlaubt sind %2</translation>
+    </message>
+    <message>
+        <source>the modulus is %1, which must be at least 0</source>
+        <translation>der Modul ist %1 und muss mindestens 0 sein</translation>
+    </message>
+    <message>
+        <source>the relaxation time is %1 s, which must be above 0</source>
+        <translation>die Relaxationszeit ist %1 s und muss über 0 sein</translation>
+    </message>
+    <message>
+        <source>the parts of the instantaneous modulus add up to %1, more than 1</source>
+        <translation>die Teile des Momentanmoduls ergeben zusammen %1, mehr als 1</translation>
+    </message>
+    <message>
+        <source>has parts of a modulus and not the modulus itself; give the instantaneous shear modulus with --instantaneous-modulus, or --equilibrium-modulus</source>
+        <translation>hat Teile eines Moduls und nicht den Modul selbst; den Momentan-Schubmodul mit --instantaneous-modulus angeben, oder --equilibrium-modulus</translation>
+    </message>
+    <message>
+        <source>has parts that add up to 1, so that its long-term modulus is 0; give --instantaneous-modulus, and --liquid if that is meant</source>
+        <translation>hat Teile, die zusammen 1 ergeben, so dass der Langzeitmodul 0 ist; --instantaneous-modulus angeben, und --liquid, wenn das gemeint ist</translation>
+    </message>
+    <message>
+        <source>is not above 0, as of a liquid, which cannot carry a load for ever; give --equilibrium-modulus, or allow it with --liquid</source>
+        <translation>ist nicht über 0, wie bei einer Flüssigkeit, die keine Last auf Dauer trägt; --equilibrium-modulus angeben oder es mit --liquid erlauben</translation>
+    </message>
+    <message>
+        <source>has no unit, and %1 Pa would be no rubber; say --modulus-unit MPa or another one</source>
+        <translation>hat keine Einheit, und %1 Pa wären kein Gummi; --modulus-unit MPa oder eine andere angeben</translation>
+    </message>
+    <message>
+        <source>holds no row with a frequency and both moduli</source>
+        <translation>enthält keine Zeile mit einer Frequenz und beiden Moduln</translation>
+    </message>
+    <message>
+        <source>has no columns that are known as frequency, storage and loss modulus (or tan delta, or magnitude and phase) among %1; say which they are with --frequency-column, --storage-column and --loss-column</source>
+        <translation>hat unter %1 keine Spalten, die als Frequenz, Speicher- und Verlustmodul (oder tan delta, oder Betrag und Phase) bekannt sind; mit --frequency-column, --storage-column und --loss-column sagen, welche es sind</translation>
+    </message>
+    <message>
+        <source>has the unit %1, which is not one of %2; %3 says which is meant</source>
+        <translation>hat die Einheit %1, die keine von %2 ist; %3 sagt, welche gemeint ist</translation>
+    </message>
+    <message>
+        <source>is of another kind than the other modulus: one is of shear (G), one of tension (E); say with --storage-column and --loss-column which belong together</source>
+        <translation>ist von anderer Art als der andere Modul: einer ist von Schub (G), einer von Zug (E); mit --storage-column und --loss-column sagen, welche zusammengehören</translation>
+    </message>
+    <message>
+        <source>may be of shear (G) or of tension (E); say which with --modulus shear or --modulus tension</source>
+        <translation>kann von Schub (G) oder von Zug (E) sein; mit --modulus shear oder --modulus tension sagen, welcher</translation>
+    </message>
+    <message>
+        <source>runs from %1 to %2 without a unit: kelvins and degrees Celsius seem to be mixed; say which with --temperature-unit, or correct the column</source>
+        <translation>läuft von %1 bis %2 ohne Einheit: Kelvin und Grad Celsius scheinen gemischt; mit --temperature-unit sagen, welche, oder die Spalte berichtigen</translation>
+    </message>
+    <message>
+        <source>is stated nowhere; say at which the moduli were measured with --temperature, such as --temperature 20C</source>
+        <translation>steht nirgends; mit --temperature sagen, bei welcher die Moduln gemessen wurden, etwa --temperature 20C</translation>
+    </message>
+    <message>
+        <source>has no unit, and %1 is in %2; say with --modulus-unit which unit both have</source>
+        <translation>hat keine Einheit, und %1 ist in %2; mit --modulus-unit sagen, welche Einheit beide haben</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which must be above 0; leave the row out or correct it</source>
+        <translation>%1 ist %2 und muss über 0 sein; die Zeile weglassen oder berichtigen</translation>
+    </message>
+    <message>
+        <source>the frequency</source>
+        <translation>die Frequenz</translation>
+    </message>
+    <message>
+        <source>the storage modulus</source>
+        <translation>der Speichermodul</translation>
+    </message>
+    <message>
+        <source>the loss modulus</source>
+        <translation>der Verlustmodul</translation>
+    </message>
+    <message>
+        <source>the temperature in K</source>
+        <translation>die Temperatur in K</translation>
+    </message>
+    <message>
+        <source>is %1 K in the file's shift; leave --temperature out</source>
+        <translation>ist %1 K in der Verschiebung der Datei; --temperature weglassen</translation>
+    </message>
+    <message>
+        <source>is stated nowhere; say at which the series holds with --temperature, such as --temperature 20C</source>
+        <translation>steht nirgends; mit --temperature sagen, bei welcher die Reihe gilt, etwa --temperature 20C</translation>
+    </message>
+    <message>
+        <source>no isotherm is within 1 K of %1</source>
+        <translation>keine Isotherme liegt innerhalb von 1 K um %1</translation>
+    </message>
+    <message>
+        <source>leaves no isotherm</source>
+        <translation>lässt keine Isotherme übrig</translation>
+    </message>
+    <message>
+        <source>%1 needs more isotherms than %2</source>
+        <translation>%1 braucht mehr Isothermen als %2</translation>
+    </message>
+    <message>
+        <source>has %1 rows; allowed is %2, more than an instrument needs</source>
+        <translation>hat %1 Zeilen; erlaubt sind %2, mehr als ein Gerät braucht</translation>
+    </message>
+    <message>
+        <source>%1: %2 arms, G = %3 in equilibrium, at %4</source>
+        <translation>%1: %2 Arme, G = %3 im Gleichgewicht, bei %4</translation>
+    </message>
+    <message>
+        <source>which frequencies were measured is not known: friction on it is not marked as extrapolated</source>
+        <translation>welche Frequenzen gemessen wurden, ist nicht bekannt: Reibung darauf wird nicht als extrapoliert gekennzeichnet</translation>
+    </message>
+    <message>
+        <source>measured: one isotherm at %1, %2 to %3</source>
+        <translation>gemessen: eine Isotherme bei %1, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>measured: %1 isotherms from %2 to %3; at %4 they cover %5 to %6</source>
+        <translation>gemessen: %1 Isothermen von %2 bis %3; bei %4 decken sie %5 bis %6 ab</translation>
+    </message>
+    <message>
+        <source>rows without a value, left out: %1</source>
+        <translation>Zeilen ohne Wert, weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>moduli of tension, divided by %1 for shear (Poisson's ratio %2)</source>
+        <translation>Zugmoduln, für Schub durch %1 geteilt (Querkontraktionszahl %2)</translation>
+    </message>
+    <message>
+        <source>overlaps: neighbours agree within %1 to %2 decades (rms)</source>
+        <translation>Überlappungen: Nachbarn stimmen auf %1 bis %2 Dekaden überein (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>Prony series: %1 arms from %2 relaxation times, G = %3 in equilibrium; rms residual %4 % of G', %5 % of G''</source>
+        <translation>Prony-Reihe: %1 Arme aus %2 Relaxationszeiten, G = %3 im Gleichgewicht; Restabweichung %4 % von G', %5 % von G'' (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>Williams, Landel and Ferry: C1 = %1, C2 = %2 K, %3 decades rms</source>
+        <translation>Williams, Landel und Ferry: C1 = %1, C2 = %2 K, %3 Dekaden (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>Arrhenius: %1, %2 decades rms</source>
+        <translation>Arrhenius: %1, %2 Dekaden (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>one temperature alone: there is no shift</source>
+        <translation>nur eine Temperatur: es gibt keine Verschiebung</translation>
+    </message>
+    <message>
+        <source>the shift is kept as the table</source>
+        <translation>die Verschiebung bleibt die Tabelle</translation>
+    </message>
+    <message>
+        <source>the shift is that of Williams, Landel and Ferry</source>
+        <translation>die Verschiebung ist die von Williams, Landel und Ferry</translation>
+    </message>
+    <message>
+        <source>the shift is that of Arrhenius</source>
+        <translation>die Verschiebung ist die von Arrhenius</translation>
+    </message>
+    <message>
+        <source>not thermorheologically simple: shifts from G' alone and from G'' alone differ by up to %1 decades between neighbours, %2 in all; predictions at other temperatures are approximate</source>
+        <translation>nicht thermorheologisch einfach: Verschiebungen aus G' allein und aus G'' allein unterscheiden sich um bis zu %1 Dekaden zwischen Nachbarn, %2 insgesamt; Vorhersagen bei anderen Temperaturen sind Näherungen</translation>
+    </message>
+    <message>
+        <source>there is no file of this name, and %1</source>
+        <translation>es gibt keine Datei dieses Namens, und %1</translation>
+    </message>
+    <message>
+        <source>has no rows</source>
+        <translation>hat keine Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 K is outside the shift table, %2 to %3 K</source>
+        <translation>%1 K liegt außerhalb der Verschiebungstabelle, %2 bis %3 K</translation>
+    </message>
+    <message>
+        <source>has %1 rows; allowed is %2</source>
+        <translation>hat %1 Zeilen; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>needs an object of temperature and log10_shift</source>
+        <translation>braucht ein Objekt aus temperature und log10_shift</translation>
+    </message>
+    <message>
+        <source>unknown key; a row has temperature and log10_shift</source>
+        <translation>unbekannter Schlüssel; eine Zeile hat temperature und log10_shift</translation>
+    </message>
+    <message>
+        <source>%1 K is not above the %2 K of the row before; the rows are needed in the order of rising temperature</source>
+        <translation>%1 K liegt nicht über den %2 K der Zeile davor; die Zeilen müssen nach steigender Temperatur geordnet sein</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 {temperature, log10_shift}, %2 and %3</source>
+        <translation>eine Liste von 1 bis %1 {temperature, log10_shift}, %2 und %3</translation>
+    </message>
+    <message>
+        <source>a material is JSON in UTF-8, which 'asperity material' makes from a table of measured moduli</source>
+        <translation>ein Material ist JSON in UTF-8, das 'asperity material' aus einer Tabelle gemessener Moduln macht</translation>
+    </message>
+    <message>
+        <source>is not %1</source>
+        <translation>ist nicht %1</translation>
+    </message>
+    <message>
+        <source>unknown key of a material</source>
+        <translation>unbekannter Schlüssel eines Materials</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>frequency f</source>
+        <translation>Frequenz f</translation>
+    </message>
+    <message>
+        <source>frequency f %1</source>
+        <translation>Frequenz f %1</translation>
+    </message>
+    <message>
+        <source>reduced frequency f aᴛ %1</source>
+        <translation>reduzierte Frequenz f aᴛ %1</translation>
+    </message>
+    <message>
+        <source>%1: isotherms</source>
+        <translation>%1: Isothermen</translation>
+    </message>
+    <message>
+        <source>storage modulus G'</source>
+        <translation>Speichermodul G'</translation>
+    </message>
+    <message>
+        <source>loss modulus G''</source>
+        <translation>Verlustmodul G''</translation>
+    </message>
+    <message>
+        <source>modulus G', G''</source>
+        <translation>Modul G', G''</translation>
+    </message>
+    <message>
+        <source>G' measured</source>
+        <translation>G' gemessen</translation>
+    </message>
+    <message>
+        <source>G'' measured</source>
+        <translation>G'' gemessen</translation>
+    </message>
+    <message>
+        <source>G' of the series</source>
+        <translation>G' der Reihe</translation>
+    </message>
+    <message>
+        <source>G'' of the series</source>
+        <translation>G'' der Reihe</translation>
+    </message>
+    <message>
+        <source>residual in %</source>
+        <translation>Restabweichung in %</translation>
+    </message>
+    <message>
+        <source>%1: master curve</source>
+        <translation>%1: Masterkurve</translation>
+    </message>
+    <message>
+        <source>%1 arms, G = %2 in equilibrium, rms residual %3 % of G' and %4 % of G''</source>
+        <translation>%1 Arme, G = %2 im Gleichgewicht, Restabweichung %3 % von G' und %4 % von G'' (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>Not thermorheologically simple: G' and G'' alone ask for different shifts, and the points of one temperature leave the curve.</source>
+        <translation>Nicht thermorheologisch einfach: G' und G'' allein verlangen verschiedene Verschiebungen, und die Punkte einer Temperatur verlassen die Kurve.</translation>
+    </message>
+    <message>
+        <source>%1: loss tangent</source>
+        <translation>%1: Verlustfaktor</translation>
+    </message>
+    <message>
+        <source>loss tangent tan δ</source>
+        <translation>Verlustfaktor tan δ</translation>
+    </message>
+    <message>
+        <source>Prony series</source>
+        <translation>Prony-Reihe</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>%1: shifts with temperature</source>
+        <translation>%1: Verschiebungen mit der Temperatur</translation>
+    </message>
+    <message>
+        <source>temperature T</source>
+        <translation>Temperatur T</translation>
+    </message>
+    <message>
+        <source>shift log₁₀ aᴛ</source>
+        <translation>Verschiebung log₁₀ aᴛ</translation>
+    </message>
+    <message>
+        <source>from both moduli</source>
+        <translation>aus beiden Moduln</translation>
+    </message>
+    <message>
+        <source>from G' alone</source>
+        <translation>aus G' allein</translation>
+    </message>
+    <message>
+        <source>from G'' alone</source>
+        <translation>aus G'' allein</translation>
+    </message>
+    <message>
+        <source>WLF, %1 decades rms</source>
+        <translation>WLF, %1 Dekaden (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>Arrhenius, %1 decades rms</source>
+        <translation>Arrhenius, %1 Dekaden (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>excited at %1</source>
+        <translation>angeregt bei %1</translation>
+    </message>
+    <message>
+        <source>tan δ</source>
+        <translation>tan δ</translation>
+    </message>
+    <message>
+        <source>share of the loss</source>
+        <translation>Anteil am Verlust</translation>
+    </message>
+    <message>
+        <source>nothing is dissipated at this velocity</source>
+        <translation>bei dieser Geschwindigkeit wird nichts dissipiert</translation>
+    </message>
+    <message>
+        <source>Where the rubber is used at %1</source>
+        <translation>Wo der Gummi bei %1 gebraucht wird</translation>
+    </message>
+    <message>
+        <source>Tinted: from 5 to 95 % of q C1(q) G''(q v), the loss in complete contact; below per decade of frequency, q² C1 G'', over its largest value.</source>
+        <translation>Getönt: von 5 bis 95 % von q C1(q) G''(q v), dem Verlust bei vollständigem Kontakt; unten je Dekade der Frequenz, q² C1 G'', bezogen auf den größten Wert.</translation>
+    </message>
+    <message>
+        <source>the line excites no loss at this velocity</source>
+        <translation>die Linie regt bei dieser Geschwindigkeit keinen Verlust an</translation>
+    </message>
+    <message>
+        <source>at %1 the line excites %2 to %3, half of the loss below %4</source>
+        <translation>bei %1 regt die Linie %2 bis %3 an, die Hälfte des Verlusts unter %4</translation>
+    </message>
+    <message>
+        <source>%1; measured were %2 to %3, %4 % of the loss is extrapolated</source>
+        <translation>%1; gemessen wurden %2 bis %3, %4 % des Verlusts sind extrapoliert</translation>
+    </message>
+    <message>
+        <source>beyond the measured frequencies</source>
+        <translation>jenseits der gemessenen Frequenzen</translation>
+    </message>
+    <message>
+        <source>Beyond the measured frequencies: more than a tenth of the loss rests on frequencies at which the rubber was not measured.</source>
+        <translation>Jenseits der gemessenen Frequenzen: mehr als ein Zehntel des Verlusts beruht auf Frequenzen, bei denen der Gummi nicht gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>another shift table</source>
+        <translation>eine andere Verschiebungstabelle</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>A shipped material or a material file, relative to the scene; it gives moduli, relaxation times and shift, and a key beside it replaces that one value.</source>
+        <translation>Ein mitgeliefertes Material oder eine Materialdatei, relativ zur Szene; sie gibt Moduln, Relaxationszeiten und Verschiebung, und ein Schlüssel daneben ersetzt diesen einen Wert.</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>How temperature shifts the relaxation times: by Williams, Landel and Ferry (wlf), by an activation energy (arrhenius), or as measured (table).</source>
+        <translation>Wie die Temperatur die Relaxationszeiten verschiebt: nach Williams, Landel und Ferry (wlf), mit einer Aktivierungsenergie (arrhenius) oder wie gemessen (table).</translation>
+    </message>
+    <message>
+        <source>activation energy</source>
+        <translation>Aktivierungsenergie</translation>
+    </message>
+    <message>
+        <source>Activation energy of the shift with temperature (Arrhenius).</source>
+        <translation>Aktivierungsenergie der Verschiebung mit der Temperatur (Arrhenius).</translation>
+    </message>
+    <message>
+        <source>shift table</source>
+        <translation>Verschiebungstabelle</translation>
+    </message>
+    <message>
+        <source>Measured shifts: temperature in K and log10 of the factor on all relaxation times, linear in between; there is none outside.</source>
+        <translation>Gemessene Verschiebungen: Temperatur in K und log10 des Faktors auf alle Relaxationszeiten, dazwischen linear; außerhalb gibt es keine.</translation>
+    </message>
+    <message>
+        <source>measured from</source>
+        <translation>gemessen ab</translation>
+    </message>
+    <message>
+        <source>Lowest frequency at which the elastomer was measured, at the temperature of no shift; friction that rests on others is marked. 0: not known.</source>
+        <translation>Tiefste Frequenz, bei der das Elastomer gemessen wurde, bei der Temperatur ohne Verschiebung; Reibung, die auf anderen beruht, wird gekennzeichnet. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>measured to</source>
+        <translation>gemessen bis</translation>
+    </message>
+    <message>
+        <source>Highest frequency at which the elastomer was measured, at the temperature of no shift. 0: not known.</source>
+        <translation>Höchste Frequenz, bei der das Elastomer gemessen wurde, bei der Temperatur ohne Verschiebung. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>measured above</source>
+        <translation>gemessen über</translation>
+    </message>
+    <message>
+        <source>Lowest temperature at which the elastomer was measured. 0: not known.</source>
+        <translation>Tiefste Temperatur, bei der das Elastomer gemessen wurde. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>measured below</source>
+        <translation>gemessen unter</translation>
+    </message>
+    <message>
+        <source>Highest temperature at which the elastomer was measured. 0: not known.</source>
+        <translation>Höchste Temperatur, bei der das Elastomer gemessen wurde. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>measured strain</source>
+        <translation>Messdehnung</translation>
+    </message>
+    <message>
+        <source>Amplitude of the strain with which the elastomer was measured. 0: not known.</source>
+        <translation>Amplitude der Verformung, mit der das Elastomer gemessen wurde. 0: nicht bekannt.</translation>
     </message>
 </context>
 <context>
@@ -3788,8 +4314,8 @@
         <translation>Bereiche I bis IV</translation>
     </message>
     <message>
-        <source>Relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber.</source>
-        <translation>Relaxationszeiten von 100 s bis 10⁻¹⁰ s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 10⁻¹⁰ s abgeschnitten, daher gehört der Abfall oberhalb von etwa 10⁵ m/s zur Anpassung und nicht zum Gummi.</translation>
+        <source>An example without a published source, relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber.</source>
+        <translation>Ein Beispiel ohne veröffentlichte Quelle, Relaxationszeiten von 100 s bis 10⁻¹⁰ s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 10⁻¹⁰ s abgeschnitten, daher gehört der Abfall oberhalb von etwa 10⁵ m/s zur Anpassung und nicht zum Gummi.</translation>
     </message>
     <message>
         <source>Reversal</source>
@@ -3856,8 +4382,8 @@
         <translation>Der Gummi gleitet eine gerade Flanke hinab, daher ist der Druck auf ihr gleichmäßig und fällt hinter der Spitze ab. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
     </message>
     <message>
-        <source>The series holds at 343 K; at 298 K every arm is about 140 times as slow and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>
-        <translation>Die Reihe gilt bei 343 K; bei 298 K ist jeder Arm etwa 140-mal so langsam, und die Reibung bei Schrittgeschwindigkeit ist die eines steiferen Gummis. Die Temperatur verschieben: Die Kurve wandert unverändert längs der Geschwindigkeit.</translation>
+        <source>The series, an example without a published source, holds at 343 K; by the shift of another filled rubber (Hentschke and Plagge 2021) every arm is about 140 times as slow at 298 K, and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>
+        <translation>Die Reihe, ein Beispiel ohne veröffentlichte Quelle, gilt bei 343 K; mit der Verschiebung eines anderen gefüllten Gummis (Hentschke und Plagge 2021) ist jeder Arm bei 298 K etwa 140-mal so langsam, und die Reibung bei Schrittgeschwindigkeit ist die eines steiferen Gummis. Die Temperatur verschieben: Die Kurve wandert unverändert längs der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>The short waves lie in the valleys and the summits are smooth, so the slope in contact rises with the load. Friction at light load is far below that of the line with rough summits, at nearly the same spectrum.</source>
