@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
+#include "core/material/element_law.h"
 #include "core/scene/effects.h"
 #include "core/scene/plan.h"
 #include "tests/core/elastomers.h"
@@ -67,7 +69,8 @@ TEST(Effects, InCompleteContactThereIsNoSearch) {
       const Curve curve = frictionCurve(scene);
       EXPECT_EQ(searches() > before, planned.runs) << planned.reason;
       EXPECT_EQ(planned.runs, curve.points.back().contactFraction < 1);
-      EXPECT_NE(planned.reason.english().find("contact is complete"), std::string::npos) << planned.reason;
+      EXPECT_NE(planned.reason.english().find("contact is complete"), std::string::npos)
+          << planned.reason;
       if (force == 1e5) {
         EXPECT_FALSE(planned.runs);
       } else if (force == 1e-3) {
@@ -189,6 +192,37 @@ TEST(Effects, WithoutAnEquilibriumThereIsNoSteadySliding) {
   Scene scene = smallScene();
   scene.elastomer = prony(0, {{1e7, 1e-3}});
   EXPECT_THROW(frictionCurve(scene), InputError);
+}
+
+/// tau = tau_0 exp(-c log10^2(a_T v / v_0)): largest at v_0, exp(-c) of it a decade away, shifted
+/// with temperature, none at rest.
+TEST(Effects, LocalShearMayDependOnTheVelocity) {
+  Scene scene;
+  scene.interface.shearStress = 50;
+  EXPECT_EQ(interfaceAt(scene, 3).shearStress, 50);
+  EXPECT_EQ(interfaceAt(scene, 0).shearStress, 50);
+  scene.interface.shearVelocity = 0.01;
+  scene.interface.shearWidth = 0.2;
+  EXPECT_EQ(interfaceAt(scene, 0.01).shearStress, 50);
+  EXPECT_DOUBLE_EQ(interfaceAt(scene, -0.1).shearStress, 50 * std::exp(-0.2));
+  EXPECT_DOUBLE_EQ(interfaceAt(scene, 1e-4).shearStress, 50 * std::exp(-0.8));
+  EXPECT_EQ(interfaceAt(scene, 0).shearStress, 0);
+  scene.elastomer.temperature += 10;
+  const double shift = temperatureShift(scene.elastomer);
+  EXPECT_LT(shift, 1);
+  EXPECT_NEAR(interfaceAt(scene, 0.01 / shift).shearStress, 50, 1e-12);
+}
+
+/// The curve has it: mu_interface = tau(v) L_c / F_N.
+TEST(Effects, TheCurveHasTheShearOfEachVelocity) {
+  Scene scene = sceneOfSize(200, 5, 3);
+  scene.interface.shearStress = 50;
+  scene.interface.shearVelocity = 0.1;
+  for (const CurvePoint& point : frictionCurve(scene, {}).points)
+    EXPECT_NEAR(
+        point.muInterface / (interfaceAt(scene, point.velocity).shearStress *
+                             point.contactFraction * scene.surface.length / scene.load.normalForce),
+        1, 1e-9);
 }
 
 }  // namespace

@@ -1,0 +1,113 @@
+// asperity fit and measured friction beside a curve: files, values, refusals.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/app/program_test.h"
+
+namespace asperity {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class FitCommandTest : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    program.folder.write(
+        "s.json",
+        R"({"title":"Fitted","surface":{"elements":200},"ensemble":{"realizations":30},
+            "sweep":{"velocity_from":1e-4,"velocity_to":1000,"points":9}})");
+    // Made by the program itself, from the scene with another height and relaxation time.
+    ASSERT_EQ(program
+                  .run("curve s.json -o truth.csv --set surface.rms_height=7e-7 --set "
+                       "elastomer.relaxation_time=2e-3 --set sweep.points=12")
+                  .status,
+              0);
+    std::istringstream lines(read("truth.csv"));
+    std::string line, data = "velocity (mm/s);mu;mu_error\n";
+    std::getline(lines, line);  // how it was made
+    std::getline(lines, line);  // names
+    while (std::getline(lines, line)) {
+      const double velocity = std::stod(line), mu = std::stod(line.substr(line.find(',') + 1));
+      std::ostringstream row;
+      row.precision(10);
+      row << 1e3 * velocity << ";" << mu << ";" << 0.02 * mu << "\n";
+      data += row.str();
+    }
+    program.folder.write("data.csv", data);
+  }
+
+  std::string read(const std::string& name) const {
+    return TemporaryFolder::read(program.folder / name);
+  }
+};
+
+TEST_F(FitCommandTest, FindsTheValuesThatMadeTheData) {
+  const auto ran = program.run(
+      "fit s.json --data data.csv --vary surface.rms_height --vary "
+      "elastomer.relaxation_time=1e-5:1 -o out --size 900x800");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const auto fit = nlohmann::json::parse(read("out/fit.json"));
+  EXPECT_EQ(fit["schema"], "asperity-fit/1");
+  // The same lines made the data: nothing but rounding is left.
+  EXPECT_NEAR(fit["fit"]["parameters"][0]["value"].get<double>() / 7e-7, 1, 1e-3);
+  EXPECT_NEAR(fit["fit"]["parameters"][1]["value"].get<double>() / 2e-3, 1, 1e-3);
+  EXPECT_LT(fit["fit"]["chi_squared"].get<double>(), 1e-2);
+  EXPECT_EQ(fit["fit"]["profiles"].size(), 2U);
+  EXPECT_EQ(fit["inputs"][0]["key"], "comparison.data");
+  for (const char* name :
+       {"out/fit.csv", "out/curve.png", "out/curve.svg", "out/curve.pdf", "out/profiles.png"})
+    EXPECT_GT(read(name).size(), 200U) << name;
+  // The fitted scene runs where it stands, with its data.
+  EXPECT_EQ(program.run("curve out/fitted.scene.json -o again.csv").status, 0);
+  EXPECT_THAT(read("again.csv"), HasSubstr("data"));
+}
+
+TEST_F(FitCommandTest, RefusesWhatItCannotFit) {
+  const std::string fit = "fit s.json -o out --data data.csv --vary ";
+  expectRefused("fit s.json -o out --vary surface.hurst", 2, "--data");
+  expectRefused("fit s.json -o out --data data.csv", 2, "--vary");
+  expectRefused(fit + "surface.seed", 2, "surface.seed: is not a real number");
+  expectRefused(fit + "surface.hurts", 2, "did you mean surface.hurst");
+  expectRefused(fit + "surface.hurst=0.9:0.2", 2, "0.9:0.2 is no range");
+  expectRefused(fit + "surface.hurst=a:b", 2, "is not KEY or KEY=LOW:HIGH");
+  expectRefused(fit + "surface.hurst --vary surface.hurst", 2, "more than once");
+  expectRefused(fit + "surface.slope", 2, "has no meaning in this scene");
+  program.folder.write("bad.csv", "velocity,mu\n1,0.2\n2,-1\n");
+  expectRefused("fit s.json -o out --data bad.csv --vary surface.hurst", 2,
+                "bad.csv: row 3: the coefficient of friction is -1");
+  expectRefused("fit s.json -o out --data none.csv --vary surface.hurst", 2, "none.csv");
+  program.folder.write("few.csv", "velocity,mu\n1,0.2\n2,0.3\n");
+  expectRefused("fit s.json -o out --data few.csv --vary surface.hurst --vary surface.rms_height",
+                2, "2 points do not determine 2 parameters");
+}
+
+TEST_F(FitCommandTest, MeasuredFrictionAndTheoriesStandBesideACurve) {
+  const auto ran = program.run(
+      "curve s.json --data data.csv --theory "
+      "eq_11,gaussian_foundation,complete_contact,persson_half_space -o c.csv -o c.svg");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_THAT(read("c.csv"), AllOf(HasSubstr("\ndata,"), HasSubstr("Gaussian foundation"),
+                                   HasSubstr("half-space"), HasSubstr("Eq. (11)")));
+  EXPECT_THAT(read("c.svg"), AllOf(HasSubstr("measured / computed"), HasSubstr("comparison")));
+  // A scene that names them shows the same.
+  program.folder.write(
+      "t.json",
+      R"({"title":"Fitted","surface":{"elements":200},"ensemble":{"realizations":30},
+          "sweep":{"velocity_from":1e-4,"velocity_to":1000,"points":9},
+          "comparison":{"data":[{"file":"data.csv"}],"theory":["eq_11","gaussian_foundation",
+          "complete_contact","persson_half_space"]}})");
+  ASSERT_EQ(program.run("curve t.json -o t.csv").status, 0);
+  EXPECT_EQ(read("t.csv").substr(read("t.csv").find("\nseries")),
+            read("c.csv").substr(read("c.csv").find("\nseries")));
+  expectRefused("curve s.json --theory newton", 2, "newton is not one of eq_11");
+  expectRefused("curve s.json --data none.csv", 2, "none.csv");
+}
+
+}  // namespace
+}  // namespace asperity
