@@ -118,9 +118,14 @@ void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
 
 void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {
   ReadingFacts& facts = draft.facts;
+  Topography& grid = draft.grid;
   facts.positionUnit = unitFact(source.choices.positionUnit, draft.positionUnit);
   facts.heightUnit = unitFact(source.choices.heightUnit, draft.heightUnit);
-  Topography& grid = draft.grid;
+  if (!draft.hasPositions && source.choices.spacing > 0) {
+    grid.columnSpacing = grid.rowSpacing = source.choices.spacing;
+    facts.positionUnit = {"m", 1, UnitSource::Choice};
+    draft.hasPositions = true;
+  }
   grid.columnSpacing *= facts.positionUnit.metres;
   grid.rowSpacing *= facts.positionUnit.metres;
   if (facts.heightUnit.metres != 1)
@@ -196,8 +201,8 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
 }
 
 MeasuredFile finished(const SurfaceSource& source, SurfaceDraft draft) {
-  if (draft.grid.rows == 1) draft.grid.rowSpacing = 0;
   applyUnits(source, draft);
+  if (draft.grid.rows == 1) draft.grid.rowSpacing = 0;
   requireSound(source, draft.grid, draft.facts);
   requirePlausible(source, draft, draft.facts);
   requireNear(source, draft.grid);
