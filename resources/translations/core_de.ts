@@ -3356,6 +3356,10 @@
         <source>the positions along %1 are not uniform; surfaces need a uniform grid</source>
         <translation>die Orte längs %1 sind nicht gleichabständig; Flächen brauchen ein gleichabständiges Gitter</translation>
     </message>
+    <message>
+        <source>leaves a period of %1 points; at least %2 are needed</source>
+        <translation>lässt eine Periode von %1 Punkten; mindestens %2 sind nötig</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
