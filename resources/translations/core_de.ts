@@ -4122,6 +4122,10 @@
         <source>Amplitude of the strain with which the elastomer was measured. 0: not known.</source>
         <translation>Amplitude der Verformung, mit der das Elastomer gemessen wurde. 0: nicht bekannt.</translation>
     </message>
+    <message>
+        <source>leaves a period of %1 points; at least %2 are needed</source>
+        <translation>lässt eine Periode von %1 Punkten; mindestens %2 sind nötig</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
