@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// One number of an arm: the table of parameters within the list.
+/// One number of an arm, as a row of a table of its own.
 struct ArmMember {
   const char* name;
   double Arm::*value;
@@ -20,16 +20,16 @@ struct ArmMember {
   const char* unit;
 };
 
-/// Modulus, then relaxation time.
+/// Returns modulus, then relaxation time.
 std::span<const ArmMember> armMembers();
 
-/// Throws InputError that names the member, such as KEY[1].modulus.
+/// Reads a list. Throws InputError that names the member, such as KEY[1].modulus.
 std::vector<Arm> armsFrom(std::string_view json, const std::string& key);
 
-/// Numbers in the shortest form that reads back to the same value.
+/// Returns JSON text with numbers in the shortest form that reads back to the same value.
 std::string textOf(const std::vector<Arm>& arms);
 
-/// What a list may hold, in words.
+/// Returns in words what a list may contain.
 Message allowedArms();
 
 }  // namespace asperity

@@ -17,13 +17,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The bytes at each end of a file that are looked at: every kind of file has its text in one of
-/// them.
+/// The number of bytes that are read at each end of a file: every kind of file has its text at one
+/// of them.
 constexpr std::size_t kEnd = std::size_t{8} << 20;
 constexpr int kDeepest = 16;  // a scene stands in an answer
 constexpr const char* kSurfaceFile = "surface.file";
 
-/// The first and the last bytes of a file, with nothing in between.
+/// Returns the first and the last bytes of a file, with nothing in between.
 std::string endsOf(const RegularFile& file) {
   if (file.size() <= 2 * kEnd) return file.read(0, 2 * kEnd);
   return file.read(0, kEnd) + file.read(file.size() - kEnd, kEnd);
@@ -35,7 +35,8 @@ bool isJson(std::string_view bytes) {
   return first != std::string_view::npos && bytes[first] == '{';
 }
 
-/// ASCII without what XML has to escape, but for quotes; each byte is looked at once.
+/// Returns ASCII without characters that XML must escape, except for quotes; it reads each byte
+/// once.
 std::string withoutMarkup(std::string_view json) {
   std::string line;
   line.reserve(json.size());
@@ -162,13 +163,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Measured in the window, with a rough line under force; good to a factor of two or so.
+// These were measured in the window, with a rough line under force; accurate to a factor of about
+// two.
 constexpr double kBytesPerNode = 150;     // line, its blocks, the march and its frames
-constexpr double kSecondsPerNode = 1e-9;  // of one pass over a line, and a velocity takes six
+constexpr double kSecondsPerNode = 1e-9;  // for one pass over a line; a velocity takes six
 constexpr double kPasses = 6, kPassesOfLine = 40;
-constexpr double kBytesPerRow = 8;  // of a profile's file, at least
+constexpr double kBytesPerRow = 8;  // minimum for a row of a profile's file
 
-/// Links are followed. A name with a zero byte means one file to us and another to the system.
+/// Returns whether the file is in or below the folder; links are followed. A name with a zero byte
+/// would mean another file to the system.
 bool liesBelow(const fs::path& file, const fs::path& folder) {
   if (file.native().find('\0') != std::string::npos) return false;
   std::error_code noFile, noFolder;
@@ -179,7 +182,7 @@ bool liesBelow(const fs::path& file, const fs::path& folder) {
 
 double nodesOf(const Scene& scene, const fs::path& file) {
   double elements = static_cast<double>(scene.surface.elements);
-  if (elements == 0) {  // as many as the profile has
+  if (elements == 0) {  // the number comes from the profile
     std::error_code error;
     const std::uintmax_t size = fs::file_size(file, error);
     if (!error) elements = static_cast<double>(size) / kBytesPerRow;

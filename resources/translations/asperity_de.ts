@@ -2276,7 +2276,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::FrictionChart</name>
+    <name>asperity::FrictionChartModel</name>
     <message>
         <source>v = %1 m/s</source>
         <translation>v = %1 m/s</translation>
