@@ -20,6 +20,7 @@
 #include "app/output.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/program.h"
 #include "core/base/text.h"
 #include "ui/draw/svg_file.h"
 
@@ -118,19 +119,6 @@ namespace fs = std::filesystem;
 // file descriptors of the film and of its metadata in ffmpeg
 constexpr int kOutput = 3, kMetadata = 4;
 
-/// Returns the path of the program in PATH; empty where it is not found.
-std::string findFfmpeg() {
-  const char* path = std::getenv("PATH");
-  std::string_view rest = path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin";
-  while (!rest.empty()) {
-    const std::size_t end = rest.find(':');
-    const fs::path program = fs::path(rest.substr(0, end)) / "ffmpeg";
-    if (::access(program.c_str(), X_OK) == 0) return program.string();
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  }
-  return {};
-}
-
 class Descriptor {
  public:
   Descriptor() = default;
@@ -186,7 +174,7 @@ bool isFilm(const std::string& extension) {
 void checkFilm(const std::string& file, bool transparent) {
   if (transparent && extensionOf(file) == ".mp4")
     throw InputError(file, "", "mp4 knows no transparency; webm, gif and webp do");
-  if (findFfmpeg().empty())
+  if (findProgram("ffmpeg").empty())
     throw std::runtime_error(
         "films need the program ffmpeg (package ffmpeg), which is not in PATH; "
         "-o FOLDER writes the frames as PNG without it");
@@ -242,8 +230,8 @@ struct FilmFile::Body {
     posix_spawn_file_actions_adddup2(&actions, complaints.number(), 2);
     posix_spawn_file_actions_adddup2(&actions, copy.number(), kOutput);
     if (facts.number() >= 0) posix_spawn_file_actions_adddup2(&actions, facts.number(), kMetadata);
-    const int error =
-        ::posix_spawn(&process, findFfmpeg().c_str(), &actions, nullptr, arguments.data(), environ);
+    const int error = ::posix_spawn(&process, findProgram("ffmpeg").c_str(), &actions, nullptr,
+                                    arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
       process = 0;

@@ -61,7 +61,7 @@ UnitFact unitFact(const std::string& choice, const std::optional<StatedUnit>& st
 void requireChoices(const SurfaceSource& source) {
   const auto require = [&source](const char* key, const std::string& value, const auto& known) {
     if (std::ranges::find(known, value) == known.end())
-      throw InputError(source.name, key, Message::name(notOneOf(value, known)));
+      throw InputError(source.name, key, notOneOf(value, known));
   };
   require("surface.format", source.choices.format, kSurfaceFormats);
   require("surface.position_unit", source.choices.positionUnit, kSurfaceUnits);
@@ -118,9 +118,14 @@ void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
 
 void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {
   ReadingFacts& facts = draft.facts;
+  Topography& grid = draft.grid;
   facts.positionUnit = unitFact(source.choices.positionUnit, draft.positionUnit);
   facts.heightUnit = unitFact(source.choices.heightUnit, draft.heightUnit);
-  Topography& grid = draft.grid;
+  if (!draft.hasPositions && source.choices.spacing > 0) {
+    grid.columnSpacing = grid.rowSpacing = source.choices.spacing;
+    facts.positionUnit = {"m", 1, UnitSource::Choice};
+    draft.hasPositions = true;
+  }
   grid.columnSpacing *= facts.positionUnit.metres;
   grid.rowSpacing *= facts.positionUnit.metres;
   if (facts.heightUnit.metres != 1)
@@ -196,8 +201,8 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
 }
 
 MeasuredFile finished(const SurfaceSource& source, SurfaceDraft draft) {
-  if (draft.grid.rows == 1) draft.grid.rowSpacing = 0;
   applyUnits(source, draft);
+  if (draft.grid.rows == 1) draft.grid.rowSpacing = 0;
   requireSound(source, draft.grid, draft.facts);
   requirePlausible(source, draft, draft.facts);
   requireNear(source, draft.grid);
@@ -246,13 +251,13 @@ void requireSize(const SurfaceSource& source, std::int64_t columns, std::int64_t
 std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_view axis,
                                      std::string_view unit) {
   if (unit.empty()) return {};
-  if (const auto metres = metresPer(unit)) return StatedUnit{std::string(unit), *metres};
+  if (const auto metres = metresPer(unit)) return StatedUnit{shortened(unit), *metres};
   const bool ofHeights = axis.starts_with('z') || axis.starts_with('Z');
   if ((ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto") return {};
   throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
                    message("the axis {} is in '{}', which is no unit of length; the key can say "
                            "another one",
-                           axis, unit));
+                           axis, shortened(unit)));
 }
 
 MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,

@@ -1,6 +1,6 @@
-// The readers of measured surfaces, one target for each ASPERITY_FUZZ_FORMAT: what they take is at least
-// three points along x, finite or gaps. "x3p_xml" is main.xml in an archive that is whole, since random
-// bytes hardly ever are.
+// The readers of measured surfaces, one target for each ASPERITY_FUZZ_FORMAT: what they take is at
+// least three points along x, finite or gaps. "x3p_xml" is main.xml in an archive that is whole,
+// since random bytes hardly ever are.
 #include <cmath>
 
 #include "core/measured/measured_file.h"

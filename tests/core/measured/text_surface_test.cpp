@@ -170,6 +170,12 @@ TEST(TextProfile, TakesHeightsAlone) {
   const MeasuredFile file = read("Height [um]\n" + heights, choices);
   EXPECT_NEAR(file.topography.columnSpacing, 1e-6, 1e-18);
   EXPECT_TRUE(saysSomewhere(file, "how far"));
+  choices.positionUnit = "auto";
+  choices.spacing = 2e-6;
+  expectProfile(read("Height [um]\n" + heights, choices));
+  // Where the file says it, the file counts.
+  choices.spacing = 7e-6;
+  expectProfile(read("Spacing = 2 um\nz (um)\n" + heights, choices));
 }
 
 TEST(TextProfile, KeepsGaps) {
