@@ -4126,6 +4126,142 @@
         <source>leaves a period of %1 points; at least %2 are needed</source>
         <translation>lässt eine Periode von %1 Punkten; mindestens %2 sind nötig</translation>
     </message>
+    <message>
+        <source>c2</source>
+        <translation>C2</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>x3p</source>
+        <translation>X3P</translation>
+    </message>
+    <message>
+        <source>valleys</source>
+        <translation>Täler</translation>
+    </message>
+    <message>
+        <source>unstated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>um</source>
+        <translation>µm</translation>
+    </message>
+    <message>
+        <source>sur</source>
+        <translation>SUR</translation>
+    </message>
+    <message>
+        <source>summits</source>
+        <translation>Gipfel</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>sdf</source>
+        <translation>SDF</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>ablehnen</translation>
+    </message>
+    <message>
+        <source>random-phases</source>
+        <translation>Zufallsphasen</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>periodic</source>
+        <translation>periodisch</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>nm</source>
+        <translation>nm</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>spiegeln</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>matrix</source>
+        <translation>Matrix</translation>
+    </message>
+    <message>
+        <source>isotropic-equivalent</source>
+        <translation>isotrop gleichwertig</translation>
+    </message>
+    <message>
+        <source>interpolate</source>
+        <translation>interpolieren</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>gwyddion</source>
+        <translation>Gwyddion</translation>
+    </message>
+    <message>
+        <source>gwy</source>
+        <translation>GWY</translation>
+    </message>
+    <message>
+        <source>gsf</source>
+        <translation>GSF</translation>
+    </message>
+    <message>
+        <source>c1-two-sided</source>
+        <translation>C1 zweiseitig</translation>
+    </message>
+    <message>
+        <source>c1-one-sided</source>
+        <translation>C1 einseitig</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>überblenden</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>as-measured</source>
+        <translation>wie gemessen</translation>
+    </message>
+    <message>
+        <source>along-y</source>
+        <translation>längs y</translation>
+    </message>
+    <message>
+        <source>along-x</source>
+        <translation>längs x</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
