@@ -320,8 +320,10 @@ class CommandLine {
     text("--frequency-unit", columns.frequencyUnit, "Hz or rad/s, instead of the file's");
     text("--temperature-unit", columns.temperatureUnit, "C, K or F, instead of the file's");
     text("--modulus-unit", columns.modulusUnit, "Pa, kPa, MPa or GPa, instead of the file's");
-    text("--name", material.name, "Name of the material (default: that of the file)");
-    text("--source", material.source, "Where the numbers come from, kept in material.json");
+    command->add_option("--name", material.name,
+                        "Name of the material (default: that of the file)");
+    command->add_option("--source", material.source,
+                        "Where the numbers come from, kept in material.json");
     addPictureOptions(*command, material.picture, "1200x800", "print");
     addShared(*command, material.common);
     command->callback([this, fit = std::move(fit)] {

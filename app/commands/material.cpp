@@ -138,9 +138,11 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
 }
 
 int showInScene(const MaterialCommand& command, const PictureSettings& style) {
-  if (!command.written.empty())
-    throw InputError("", command.written.front().first,
-                     "is of a table of moduli, and this file is a scene");
+  const char* of = !command.name.empty()      ? "--name"
+                   : !command.source.empty()  ? "--source"
+                   : !command.written.empty() ? command.written.front().first.c_str()
+                                              : nullptr;
+  if (of) throw InputError("", of, "is of a table of moduli, and this file is a scene");
   const Scene scene = sceneOf(command.common);
   return withSceneContext(command.common, [&] {
     const Excitation excitation = excitationOf(scene);

@@ -76,15 +76,13 @@ Diagram isothermDiagram(const Material& material, Message title, const char* uni
 }
 
 /// The master curve's points in the colours of their temperatures.
-void addMasterPoints(const Material& material, Diagram& diagram, Reading reading, SeriesMark mark,
-                     Message name) {
+void addMasterPoints(const Material& material, Diagram& diagram, Reading reading, SeriesMark mark) {
   std::vector<DiagramSeries> series(material.isotherms.size());
   for (std::size_t i = 0; i < series.size(); ++i) {
     series[i].mark = mark;
     series[i].stroke = SeriesStroke::None;
     series[i].ramp = rampOf(material, i);
   }
-  if (!series.empty()) series.front().name = std::move(name);
   for (const MasterPoint& point : material.curve.points)
     series[point.isotherm].points.push_back({point.modulus.frequency, reading(point.modulus)});
   for (DiagramSeries& one : series) diagram.series.push_back(std::move(one));
@@ -134,11 +132,12 @@ Diagram masterDiagram(const Material& material) {
   diagram.x = frequencyAxis(reducedFrequency(material));
   diagram.y = {"modulus G', G''", "Pa"};
   diagram.height = 2;
-  addMasterPoints(material, diagram, storageOf, SeriesMark::Circle, "G' measured");
-  addMasterPoints(material, diagram, lossOf, SeriesMark::Triangle, "G'' measured");
+  addMasterPoints(material, diagram, storageOf, SeriesMark::Circle);
+  addMasterPoints(material, diagram, lossOf, SeriesMark::Triangle);
   diagram.series.push_back(fittedSeries(material, range.from, range.to, storageOf,
-                                        "G' of the series", SeriesStroke::Solid));
-  diagram.series.push_back(fittedSeries(material, range.from, range.to, lossOf, "G'' of the series",
+                                        "G' (\u25CF measured, line: series)", SeriesStroke::Solid));
+  diagram.series.push_back(fittedSeries(material, range.from, range.to, lossOf,
+                                        "G'' (\u25B2 measured, line: series)",
                                         SeriesStroke::Dashed));
   diagram.ramp = temperatureRamp(material);
   return diagram;
@@ -202,7 +201,7 @@ NamedSheet tangentSheet(const Material& material) {
   Diagram diagram;
   diagram.x = frequencyAxis(reducedFrequency(material));
   diagram.y = {"loss tangent tan \u03B4", ""};
-  addMasterPoints(material, diagram, tangentOf, SeriesMark::Circle, "measured");
+  addMasterPoints(material, diagram, tangentOf, SeriesMark::Circle);
   diagram.series.push_back(
       fittedSeries(material, range.from, range.to, tangentOf, "Prony series", SeriesStroke::Solid));
   diagram.ramp = temperatureRamp(material);

@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 constexpr double kBeyond = 0.5;        // decades of times outside of the measured range
-constexpr double kTermsPerDecade = 4;  // at most, where the number is chosen
+constexpr double kTermsPerDecade = 8;  // at most, where the number is chosen
 constexpr double kNearFloor = 1.05;    // of the least residual
 constexpr double kGoodEnough = 0.002;  // relative; no instrument measures better
 constexpr double kNothing = 1e-9;      // of the smallest storage modulus
@@ -158,7 +158,9 @@ PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEq
   const int most = std::clamp(static_cast<int>(std::ceil(kTermsPerDecade * decades)) + 1, 2,
                               std::min(kMostChosenTerms, static_cast<int>(points.size())));
   std::vector<PronySeries> fits;
-  for (int terms = 1; terms <= most; ++terms)
+  // Among many terms one more makes little difference.
+  constexpr int kMany = 24, kStep = 4;
+  for (int terms = 1; terms <= most; terms += terms < kMany ? 1 : kStep)
     fits.push_back(fitWith(points, terms, knownEquilibrium));
   double floor = rmsOf(fits.front());
   for (const PronySeries& fit : fits) floor = std::min(floor, rmsOf(fit));

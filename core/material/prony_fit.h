@@ -38,6 +38,6 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> points, const PronyOp
 DynamicModulus modulusAt(const PronySeries& series, double frequency);
 
 /// The most relaxation times that are chosen by themselves.
-inline constexpr int kMostChosenTerms = 40;
+inline constexpr int kMostChosenTerms = 64;
 
 }  // namespace asperity

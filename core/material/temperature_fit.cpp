@@ -84,13 +84,14 @@ TemperatureFit fitArrhenius(std::span<const ShiftPoint> table, double referenceT
 }
 
 TemperatureShift chosenShift(std::span<const ShiftPoint> table, double referenceTemperature) {
-  const auto isGood = [](const TemperatureFit& fit) {
-    return fit.isDefined && fit.rms <= kGoodShiftFit;
+  // A formula that has as many constants as there are shifts goes through any of them.
+  const auto isGood = [&](const TemperatureFit& fit, std::size_t constants) {
+    return fit.isDefined && fit.rms <= kGoodShiftFit && table.size() > constants + 1;
   };
   const TemperatureFit wlf = fitWlf(table, referenceTemperature);
-  if (isGood(wlf) && wlf.shift.c1 <= 1000) return wlf.shift;
+  if (isGood(wlf, 2) && wlf.shift.c1 <= 1000) return wlf.shift;
   const TemperatureFit arrhenius = fitArrhenius(table, referenceTemperature);
-  if (isGood(arrhenius)) return arrhenius.shift;
+  if (isGood(arrhenius, 1)) return arrhenius.shift;
   TemperatureShift shift;
   shift.kind = ShiftKind::Table;
   shift.referenceTemperature = referenceTemperature;

@@ -23,7 +23,8 @@ TemperatureFit fitArrhenius(std::span<const ShiftPoint> table, double referenceT
 /// Below this rms (decades) a formula stands for the table: about what overlaps can tell.
 inline constexpr double kGoodShiftFit = 0.05;
 
-/// Wlf, else Arrhenius, where it is as good as that; else the table.
+/// Wlf, else Arrhenius, where it is as good as that with more rows than it has constants; else the
+/// table.
 TemperatureShift chosenShift(std::span<const ShiftPoint> table, double referenceTemperature);
 
 }  // namespace asperity

@@ -406,11 +406,12 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   if (isotherms.empty()) throw InputError("", "", "holds no isotherm");
   const double lowest = isotherms.front().temperature, highest = isotherms.back().temperature;
   if (!(referenceTemperature >= lowest && referenceTemperature <= highest))
-    throw InputError("", "--reference-temperature",
-                     message("{} K is outside of the measured temperatures, {} to {} K ({} to {}); "
-                             "a temperature may be written as 20C",
-                             referenceTemperature, plain(lowest), plain(highest), celsius(lowest),
-                             celsius(highest)));
+    throw InputError(
+        "", "--reference-temperature",
+        message("{} K is outside of the measured temperatures, {} to {} K ({} to {}); "
+                "a temperature may be written as 20C",
+                referenceTemperature, PrintedNumber{printedDecimals(lowest, 2)},
+                PrintedNumber{printedDecimals(highest, 2)}, celsius(lowest), celsius(highest)));
   MasterCurve curve;
   curve.referenceTemperature = referenceTemperature;
   std::vector<Estimate> both, vertical, storage, loss;

@@ -3923,20 +3923,12 @@
         <translation>Modul G', G''</translation>
     </message>
     <message>
-        <source>G' measured</source>
-        <translation>G' gemessen</translation>
+        <source>G' (● measured, line: series)</source>
+        <translation>G' (● gemessen, Linie: Reihe)</translation>
     </message>
     <message>
-        <source>G'' measured</source>
-        <translation>G'' gemessen</translation>
-    </message>
-    <message>
-        <source>G' of the series</source>
-        <translation>G' der Reihe</translation>
-    </message>
-    <message>
-        <source>G'' of the series</source>
-        <translation>G'' der Reihe</translation>
+        <source>G'' (▲ measured, line: series)</source>
+        <translation>G'' (▲ gemessen, Linie: Reihe)</translation>
     </message>
     <message>
         <source>residual in %</source>
