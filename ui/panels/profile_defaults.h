@@ -36,15 +36,23 @@ ParameterValue restingValue(const Parameter& parameter, const Scene& scene);
 /// Returns whether the scene chooses a value that is left open.
 bool isChosenWhereOpen(const Parameter& parameter);
 
-/// Call setValue() and setFromText(), and also accept values that are left open: 0, or no text.
+/// Call setValue() and setFromText(), and also accept values that are left open: 0, or no text. The
+/// name of a material brings all of its values (scene_files.h).
 void giveValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
 void giveText(const Parameter& parameter, Scene& scene, std::string_view text);
 
 /// Returns whether the parameter names a file.
 bool isFile(const Parameter& parameter);
 
+/// Returns whether the parameter names a material: a shipped one or a file.
+bool isMaterial(const Parameter& parameter);
+
 /// Returns whether the parameter is a text of several sentences.
 bool isLongText(const Parameter& parameter);
+
+/// The rows of a measured surface are counted by its file: every row where they become the lines of
+/// the scene `next`, and the usual number of random lines where they no longer are.
+void followLines(const Scene& before, Scene& next);
 
 /// What is missing before the scene can run, and where; the text is empty where nothing is missing.
 struct Missing {
