@@ -47,6 +47,7 @@ class CommandLine {
     addRender();
     addSurface();
     addMaterial();
+    addFit();
     addFigure();
     addOpen();
     addBatch();
@@ -226,6 +227,31 @@ class CommandLine {
         "FILE.csv (a line # asperity: ..., then position, height of the rigid line), FILE.json, "
         "FILE.png, .svg or .pdf; may repeat");
   }
+  void addFit() {
+    CLI::App* command = addCommand("fit", "Parameters of a scene that fit measured friction",
+                                   fit_.common, [this] { return runFit(fit_); });
+    command
+        ->add_option("--data", fit_.data,
+                     "Table of velocity and mu, where known with mu_error, normal_force or "
+                     "nominal_pressure, temperature, label; may be repeated")
+        ->type_name("FILE")
+        ->take_all()
+        ->allow_extra_args(false);
+    command
+        ->add_option("--vary", fit_.varied,
+                     "Key that is fitted, with limits if there are some; may be repeated")
+        ->type_name("KEY[=LOW:HIGH]")
+        ->required()
+        ->take_all()
+        ->allow_extra_args(false);
+    command
+        ->add_option("-o,--output", fit_.output,
+                     "Folder for fit.json, fitted.scene.json, fit.csv, pictures")
+        ->required();
+    command->add_flag("--no-profiles", fit_.withoutProfiles,
+                      "Leave out the profiles of the objective, which take most of the time");
+    addPictureOptions(*command, fit_.picture, "1200x900", "print");
+  }
   void addMaterial() {
     CLI::App* command = app_.add_subcommand(
         "material", "A material for scenes from measured moduli or a ready Prony series");
@@ -385,6 +411,7 @@ class CommandLine {
   RenderCommand render_;
   SurfaceCommand surface_;
   MaterialCommand material_;
+  FitCommand fit_;
   FigureCommand figure_;
   OpenCommand open_;
   BatchCommand batch_;

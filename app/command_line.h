@@ -63,6 +63,15 @@ struct SurfaceCommand {
   std::vector<std::string> outputs;
 };
 
+struct FitCommand {
+  CommonOptions common;
+  std::vector<std::string> data;    // files, beside those that the scene names
+  std::vector<std::string> varied;  // KEY or KEY=LOW:HIGH
+  std::string output;               // folder
+  bool withoutProfiles = false;
+  PictureArguments picture;
+};
+
 struct MaterialCommand {
   CommonOptions common;  // its scene: a file of moduli, or a scene
   std::string output;    // folder
@@ -127,6 +136,7 @@ int runCheck(const CommonOptions& command);
 int runCurve(const CurveCommand& command);
 int runMotion(const MotionCommand& command);
 int runColumns(const CommonOptions& command);
+int runFit(const FitCommand& command);
 int runMaterial(const MaterialCommand& command);
 int runRender(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <sstream>
 #include <utility>
 
 #include "app/command_line.h"
@@ -14,9 +16,12 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/chart/comparison.h"
 #include "core/chart/curve_words.h"
+#include "core/fit/friction_data.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/effects.h"
+#include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/words.h"
@@ -24,7 +29,8 @@
 namespace asperity {
 namespace {
 
-constexpr const char *kAxes = "--axes", *kCompare = "--compare", *kWith = "--with";
+constexpr const char *kAxes = "--axes", *kCompare = "--compare", *kWith = "--with",
+                     *kData = "--data", *kTheory = "--theory";
 constexpr const char *kXRange = "--x-range", *kYRange = "--y-range";
 constexpr std::int64_t kMostOversampling = 64;
 constexpr NamedChoices<CurveAxes, 2> kAxesNames{
@@ -112,7 +118,14 @@ const char* CurveArguments::firstOption() const {
   if (!xRange.empty()) return kXRange;
   if (!yRange.empty()) return kYRange;
   if (!compare.empty()) return kCompare;
+  if (!data.empty()) return kData;
+  if (!theory.empty()) return kTheory;
   return with.empty() ? nullptr : kWith;
+}
+
+bool CurveArguments::hasMore(const Scene& scene) const {
+  const Comparison none;
+  return !compare.empty() || !with.empty() || !(scene.comparison == none);
 }
 
 void CurveArguments::addTo(nlohmann::ordered_json& picture) const {
@@ -139,6 +152,18 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
       ->take_all()
       ->allow_extra_args(false);
   command
+      .add_option(kData, arguments.data,
+                  "Show measured friction: a table of velocity and mu, where known with mu_error, "
+                  "normal_force or nominal_pressure, temperature, label; may be repeated")
+      ->type_name("FILE")
+      ->take_all()
+      ->allow_extra_args(false);
+  command
+      .add_option(kTheory, arguments.theory,
+                  "Theories beside the curve, separated by commas: eq_11, gaussian_foundation, "
+                  "complete_contact, persson_half_space; or none")
+      ->type_name("WORDS");
+  command
       .add_option(kAxes, arguments.axes,
                   "physical, or dimensionless: Eq. (13), and mu over the rms slope")
       ->capture_default_str();
@@ -148,6 +173,28 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
       ->type_name("FROM:TO");
   command.add_option(kYRange, arguments.yRange, "Limits of the friction axis (default: automatic)")
       ->type_name("FROM:TO");
+}
+
+Scene withComparisons(Scene scene, const CurveArguments& arguments) {
+  for (const std::string& name : arguments.data) {
+    const std::filesystem::path file(name);
+    readFrictionData(file);  // what is wrong with it is said before anything is computed
+    std::error_code error;
+    const std::filesystem::path beside =
+        std::filesystem::proximate(file, scene.folder.empty() ? "." : scene.folder, error);
+    scene.comparison.data.push_back({error ? name : beside.string(), {}});
+  }
+  if (scene.comparison.data.size() > kMostDataFiles)
+    throw InputError(
+        "", kData,
+        message("{} tables are more than {}", scene.comparison.data.size(), kMostDataFiles));
+  if (arguments.theory.empty()) return scene;
+  nlohmann::json words = nlohmann::json::array();
+  std::istringstream list(arguments.theory);
+  for (std::string word; std::getline(list, word, ',');)
+    if (word != "none") words.push_back(word);
+  scene.comparison.theory = theoriesFrom(words.dump(), kTheory);
+  return scene;
 }
 
 void checkCurves(const CurveArguments& arguments, const Scene& scene) {
@@ -203,6 +250,11 @@ CurveSet curvesOf(const CurveArguments& arguments, const Scene& scene, std::vect
     set.pinned.push_back({words.empty() ? Message("same parameters") : words, other,
                           std::move(curve.points), static_cast<int>(set.pinned.size()),
                           static_cast<int>(set.pinned.size()) + 1});
+  }
+  if (!(scene.comparison == Comparison{})) {
+    StateOptions options;
+    options.threads = common.threads;
+    addComparisons(set, readComparisonData(scene), options);
   }
   if (arguments.compare.empty()) return set;
   ProgressBar bar(Words::tr("lines compared"), common.quiet);

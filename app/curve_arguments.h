@@ -23,11 +23,13 @@ struct CurveArguments {
   std::string xRange, yRange;     // FROM:TO, in the units of the axes
   std::string compare;            // SCHEME[:OVERSAMPLING[:LINES]]
   std::vector<std::string> with;  // KEY=VALUE[;KEY=VALUE...], one for each further curve
+  std::vector<std::string> data;  // files of measured friction, beside those of the scene
+  std::string theory;             // words separated by commas, instead of those of the scene
 
   /// Returns the name of an option that is given; null where none is.
   const char* firstOption() const;
   /// Returns whether there are more curves than the scene's own.
-  bool hasMore() const { return !compare.empty() || !with.empty(); }
+  bool hasMore(const Scene& scene) const;
   void addTo(nlohmann::ordered_json& picture) const;
 };
 
@@ -38,6 +40,10 @@ void checkCurves(const CurveArguments& arguments, const Scene& scene);
 
 /// Throws InputError where an axis is given but no output file is a picture.
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files);
+
+/// The scene with the measured friction and the theories of the options, as if it named them
+/// itself. Throws InputError naming the option.
+Scene withComparisons(Scene scene, const CurveArguments& arguments);
 
 /// Computes the scene's curve with the options that all commands share
 /// (core/accuracy/compute_curve.h), and shows progress. A missed target is not yet an error here;

@@ -90,19 +90,19 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
 
 /// Returns one table of all curves where there are more than the scene's own.
 std::string tableOf(const CurveSet& set, const CurveArguments& arguments) {
-  return arguments.hasMore() ? curveSetCsv(set) : curveCsv(set.present.points);
+  return arguments.hasMore(set.present.scene) ? curveSetCsv(set) : curveCsv(set.present.points);
 }
 
 std::string jsonOf(const CurveSet& set, const CurveArguments& arguments) {
   const std::string own = curveJson(set.present.points, set.present.scene);
-  if (!arguments.hasMore()) return own;
+  if (!arguments.hasMore(set.present.scene)) return own;
   auto answer = nlohmann::ordered_json::parse(own);
   addCurvesTo(answer, set);
   return answer.dump(2) + "\n";
 }
 
 std::string commentOf(const CurveSet& set, const CurveArguments& arguments) {
-  if (!arguments.hasMore()) return provenanceComment("curve", set.present.scene);
+  if (!arguments.hasMore(set.present.scene)) return provenanceComment("curve", set.present.scene);
   nlohmann::ordered_json origin = provenance("curve", set.present.scene);
   arguments.addTo(origin);
   return "# asperity: " + provenanceLine(origin) + "\n";
@@ -111,7 +111,7 @@ std::string commentOf(const CurveSet& set, const CurveArguments& arguments) {
 }  // namespace
 
 int runCurve(const CurveCommand& command) {
-  const Scene scene = sceneOf(command.common);
+  const Scene scene = withComparisons(sceneOf(command.common), command.curves);
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
   for (const std::string& output : command.outputs)

@@ -9,6 +9,7 @@
 #include "app/command_options.h"
 #include "app/headless_pictures.h"
 #include "app/output.h"
+#include "app/output_folder.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
@@ -105,67 +106,6 @@ bool isScene(const std::string& file) {
   return first != begin.npos && begin[first] == '{';
 }
 
-struct OutputFile {
-  std::string name;
-  std::string bytes;
-};
-
-class MaterialOutput {
- public:
-  MaterialOutput(const MaterialCommand& command, const PictureSettings& style)
-      : command_(command), style_(style) {}
-
-  void addText(const std::string& name, std::string bytes) {
-    texts_.push_back({pathOf(name), std::move(bytes)});
-  }
-  void addSheet(NamedSheet sheet) { sheets_.push_back(std::move(sheet)); }
-
-  /// Everything is known by now: nothing stands in the folder that is not whole. The first text,
-  /// which says what the others are, is the last to be written.
-  void write(const std::string& origin) {
-    makeFolder(command_.output);
-    for (const OutputFile& text : texts_) checkName(text.name);
-    for (const NamedSheet& sheet : sheets_)
-      for (const char* extension : kExtensions) checkName(pathOf(sheet.name + extension));
-    HeadlessPictures pictures(style_.backend);
-    for (const NamedSheet& sheet : sheets_) {
-      DiagramOptions options{style_.width, style_.height, style_.scale, style_.theme};
-      if (style_.transparent) options.theme.background.a = 0;
-      const DrawList picture = composeDiagrams(sheet.sheet, options);
-      for (const char* extension : kExtensions)
-        pictures.write(pathOf(sheet.name + extension), picture,
-                       {translated(sheet.sheet.title), origin, style_.scale});
-    }
-    pictures.finish();
-    for (auto text = texts_.rbegin(); text != texts_.rend(); ++text)
-      writeFileAtomically(text->name, text->bytes);
-  }
-
-  std::string summary() const {
-    std::string lines;
-    for (const OutputFile& text : texts_) lines += wroteLine(text.name);
-    for (const NamedSheet& sheet : sheets_)
-      lines += wroteLine(pathOf(sheet.name + ".png") + " (.svg, .pdf)");
-    return lines;
-  }
-
- private:
-  static constexpr const char* kExtensions[]{".png", ".svg", ".pdf"};
-
-  std::string pathOf(const std::string& name) const {
-    return (fs::path(command_.output) / name).string();
-  }
-  void checkName(const std::string& name) const {
-    checkWritable(name);
-    checkNoInput(name, {command_.common.scene});
-  }
-
-  const MaterialCommand& command_;
-  const PictureSettings& style_;
-  std::vector<OutputFile> texts_;
-  std::vector<NamedSheet> sheets_;
-};
-
 void refuseSceneOptions(const MaterialCommand& command) {
   if (!command.common.assignments.empty())
     throw InputError("", "--set", "sets keys of a scene, and this file is a table of moduli");
@@ -177,14 +117,15 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
   const std::string& file = command.common.scene;
   const Material material = makeMaterial(readRegularFile(file, kLargestFile), file, choices);
   const std::string json = materialJson(material);
-  MaterialOutput output(command, style);
+  OutputFolder output(command.output, {command.common.scene}, style);
   output.addText("material.json", json);
   output.addText("prony.csv", pronyCsv(material));
   if (material.isMeasured()) {
     output.addText("isotherms.csv", isothermsCsv(material));
     output.addText("shifts.csv", shiftsCsv(material));
   }
-  for (NamedSheet& sheet : materialSheets(material)) output.addSheet(std::move(sheet));
+  for (NamedSheet& sheet : materialSheets(material))
+    output.addSheet(sheet.name, std::move(sheet.sheet));
   nlohmann::ordered_json origin = materialOrigin(material);
   origin["picture"] = style.json();
   output.write(provenanceLine(origin));
@@ -202,10 +143,10 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
   const Scene scene = sceneOf(command.common);
   return withSceneContext(command.common, [&] {
     const Excitation excitation = excitationOf(scene);
-    MaterialOutput output(command, style);
+    OutputFolder output(command.output, {command.common.scene}, style);
     output.addText("excitation.csv",
                    provenanceComment("material", scene) + excitationCsv(scene, excitation));
-    output.addSheet({"excitation", excitationSheet(scene, excitation)});
+    output.addSheet("excitation", excitationSheet(scene, excitation));
     nlohmann::ordered_json origin = provenance("material", scene);
     origin["picture"] = style.json();
     output.write(provenanceLine(origin));

@@ -154,6 +154,82 @@ Message blankOf(const NamedCurve& curve, CurveAxes axes) {
   return "no positive coefficient of friction to show on a logarithmic axis";
 }
 
+/// Thin lines, each with a stroke of its own, where the theories hold.
+void addTheories(Diagram& diagram, const CurveSet& set) {
+  constexpr std::array strokes{SeriesStroke::Dashed, SeriesStroke::Dotted, SeriesStroke::Solid};
+  const auto [velocity, friction] = factorsOf(set.present.points, set.axes);
+  for (std::size_t k = 0; k < set.theories.size(); ++k) {
+    const TheoryCurve& theory = set.theories[k];
+    DiagramSeries series;
+    series.name = entryOf(theory.theory).name;
+    series.isTheory = true;
+    series.stroke = strokes[k % strokes.size()];
+    series.id = kTheoryCurves - static_cast<int>(k);
+    for (const TheoryPoint& point : theory.points)
+      series.points.push_back(
+          {point.velocity * velocity, point.isInRange ? point.mu * friction : kNotApplicable});
+    diagram.series.push_back(std::move(series));
+  }
+}
+
+constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle};
+
+/// Marks and colours that no curve of the set has.
+DiagramSeries measuredSeries(const CurveSet& set, std::size_t k) {
+  DiagramSeries series;
+  series.name = set.measured[k].data.name;
+  series.stroke = SeriesStroke::None;
+  series.mark = kMeasuredMarks[k % kMeasuredMarks.size()];
+  series.colour = colourOfPin(static_cast<int>(set.pinned.size() + k));
+  return series;
+}
+
+/// Points with error bars.
+void addMeasured(Diagram& diagram, const CurveSet& set) {
+  const auto [velocity, friction] = factorsOf(set.present.points, set.axes);
+  for (std::size_t k = 0; k < set.measured.size(); ++k) {
+    const MeasuredCurve& measured = set.measured[k];
+    DiagramSeries series = measuredSeries(set, k);
+    series.id = kMeasuredCurves - static_cast<int>(k);
+    for (std::size_t i = 0; i < measured.velocities.size(); ++i) {
+      const MeasuredPoint& point = measured.data.points[i];
+      series.points.push_back({measured.velocities[i] * velocity, point.mu * friction,
+                               (point.mu - point.muError) * friction,
+                               (point.mu + point.muError) * friction, static_cast<int>(i)});
+    }
+    diagram.series.push_back(std::move(series));
+  }
+}
+
+/// Measured over computed friction at each measured point, over the axis of the curves.
+Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
+  Diagram diagram;
+  diagram.height = kDifferenceHeight;
+  diagram.x = x;
+  diagram.y = {"measured / computed", "", AxisScale::Linear};
+  const double factor = factorsOf(set.present.points, set.axes).velocity;
+  DiagramSeries one;
+  one.isTheory = true;
+  one.points = {{x.from, 1}, {x.to, 1}};
+  diagram.series.push_back(std::move(one));
+  for (std::size_t k = 0; k < set.measured.size(); ++k) {
+    const MeasuredCurve& measured = set.measured[k];
+    DiagramSeries series = measuredSeries(set, k);
+    series.name = {};
+    for (std::size_t i = 0; i < measured.computed.size(); ++i) {
+      const CurvePoint& computed = measured.computed[i];
+      const double whole =
+          computed.mu + (std::isnan(computed.muInterface) ? 0 : computed.muInterface);
+      const MeasuredPoint& point = measured.data.points[i];
+      series.points.push_back({measured.velocities[i] * factor, point.mu / whole,
+                               (point.mu - point.muError) / whole,
+                               (point.mu + point.muError) / whole, static_cast<int>(i)});
+    }
+    diagram.series.push_back(std::move(series));
+  }
+  return diagram;
+}
+
 Diagram curvesDiagram(const CurveSet& set) {
   Diagram diagram;
   const bool isPhysical = set.axes == CurveAxes::Physical;
@@ -166,8 +242,12 @@ Diagram curvesDiagram(const CurveSet& set) {
   diagram.x.to = set.xTo;
   diagram.y.from = set.yFrom;
   diagram.y.to = set.yTo;
+  if (set.isReduced && isPhysical)
+    diagram.x.title = message("reduced sliding velocity a_T v at {:.4g} K",
+                              set.present.scene.elastomer.temperature);
   DiagramSeries law = lawSeries(set.present, set.axes);
-  if (!law.points.empty()) diagram.series.push_back(std::move(law));
+  if (!law.points.empty() && showsLaw(set.present.scene)) diagram.series.push_back(std::move(law));
+  addTheories(diagram, set);
   for (const NamedCurve& curve : set.pinned)
     diagram.series.push_back(pinnedSeries(curve, set.axes));
   DiagramSeries mean = meanSeries(set.present, set.axes);
@@ -176,6 +256,7 @@ Diagram curvesDiagram(const CurveSet& set) {
   mean.colour = 0;
   mean.id = kPresentCurve;
   diagram.series.push_back(std::move(mean));
+  addMeasured(diagram, set);
   addRegions(diagram, set.present, set.axes);
   addExtrapolated(diagram, set.present, set.axes);
   diagram.blank = blankOf(set.present, set.axes);
@@ -276,12 +357,15 @@ DiagramSheet curveSheet(const CurveSet& set) {
         "Beyond the measured frequencies: more than a tenth of the loss rests on frequencies at "
         "which the rubber was not measured.");
   sheet.note = sentences(notes);
-  if (set.difference) {
-    fixAlong(sheet.diagrams.front());
-    sheet.diagrams.push_back(differenceDiagram(set, sheet.diagrams.front().x));
-    sheet.columns = 1;
-    sheet.sharesAxis = true;
-  }
+  const bool hasResiduals = std::ranges::any_of(
+      set.measured, [](const MeasuredCurve& measured) { return !measured.computed.empty(); });
+  if (!set.difference && !hasResiduals) return sheet;
+  fixAlong(sheet.diagrams.front());
+  const DiagramAxis x = sheet.diagrams.front().x;
+  if (hasResiduals) sheet.diagrams.push_back(residualDiagram(set, x));
+  if (set.difference) sheet.diagrams.push_back(differenceDiagram(set, x));
+  sheet.columns = 1;
+  sheet.sharesAxis = true;
   return sheet;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -31,6 +32,10 @@ AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes) {
       factors.friction = point.normalizedMu / point.mu;
   }
   return factors;
+}
+
+bool showsLaw(const Scene& scene) {
+  return std::ranges::find(scene.comparison.theory, Theory::Eq11) != scene.comparison.theory.end();
 }
 
 int colourOfPin(int place) {
@@ -73,8 +78,18 @@ std::string curveSetCsv(const CurveSet& set) {
     point.normalizedMu = mu * factors.friction;
     return point;
   };
-  for (const CurvePoint& point : set.present.points)
-    addRow("Eq. (11)", pointAt(point.velocity, point.muLaw));
+  if (showsLaw(set.present.scene))
+    for (const CurvePoint& point : set.present.points)
+      addRow("Eq. (11)", pointAt(point.velocity, point.muLaw));
+  for (const TheoryCurve& theory : set.theories)
+    for (const TheoryPoint& point : theory.points)
+      if (point.isInRange) addRow(entryOf(theory.theory).name, pointAt(point.velocity, point.mu));
+  for (const MeasuredCurve& measured : set.measured)
+    for (std::size_t i = 0; i < measured.velocities.size(); ++i) {
+      CurvePoint point = pointAt(measured.velocities[i], measured.data.points[i].mu);
+      point.muStandardError = measured.data.points[i].muError;
+      addRow(measured.data.name, point);
+    }
   for (const NamedCurve& curve : set.pinned) addCurve(curve.name.english(), curve);
   if (!set.difference) return text;
   for (const DifferencePoint& difference : set.difference->points) {

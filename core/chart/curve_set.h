@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "core/fit/friction_data.h"
 #include "core/friction/curve_difference.h"
 #include "core/friction/curve_point.h"
+#include "core/friction/theories/theory.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -36,9 +38,28 @@ struct NamedCurve {
   int id = 1;     // of its series in a diagram; above 0 for pinned curves
 };
 
+/// A theory beside the present curve, sampled finely over its range of velocities.
+struct TheoryCurve {
+  Theory theory = Theory::Eq11;
+  std::vector<TheoryPoint> points;
+};
+
+/// Measured friction, and what the present scene says at each of its points: at the point's own
+/// force, pressure and temperature.
+struct MeasuredCurve {
+  FrictionData data;
+  std::vector<CurvePoint> computed;
+  /// Velocities on the axis, m/s: where temperatures differ, all are shifted to that of the scene,
+  /// v a_T(T) / a_T(T_scene) (Grosch, Proc. R. Soc. A 274, 21 (1963)).
+  std::vector<double> velocities;
+};
+
 struct CurveSet {
   NamedCurve present;
   std::vector<NamedCurve> pinned;
+  std::vector<TheoryCurve> theories;    // those that the scene names, but for Eq. (11)
+  std::vector<MeasuredCurve> measured;  // the tables that the scene names
+  bool isReduced = false;               // whether measured velocities are shifted
   CurveAxes axes = CurveAxes::Physical;
   std::optional<CurveDifference> difference;  // of the present curve
   // Ranges of the present axes, in their units; equal ends: automatic.
@@ -48,6 +69,8 @@ struct CurveSet {
 /// Returns the palette's colour of a pinned curve; colours of different places differ up to
 /// kPinColours.
 inline constexpr int kPinColours = 8;
+bool showsLaw(const Scene& scene);
+
 int colourOfPin(int place);
 
 /// Returns one row for each point of each curve: the series, all columns of a curve (curve_file.h),

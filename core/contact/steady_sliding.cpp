@@ -31,6 +31,23 @@ PassSums sumsAt(const PreparedProfile& line, double depth, double relaxationLeng
 
 }  // namespace
 
+Interface interfaceAt(const Interface& interface, double temperatureShift, double velocity) {
+  if (!(interface.shearVelocity > 0) || !(interface.shearStress > 0)) return interface;
+  Interface at = interface;
+  const double shifted = std::abs(velocity) * temperatureShift;
+  if (!(shifted > 0)) {
+    at.shearStress = 0;
+    return at;
+  }
+  const double decades = std::log10(shifted / interface.shearVelocity);
+  at.shearStress *= std::exp(-at.shearWidth * decades * decades);
+  return at;
+}
+
+Interface interfaceAt(const Scene& scene, double velocity) {
+  return interfaceAt(scene.interface, temperatureShift(scene.elastomer), velocity);
+}
+
 SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
                           double depth, const PassSums& sums) {
   constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();

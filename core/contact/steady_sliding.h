@@ -103,6 +103,12 @@ inline double localFriction(const Interface& interface, double normalForce, doub
   return interface.shearStress * contactLength / normalForce;
 }
 
+/// Local friction at a velocity (m/s, of either sign). Where the scene says so, its shear stress
+/// depends on the velocity: tau = tau_0 exp(-c log10^2(a_T v / v_0)) (Lorenz et al. 2015). At rest
+/// there is none then. temperatureShift: a_T.
+Interface interfaceAt(const Interface& interface, double temperatureShift, double velocity);
+Interface interfaceAt(const Scene& scene, double velocity);
+
 /// Returns the tangential load (N/m) of local friction at a place under the line load p (N/m),
 /// while sliding; 0 out of contact.
 inline double localFrictionLoad(const Interface& interface, double pressure) {

@@ -12,6 +12,7 @@ namespace asperity {
 SteadySolver::SteadySolver(const Scene& scene)
     : load_(scene.load),
       interface_(scene.interface),
+      temperatureShift_(temperatureShift(scene.elastomer)),
       hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
       hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
       law_(lawOf(scene.elastomer)) {
@@ -32,11 +33,12 @@ bool SteadySolver::hasArmsAt(double velocity) const {
   return hasArms_ && velocity > 0;
 }
 
-void SteadySolver::addInterface(const PreparedProfile& line, SteadyResult& result) const {
+void SteadySolver::addInterface(const PreparedProfile& line, double velocity,
+                                SteadyResult& result) const {
   if (!hasInterface_) return;
   countStage(Stage::Interface);
-  result.muInterface =
-      localFriction(interface_, result.normalForce, result.contactFraction * line.length);
+  result.muInterface = localFriction(interfaceAt(interface_, temperatureShift_, velocity),
+                                     result.normalForce, result.contactFraction * line.length);
 }
 
 void SteadySolver::countSteady(const Load& load) const {
@@ -69,7 +71,7 @@ bool SteadySolver::sweep(const PreparedProfile& line, const Load& load,
                         ? sweepArms(line, held, velocities, results, stop)
                         : slideSweep(line, conditions(0), held, velocities, results, stop, others);
   if (done)
-    for (SteadyResult& result : results) addInterface(line, result);
+    for (std::size_t i = 0; i < results.size(); ++i) addInterface(line, velocities[i], results[i]);
   return done;
 }
 
@@ -83,7 +85,7 @@ SteadyState SteadySolver::at(const PreparedProfile& line, double velocity) const
   } else {
     state.result = slideAtLoad(line, conditions(velocity), held);
   }
-  addInterface(line, state.result);
+  addInterface(line, velocity, state.result);
   return state;
 }
 

@@ -60,10 +60,11 @@ class SteadySolver {
   bool sweepArms(const PreparedProfile& line, const Load& load, std::span<const double> velocities,
                  std::span<SteadyResult> results, const std::stop_token& stop) const;
   void countSteady(const Load& load) const;
-  void addInterface(const PreparedProfile& line, SteadyResult& result) const;
+  void addInterface(const PreparedProfile& line, double velocity, SteadyResult& result) const;
 
   Load load_;
   Interface interface_;
+  double temperatureShift_;  // a_T
   bool hasInterface_, hasArms_;
   ElementLaw law_;
   RetardationModes modes_;

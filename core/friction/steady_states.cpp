@@ -174,10 +174,10 @@ class States {
     result.rmsSlopeLine *= member.height;
     result.normalForce *= member.force;
     result.tangentialForce *= member.force * member.height;
-    const Interface& interface = group.scene.interface;
+    const Scene& scene = states_[member.state];
     if (result.muInterface != 0)
-      result.muInterface =
-          localFriction(interface, result.normalForce, result.contactFraction * length_);
+      result.muInterface = localFriction(interfaceAt(scene, scene.sliding.velocity),
+                                         result.normalForce, result.contactFraction * length_);
     return result;
   }
 

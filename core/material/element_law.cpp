@@ -126,6 +126,12 @@ bool shiftsTimes(const Elastomer& elastomer) {
          tableDecades(shift, elastomer.temperature) != 0;
 }
 
+double temperatureShift(const Elastomer& elastomer) {
+  return elastomer.rheology == Rheology::Elastic
+             ? 1
+             : shiftFactor(elastomer.shift, elastomer.temperature);
+}
+
 ElementLaw lawOf(const Elastomer& elastomer) {
   ElementLaw law;
   if (elastomer.rheology == Rheology::Elastic) {

@@ -54,6 +54,9 @@ double shiftFactor(const TemperatureShift& shift, double temperature);
 /// Whether temperature changes any time, or could not.
 bool shiftsTimes(const Elastomer& elastomer);
 
+/// The factor of an elastomer at its own temperature; 1 for an elastic one, which has no times.
+double temperatureShift(const Elastomer& elastomer);
+
 /// Throws InputError where the elastomer cannot be: nothing in it, a standard solid without its
 /// one arm, a temperature without a shift.
 ElementLaw lawOf(const Elastomer& elastomer);

@@ -126,13 +126,18 @@ bool fillGaps(std::span<const double> positions, std::span<const double> heights
               PlacedProfile& profile) {
   const auto axis = gridAxis({positions.begin(), positions.end()},
                              2 * static_cast<std::int64_t>(positions.size()));
-  if (!axis) return false;
-  profile.spacing = axis->spacing;
-  profile.height.assign(static_cast<std::size_t>(axis->places), kNone);
+  if (!axis || axis->places < 2) return false;
+  std::vector<double> placed(static_cast<std::size_t>(axis->places), kNone);
+  std::vector<bool> isTaken(placed.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto place = std::llround((positions[i] - axis->first) / axis->spacing);
-    profile.height[static_cast<std::size_t>(place)] = heights[i];
+    if (place < 0 || place >= axis->places || isTaken[static_cast<std::size_t>(place)])
+      return false;
+    placed[static_cast<std::size_t>(place)] = heights[i];
+    isTaken[static_cast<std::size_t>(place)] = true;
   }
+  profile.spacing = axis->spacing;
+  profile.height = std::move(placed);
   profile.notes.push_back(message("{} places have no row in the file and are taken as gaps.",
                                   static_cast<std::size_t>(axis->places) - positions.size()));
   return true;

@@ -52,11 +52,17 @@ class Archive {
     if (!isKnown) fail(file);
     if (stat.size > limit)
       source_.fail(message("'{}' in its archive is larger than the {} bytes allowed", file, limit));
+    // Deflate packs a thousand bytes into one at most: a directory that says more lies.
+    constexpr std::uint64_t kMostDeflated = 1100, kSlack = 4096;
+    if ((stat.valid & ZIP_STAT_COMP_SIZE) == 0 ||
+        stat.size / kMostDeflated > stat.comp_size + kSlack)
+      fail(file);
     const std::unique_ptr<zip_file_t, Close> open(
         zip_fopen_index(archive_.get(), static_cast<zip_uint64_t>(index), 0));
     if (!open) fail(file);
     std::string bytes;
-    constexpr std::size_t kStep = std::size_t{1} << 22;
+    bytes.reserve(stat.size);
+    constexpr std::size_t kStep = std::size_t{1} << 20;
     while (bytes.size() < stat.size) {
       const std::size_t before = bytes.size();
       // Grows with what is really there, whatever the directory of the archive says.

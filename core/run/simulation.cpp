@@ -185,7 +185,8 @@ void Simulation::addFields(Frame& frame) const {
   if (fields_.lineSlope) frame.lineSlope = march().lineSlope();
   frame.sinceContact = march().sinceContact();
   frame.power = march().power();
-  addLocalFriction(frame.power, frame.pressure, ready_->scene->interface, frame.velocity);
+  addLocalFriction(frame.power, frame.pressure, interfaceAt(*ready_->scene, frame.velocity),
+                   frame.velocity);
 }
 
 void Simulation::clearReading() {
@@ -390,8 +391,8 @@ ContactState Simulation::drawnState(const Frame& frame) const {
   drawn.mu = frame.muMarch;
   drawn.tangentialForce = std::abs(drawn.mu) * drawn.normalForce;
   if (hasLocalFriction(*ready_->scene))
-    drawn.muInterface = localFriction(ready_->scene->interface, drawn.normalForce,
-                                      drawn.contactFraction * frame.length);
+    drawn.muInterface = localFriction(interfaceAt(*ready_->scene, frame.velocity),
+                                      drawn.normalForce, drawn.contactFraction * frame.length);
   return drawn;
 }
 
@@ -451,8 +452,8 @@ void Simulation::addMotion(Frame& frame) const {
     frame.tangentialForce = std::abs(march().slopeForce());
     if (pressed.force > 0) frame.muMarch = frame.tangentialForce / pressed.force;
     if (frame.velocity != 0)
-      frame.muInterface =
-          localFriction(ready_->scene->interface, pressed.force, pressed.fraction * frame.length);
+      frame.muInterface = localFriction(interfaceAt(*ready_->scene, frame.velocity), pressed.force,
+                                        pressed.fraction * frame.length);
     return;
   }
   const TransientSample& now = samples_.back();

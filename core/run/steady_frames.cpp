@@ -91,7 +91,7 @@ Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
     frame.sinceContact = steadyContactAge(frame.pressure, frame.spacing, velocity);
   if (fields.power) {
     frame.power = inLineOrder(profile, steadyPower(sliding, shape));
-    addLocalFriction(frame.power, frame.pressure, frame.scene->interface, velocity);
+    addLocalFriction(frame.power, frame.pressure, interfaceAt(*frame.scene, velocity), velocity);
   }
   return frame;
 }

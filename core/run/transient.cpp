@@ -73,6 +73,7 @@ Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
                      std::int64_t leastSteps, int division)
     : load_(loadOn(scene.load, rigid->line->length)),
       interface_(scene.interface),
+      temperatureShift_(temperatureShift(scene.elastomer)),
       hasInterface_(callsFor(scene, Purpose::Picture, Stage::Interface)),
       startsAtRest_(callsFor(scene, Purpose::Picture, Stage::StartFromRest)),
       motion_(scene.sliding),
@@ -219,8 +220,9 @@ TransientSample Transient::marchTo(double time) {
   sample.indentation = march_.indentation();
   if (hasInterface_ && sample.velocity != 0) {
     countStage(Stage::Interface);
-    sample.muInterface = localFriction(interface_, sample.normalForce,
-                                       sample.contactFraction * rigid_->line->length);
+    sample.muInterface =
+        localFriction(interfaceAt(interface_, temperatureShift_, sample.velocity),
+                      sample.normalForce, sample.contactFraction * rigid_->line->length);
   }
   addError(sample);
   if (sample.contactLength > 0 && std::isfinite(relaxation_) && relaxation_ > 0)

@@ -77,6 +77,7 @@ class Transient {
 
   Load load_;
   Interface interface_;
+  double temperatureShift_;  // a_T
   bool hasInterface_, startsAtRest_;
   Motion motion_;
   double longestStep_;  // s

@@ -147,7 +147,14 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "p = -4 (G u + eta du/dt) in contact", "figure 1"},
 
     // ---- a material
-    {"temperature", "K", "Temperature of the isotherm.", "T", "material"},
+    // ---- fits of measured friction
+    {"mu_measured", "", "Measured coefficient of friction.", "", "fit"},
+    {"mu_error", "", "Its error as the table gives it; empty where there is none.", "", "fit"},
+    {"mu_band", "", "Standard error of the computed friction by the errors of the parameters.",
+     "sqrt(J C J')", "fit"},
+    {"measured_over_computed", "", "Measured over computed coefficient of friction.", "", "fit"},
+    {"temperature", "K", "Temperature of the isotherm, or of the measurement.", "T",
+     "material, fit"},
     {"frequency", "Hz", "Frequency at which it was measured.", "f", "material"},
     {"storage_modulus", "Pa", "Storage modulus of shear.", "G'", "material"},
     {"loss_modulus", "Pa", "Loss modulus of shear.", "G''", "material"},

@@ -1,6 +1,7 @@
 #include "core/scene/list_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -132,6 +133,77 @@ Message allowedArms() {
 Message allowedShiftTable() {
   return message("a list of 1 to {} {{temperature, log10_shift}}, {} and {}", kMostShiftPoints,
                  allowed(kShiftMembers[0]), allowed(kShiftMembers[1]));
+}
+
+std::vector<DataFile> dataFilesFrom(std::string_view json, const std::string& key) {
+  const Json list = parsedList(json, key, allowedDataFiles());
+  if (list.size() > kMostDataFiles)
+    throw InputError("", key,
+                     message("has {} tables; allowed is {}", list.size(), allowedDataFiles()));
+  std::vector<DataFile> files;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string path = fmt::format("{}[{}]", key, i);
+    if (!list[i].is_object()) throw InputError("", path, "needs an object of file and label");
+    DataFile data;
+    for (const auto& [name, value] : list[i].items()) {
+      if (name != "file" && name != "label")
+        throw InputError("", path + "." + shortened(name),
+                         "unknown key; a table has file and label");
+      if (!value.is_string()) throw InputError("", path + "." + name, "is no text");
+      (name == "file" ? data.file : data.label) = value.get<std::string>();
+    }
+    if (data.file.empty()) throw InputError("", path + ".file", "is missing");
+    files.push_back(std::move(data));
+  }
+  return files;
+}
+
+std::string textOf(const std::vector<DataFile>& files) {
+  Json list = Json::array();
+  for (const DataFile& data : files) {
+    Json one = {{"file", data.file}};
+    if (!data.label.empty()) one["label"] = data.label;
+    list.push_back(std::move(one));
+  }
+  return list.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::span<const std::string_view> theoryWords() {
+  static constexpr std::array<std::string_view, 4> kWords{"eq_11", "gaussian_foundation",
+                                                          "complete_contact", "persson_half_space"};
+  return kWords;
+}
+
+std::vector<Theory> theoriesFrom(std::string_view json, const std::string& key) {
+  const Json list = parsedList(json, key, allowedTheories());
+  std::vector<Theory> theories;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string path = fmt::format("{}[{}]", key, i);
+    if (!list[i].is_string()) throw InputError("", path, message("needs {}", allowedTheories()));
+    const auto word = list[i].get<std::string>();
+    const auto known = std::ranges::find(theoryWords(), word);
+    if (known == theoryWords().end()) throw InputError("", path, notOneOf(word, theoryWords()));
+    const auto theory = static_cast<Theory>(known - theoryWords().begin());
+    if (std::ranges::find(theories, theory) != theories.end())
+      throw InputError("", path, message("{} is named twice", word));
+    theories.push_back(theory);
+  }
+  return theories;
+}
+
+std::string textOf(const std::vector<Theory>& theories) {
+  Json list = Json::array();
+  for (const Theory theory : theories)
+    list.push_back(theoryWords()[static_cast<std::size_t>(theory)]);
+  return list.dump();
+}
+
+Message allowedDataFiles() {
+  return message("a list of 0 to {} {{file, label}}", kMostDataFiles);
+}
+
+Message allowedTheories() {
+  return message("a list of {}", Message::name(fmt::format("{}", fmt::join(theoryWords(), ", "))));
 }
 
 }  // namespace asperity

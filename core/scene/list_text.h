@@ -37,8 +37,20 @@ std::vector<ShiftPoint> shiftTableFrom(std::string_view json, const std::string&
 std::string textOf(const std::vector<Arm>& arms);
 std::string textOf(const std::vector<ShiftPoint>& table);
 
+/// Tables of measured friction: [{"file": "mine.csv", "label": "compound A"}, ...].
+inline constexpr std::size_t kMostDataFiles = 32;
+std::vector<DataFile> dataFilesFrom(std::string_view json, const std::string& key);
+std::string textOf(const std::vector<DataFile>& files);
+
+/// Theories by their words: ["eq_11", "persson_half_space"]; each once.
+std::span<const std::string_view> theoryWords();
+std::vector<Theory> theoriesFrom(std::string_view json, const std::string& key);
+std::string textOf(const std::vector<Theory>& theories);
+
 /// Returns in words what a list may contain.
 Message allowedArms();
 Message allowedShiftTable();
+Message allowedDataFiles();
+Message allowedTheories();
 
 }  // namespace asperity

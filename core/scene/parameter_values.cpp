@@ -121,7 +121,8 @@ void setShiftTable(const Parameter& parameter, const ShiftTableField& field, Sce
 
 bool isList(const Parameter& parameter) {
   return std::holds_alternative<ArmsField>(parameter.field) ||
-         std::holds_alternative<ShiftTableField>(parameter.field);
+         std::holds_alternative<ShiftTableField>(parameter.field) ||
+         std::holds_alternative<ListField>(parameter.field);
 }
 
 bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number) {
@@ -164,7 +165,8 @@ ParameterValue valueOf(const Parameter& parameter, const Scene& scene) {
           },
           [&](const ShiftTableField& field) -> ParameterValue {
             return textOf(field.member(readable(scene)));
-          }},
+          },
+          [&](const ListField& field) -> ParameterValue { return field.read(scene); }},
       parameter.field);
 }
 
@@ -180,7 +182,12 @@ void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& va
           [&](const ChoiceField& field) { setChoice(parameter, field, scene, value); },
           [&](const TextField& field) { setText(parameter, field, scene, value); },
           [&](const ArmsField& field) { setArms(parameter, field, scene, value); },
-          [&](const ShiftTableField& field) { setShiftTable(parameter, field, scene, value); }},
+          [&](const ShiftTableField& field) { setShiftTable(parameter, field, scene, value); },
+          [&](const ListField& field) {
+            const auto* text = std::get_if<std::string>(&value);
+            if (!text) refuse(parameter, message("a number is not {}", allowedText(parameter)));
+            field.write(scene, *text, std::string(parameter.key));
+          }},
       parameter.field);
 }
 
@@ -220,7 +227,8 @@ Message allowedText(const Parameter& parameter) {
                                },
                                [](const TextField&) { return Message("text"); },
                                [](const ArmsField&) { return allowedArms(); },
-                               [](const ShiftTableField&) { return allowedShiftTable(); }},
+                               [](const ShiftTableField&) { return allowedShiftTable(); },
+                               [](const ListField& field) { return field.allowed(); }},
                     parameter.field);
 }
 

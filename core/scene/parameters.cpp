@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/text.h"
+#include "core/scene/list_text.h"
 #include "core/measured/measured_file.h"
 
 namespace asperity {
@@ -202,6 +203,10 @@ const std::array kTable{
               RealField{ASPERITY_MEMBER(interface, frictionCoefficient), 0, 1e3, 0, 2, kLin}},
     Parameter{"interface.shear_stress", "local shear", "", "N/m", "Tangential load on each length in contact, instead of a local coefficient of friction; 0: none.", kLive, {},
               RealField{ASPERITY_MEMBER(interface, shearStress), 0, 1e15, 0.1, 1e5, kNoneOrLog}},
+    Parameter{"interface.shear_velocity", "shear velocity", "v_0", "m/s", "Velocity (times the temperature shift) at which the local shear is largest; 0: it does not depend on the velocity.", kLive, {},
+              RealField{ASPERITY_MEMBER(interface, shearVelocity), 0, 1e12, 1e-6, 1e4, kNoneOrLog}, {}, kUnlessDefault},
+    Parameter{"interface.shear_width", "shear width", "c", "", "How fast the local shear falls beside that velocity: it is exp(-c) of its largest value a decade away.", kLive, {},
+              RealField{ASPERITY_MEMBER(interface, shearWidth), 0, 100, 0, 1, kLin}, {}, kUnlessDefault},
 
     Parameter{"sweep.velocity_from", "lowest velocity", "", "m/s", "First velocity of the friction curve.", kLive, {},
               RealField{ASPERITY_MEMBER(sweep, velocityFrom), 1e-30, 1e12, 1e-6, 1e4, kLog}},
@@ -219,6 +224,15 @@ const std::array kTable{
               IntegerField{ASPERITY_MEMBER(accuracy, oversampling), 0, 64, 1, 16, kLog}},
     Parameter{"accuracy.target_relative_error", "target error", "", "", "Relative error of friction to be reached at every velocity: resolution and number of lines are then chosen by the program; 0: as scheme and realizations say.", kLive, {"accuracy.scheme", "cubic"},
               RealField{ASPERITY_MEMBER(accuracy, targetRelativeError), 0, 0.5, 0, 0.1, kLin}},
+
+    Parameter{"comparison.data", "measured friction", "", "", "Tables of measured friction that are shown beside the curve: velocity and mu, with or without errors, force, temperature.", kLive, {},
+              ListField{[](const Scene& scene) { return textOf(scene.comparison.data); },
+                        [](Scene& scene, std::string_view json, const std::string& key) { scene.comparison.data = dataFilesFrom(json, key); },
+                        allowedDataFiles}, {}, kUnlessDefault},
+    Parameter{"comparison.theory", "theories", "", "", "Theories that are drawn beside the curve.", kLive, {},
+              ListField{[](const Scene& scene) { return textOf(scene.comparison.theory); },
+                        [](Scene& scene, std::string_view json, const std::string& key) { scene.comparison.theory = theoriesFrom(json, key); },
+                        allowedTheories}, {}, kUnlessDefault},
 };
 // clang-format on
 

@@ -59,6 +59,14 @@ struct ShiftTableField {
 };
 inline constexpr std::size_t kMostShiftPoints = 1000;
 
+/// Any other list; as a value: JSON text.
+struct ListField {
+  std::string (*read)(const Scene&);
+  /// Throws InputError that names the row of the list, such as KEY[1].file.
+  void (*write)(Scene&, std::string_view json, const std::string& key);
+  Message (*allowed)();
+};
+
 /// What a change asks of a running simulation: go on with the new value, or a new line.
 enum class Change { Live, Rebuild };
 
@@ -84,7 +92,8 @@ struct Parameter {
   std::string_view sentence;  // one sentence for a user
   Change change;
   Applicability applies;
-  std::variant<RealField, IntegerField, ChoiceField, TextField, ArmsField, ShiftTableField> field;
+  std::variant<RealField, IntegerField, ChoiceField, TextField, ArmsField, ShiftTableField, ListField>
+      field;
   /// It applies where this holds as well. An empty choiceKey: nowhere else.
   Applicability alsoApplies{};
   FileRule rule{};

@@ -82,6 +82,9 @@ void eachInput(const Scene& scene, const Add& add) {
   if (scene.elastomer.rheology == Rheology::Prony)
     digested("elastomer.material", material,
              [&] { return sha256(readMaterialText(material, scene.folder).json); });
+  for (const DataFile& table : scene.comparison.data)
+    digested("comparison.data", table.file,
+             [&] { return sha256OfFile(scene.folder / table.file); });
 }
 
 /// The files that a scene names, each with the SHA-256 of its content.

@@ -85,6 +85,9 @@ struct Sliding {
 struct Interface {
   double frictionCoefficient = 0;  // tangential over normal line load
   double shearStress = 0;          // N/m, tangential line load in contact
+  // It depends on the velocity: shearStress exp(-c log10^2(a_T v / v_0)).
+  double shearVelocity = 0;  // m/s, v_0, where it is largest; 0: no dependence
+  double shearWidth = 0.1;   // c
 
   bool operator==(const Interface&) const = default;
 };
@@ -96,6 +99,25 @@ struct Sweep {
   std::int64_t points = 41;
 
   bool operator==(const Sweep&) const = default;
+};
+
+/// The theories that may be drawn beside a friction curve (core/friction/theories/theory.h).
+enum class Theory { Eq11, GaussianFoundation, CompleteContact, PerssonHalfSpace };
+
+/// A table of measured friction (core/fit/friction_data.h).
+struct DataFile {
+  std::string file;   // relative to the scene's folder
+  std::string label;  // in legends; empty: the file's name
+
+  bool operator==(const DataFile&) const = default;
+};
+
+/// What stands beside the friction curve.
+struct Comparison {
+  std::vector<DataFile> data;
+  std::vector<Theory> theory{Theory::Eq11};
+
+  bool operator==(const Comparison&) const = default;
 };
 
 struct Ensemble {
@@ -124,6 +146,7 @@ struct Scene {
   Sweep sweep;
   Ensemble ensemble;
   Accuracy accuracy;
+  Comparison comparison;
 
   /// Folder against which surface.file is resolved; where the scene was read, not part of it.
   std::filesystem::path folder;

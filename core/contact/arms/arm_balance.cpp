@@ -81,9 +81,10 @@ class ArmSolver::Search {
   }
 
  private:
-  /// Whether another step would gain nothing. Stiff arms make more of an error of their strains.
-  /// expected: the residual that the last step should have left but for rounding, as steps do not
-  /// become worse towards the end.
+  /// Returns whether another step would gain nothing. An error of the strains counts by the
+  /// stiffness of the arms. expected: the residual that the last step should have left but for
+  /// rounding, because a step near the answer reduces it at least as much as the step before did. A
+  /// small residual far above that is rounding.
   bool isEnough(double expected) const {
     const double least = kForceError / coefficients_.glassy;
     return worst_ <= std::max(least, kWantedResidual) ||

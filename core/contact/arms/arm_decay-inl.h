@@ -1,5 +1,5 @@
-// decay_moments.h for many arms at once: what decays over a way and what a line drives meanwhile.
-// Compiled once per instruction set.
+// This file has decay_moments.h for many arms at once: what decays over a way and what a line
+// drives meanwhile. It is compiled once per instruction set.
 
 #if defined(ASPERITY_ARM_DECAY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASPERITY_ARM_DECAY_INL
@@ -25,8 +25,9 @@ struct ArmDecay {
   }
 };
 
-/// Sum over r of (-z)^r k! / (k + r + 1)!, the integral of exp(-(1 - u) z) u^k, to rounding for
-/// z up to 1/2. In pairs, whose steps wait less for each other.
+/// Returns the sum over r of (-z)^r k! / (k + r + 1)!, which is the integral of exp(-(1 - u) z) u^k
+/// over [0, 1], to rounding for z up to 1/2. The terms are added in pairs, whose steps wait less
+/// for each other than those of Horner's rule.
 template <int k>
 HWY_INLINE One drivenSeries(One z) {
   constexpr std::size_t kTerms = 14;
@@ -46,7 +47,8 @@ HWY_INLINE One drivenSeries(One z) {
   return mulAdd(x4, mulAdd(x4, mulAdd(x4, pair(12), third), second), first);
 }
 
-/// z >= 0. Below 1/2 by the series, downwards; above upwards from the exponential.
+/// Returns the decay for z >= 0: below 1/2 from the series downwards, above it from the exponential
+/// upwards. Lanes of both kinds cost both ways.
 HWY_INLINE ArmDecay armDecay(One z) {
   const One one = One::all(1);
   const OneMask isSlow = z < One::all(0.5);
@@ -70,8 +72,8 @@ HWY_INLINE ArmDecay armDecay(One z) {
   return decay;
 }
 
-/// Of one arm on a piece in contact, w' = D_0 + D_1 u + D_2 u^2: integrals over u in [0, 1] of e,
-/// of e w', and z times that of e^2.
+/// The integrals of an arm over a piece in contact, where w' = D_0 + D_1 u + D_2 u^2: those over u
+/// in [0, 1] of e and of e w', and z times that of e^2.
 struct ArmIntegrals {
   One strain, work, loss;
 };
@@ -81,7 +83,7 @@ HWY_INLINE ArmIntegrals armIntegrals(One z, One e, double slope0, double slope1,
   const One d0 = One::all(slope0), d1 = One::all(slope1), d2 = One::all(slope2);
   const OneMask isSlow = z < One::all(kSlowBelow);
   ArmIntegrals found{One::all(0), One::all(0), One::all(0)};
-  // By Gauss's points where e hardly decays: what is put in and what is stored nearly cancel there.
+  // Gauss's points serve where e hardly decays: what is put in and what is stored nearly cancel.
   if (any(isSlow)) {
     constexpr std::size_t kPoints = 8;
     constexpr double kPlace[kPoints] = {
@@ -103,7 +105,7 @@ HWY_INLINE ArmIntegrals armIntegrals(One z, One e, double slope0, double slope1,
     }
     found.loss = z * found.loss;
   }
-  // From e' = w' - z e, times 1, u, u^2 and e.
+  // Elsewhere they follow from e' = w' - z e, times 1, u, u^2 and e.
   if (any(!isSlow)) {
     const One after = armDecay(z).strain(e, d0, d1, d2), inverse = One::all(1) / z;
     const auto driven = [&](double k) {

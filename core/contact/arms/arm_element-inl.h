@@ -1,7 +1,7 @@
-// One element with arms, its arms (or modes) in the lanes of vectors: strains in contact,
-// amplitudes of the free surface, and what both add to the sums. Where contact begins and ends is
-// for arm_kernel-inl.h to find. See arm_pass.h and arm_events.cpp for the same in plain form.
-// Compiled once per instruction set.
+// This file has one element with arms whose arms (or modes) lie in the lanes of vectors: the
+// strains in contact, the amplitudes of the free surface, and what both add to the sums. The kernel
+// of arm_kernel-inl.h finds where contact begins and ends. arm_pass.h and arm_events.cpp have the
+// same in plain form. The file is compiled once per instruction set.
 
 #if defined(ASPERITY_ARM_ELEMENT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASPERITY_ARM_ELEMENT_INL
@@ -36,8 +36,9 @@ struct ContactPiece {
   }
 };
 
-/// Whole segments one after another, one in each lane: w' = (D_0 + D_1 u + D_2 u^2) / spacing. Sums
-/// over the arms at their starts, and behind them at the last one's end.
+/// A batch holds whole segments that follow each other, one in each lane, over which
+/// w' = (D_0 + D_1 u + D_2 u^2) / spacing. The sums over the arms stand at the start of each
+/// segment and, in the last place, at the end of the last one.
 struct SegmentBatch {
   static constexpr std::size_t kCount = One::kLanes;
 
@@ -60,7 +61,7 @@ class ArmElement {
         after_(work.rows.row(ArmWorkspace::After)),
         afterStride_(static_cast<std::size_t>(work.rows.row(ArmWorkspace::After + 1) - after_)) {}
 
-  /// Strains (m) that the pass begins with.
+  /// Takes the strains (m) that the pass begins with.
   HWY_INLINE void begin(const double* strain) {
     std::copy_n(strain, vectors_.arms, strain_);
     std::fill_n(yield_, slowLanes_, 0.0);
@@ -72,14 +73,17 @@ class ArmElement {
 
   // ---- In contact
 
-  /// p / 4G where the present strains are.
+  /// Returns p / 4G at the start of a piece, where the present strains are.
   HWY_INLINE ValueAndSlope pressure(const ContactPiece& piece) const {
     return pressureWith(strainSum_, lossSum_, piece, 0);
   }
 
-  /// Strains over a batch of segments, and the sums over the arms that say where contact ends.
+  /// Computes the strains at the end of each segment of a batch, and the sums over the arms from
+  /// which the pressure follows. Nothing is taken over yet, as contact may end within the batch.
   HWY_INLINE void drive(SegmentBatch& batch) {
     constexpr std::size_t kCount = SegmentBatch::kCount;
+    // All segments go through the arms of one vector before the next vector: the coefficients and
+    // the sums stay in registers, and only e waits for the segment before.
     One strainSum[kCount], lossSum[kCount];
     for (std::size_t n = 0; n < kCount; ++n) strainSum[n] = lossSum[n] = One::all(0);
     for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
@@ -108,15 +112,15 @@ class ArmElement {
     }
   }
 
-  /// Goes on over the first `count` segments of the batch, whose length is `spacing`, and adds what
-  /// the arms give to the sums.
+  /// Moves on over the first `count` segments of a batch that was driven. spacing: their length
+  /// (m). The elastic part of the sums is left to the caller.
   template <bool Everything>
   HWY_INLINE void take(const SegmentBatch& batch, std::size_t count, double spacing,
                        PassSums& sums) {
     if (count == 0) return;
     const auto sumOfFirst = [count](One x) { return sumOf(onlyIn({hn::FirstN(kTag, count)}, x)); };
     const One d0 = One::load(batch.d0), d1 = One::load(batch.d1), d2 = One::load(batch.d2);
-    // What slow arms yield.
+    // This is what slow arms yield.
     if (slowLanes_ > 0) {
       const One sum0 = One::all(sumOfFirst(d0)), sum1 = One::all(sumOfFirst(d1)),
                 sum2 = One::all(sumOfFirst(d2));
@@ -157,7 +161,7 @@ class ArmElement {
                              mulAdd(arm[ArmVectors::LossWith1], with1,
                                     mulAdd(arm[ArmVectors::LossWith2], with2, loss))));
       }
-      // And what the segments drive themselves.
+      // The segments add what they drive themselves.
       const double s00 = sumOfFirst(d0 * d0), s01 = sumOfFirst(d0 * d1), s02 = sumOfFirst(d0 * d2),
                    s11 = sumOfFirst(d1 * d1), s12 = sumOfFirst(d1 * d2), s22 = sumOfFirst(d2 * d2);
       const double s0 = sumOfFirst(d0), s1 = sumOfFirst(d1), s2 = sumOfFirst(d2);
@@ -185,8 +189,8 @@ class ArmElement {
     trialWay_ = -1;
   }
 
-  /// The pressure at the end of segment n of the batch, where the first n of it have been taken, as
-  /// if it had been asked for.
+  /// Returns the pressure at the end of segment n of a batch whose first n segments have been
+  /// taken. advance() over that segment then needs no new decays.
   HWY_INLINE ValueAndSlope pressureAfter(const SegmentBatch& batch, std::size_t n,
                                          const ContactPiece& piece) {
     std::copy_n(after_ + n * afterStride_, armLanes_, trial_);
@@ -196,11 +200,11 @@ class ArmElement {
     return pressureWith(trialStrainSum_, trialLossSum_, piece, 1);
   }
 
-  /// w + dashpot w' and the slope of both and of the springs, for pressure in all lanes of a batch.
   double dashpot() const { return vectors_.dashpot; }
   double glassy() const { return vectors_.glassy; }
 
-  /// p / 4G at u of any piece that begins with the present strains, and its derivative there.
+  /// Returns p / 4G at u of any piece that begins with the present strains, and its derivative. The
+  /// strains there are kept, so that advance() to the same place needs no new decays.
   HWY_INLINE ValueAndSlope pressureAt(const ContactPiece& piece, double u) {
     const Cubic& w = piece.depth;
     const One d0 = One::all(u * w.c1), d1 = One::all(2 * u * u * w.c2),
@@ -217,15 +221,15 @@ class ArmElement {
     return tried(piece, u, strainSum, lossSum);
   }
 
-  /// Goes on to u of the piece.
+  /// Moves on to u of the piece.
   HWY_INLINE void advance(const ContactPiece& piece, double u) {
     if (trialWay_ != piece.length * u) pressureAt(piece, u);
     addYield(piece.until(u));
     takeTrial();
   }
 
-  /// All sums of a piece in contact, before the strains go on. The elastic part of the work is
-  /// added where contact ends.
+  /// Adds all sums of a piece in contact, before the strains move on. The elastic part of the work
+  /// is added where contact ends.
   HWY_INLINE void gatherPiece(const ContactPiece& piece, PassSums& sums) const {
     const One length = One::all(piece.length);
     One strain = One::all(0), work = One::all(0), loss = One::all(0);
@@ -249,7 +253,7 @@ class ArmElement {
     sums.slopeSquared += slopeSquared;
   }
 
-  /// Contact ends at this depth (m): amplitudes that go with it and the strains.
+  /// Ends contact at this depth (m) and finds the amplitudes that belong to it and to the strains.
   HWY_INLINE void setFree(double depth) {
     const One w = One::all(depth);
     for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
@@ -273,7 +277,7 @@ class ArmElement {
 
   // ---- Free
 
-  /// How far (m) the surface comes back over a block of segments of this level.
+  /// Returns how far (m) the surface comes back over a block of segments of this level.
   HWY_INLINE double comesBackOverBlock(std::size_t level) const {
     const double* lost = vectors_.lost.row(level);
     One back = One::all(0);
@@ -287,7 +291,7 @@ class ArmElement {
       (One::load(amplitude_ + k) * One::load(decay + k)).store(amplitude_ + k);
   }
 
-  /// How far (m) the surface comes back over any distance (m), and how fast it does there.
+  /// Returns how far (m) the surface comes back over any distance (m), and how fast it does there.
   HWY_INLINE ValueAndSlope comesBack(double distance) const {
     const One way = One::all(distance);
     One back = One::all(0), speed = One::all(0);
@@ -301,7 +305,7 @@ class ArmElement {
     const TwoSums sums = sumsOf(back, speed);
     return {sums.x, sums.y};
   }
-  /// How fast it does now.
+  /// Returns how fast the surface comes back now.
   HWY_INLINE double speedBack() const {
     One speed = One::all(0);
     for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
@@ -344,7 +348,7 @@ class ArmElement {
     }
     sums.depth += sumOf(volume) * length;
     if constexpr (Everything) sums.dissipation += 0.5 * sumOf(loss);
-    // What slow arms yield.
+    // This is what slow arms yield.
     for (std::size_t k = 0; k < slowLanes_; k += One::kLanes) {
       One yield = One::load(yield_ + k);
       for (std::size_t j = 0; j < vectors_.modes; ++j)
@@ -352,7 +356,7 @@ class ArmElement {
             negMulAdd(One::all(arcAmplitude_[j]), One::load(vectors_.toYield.row(j) + k), yield);
       yield.store(yield_ + k);
     }
-    // Strains that go with the amplitudes.
+    // The strains follow from the amplitudes.
     for (std::size_t k = 0; k < armLanes_; k += One::kLanes) {
       One strain = One::all(0), other = One::all(0);
       std::size_t j = 0;
@@ -418,8 +422,8 @@ class ArmElement {
     lossSum_ = sums.y;
   }
 
-  /// What slow arms yield on a piece: z times the integral of e, by the series that their small z
-  /// allows.
+  /// Adds what slow arms yield on a piece: z times the integral of e, by the series that their
+  /// small z allows.
   HWY_INLINE void addYield(const ContactPiece& piece) {
     const One d0 = One::all(piece.depth.c1), d1 = One::all(piece.depth.c2),
               d2 = One::all(piece.depth.c3), one = One::all(1);

@@ -1,7 +1,10 @@
-// The pass of arm_pass.h with the arms in the lanes of vectors: where contact begins and ends along
-// the line. The algorithm is that of arm_pass.cpp and arm_events.cpp; roots are found from the
-// cubic through values and slopes at both ends, so that few evaluations of all arms are needed.
-// Compiled once per instruction set.
+// This file has the pass of arm_pass.h with the arms in the lanes of vectors: it finds where
+// contact begins and ends along the line. The algorithm is that of arm_pass.cpp and arm_events.cpp,
+// with three differences. Contact moves on in batches of segments, one segment in each lane where
+// all of them are judged at once. Roots are searched from the cubic through the values and slopes
+// at both ends, so that few evaluations of all arms are needed. Inside a free segment only the
+// stretches that lie below the highest free surface are looked at. The file is compiled once per
+// instruction set.
 
 #if defined(ASPERITY_ARM_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASPERITY_ARM_KERNEL_INL
@@ -22,9 +25,10 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-/// The zero of a smooth function between `low` and `high`, where its values have different signs:
-/// Newton's method, halving where that leads away. What a pass sums up changes with the square of
-/// an error of the place, and Newton's next step is the square of this one.
+/// Returns the zero of a smooth function between `low` and `high`, where its values have different
+/// signs. Newton's method is used, and halving where that leads away. It ends after a step of
+/// `tolerance` times the place: the error that is left is of the order of the step's square, and
+/// the sums of a pass change with the square of that again.
 template <class Function>
 HWY_INLINE double zeroNear(double guess, double low, double high, bool rising, double tolerance,
                            const Function& function) {
@@ -45,8 +49,8 @@ HWY_INLINE double zeroNear(double guess, double low, double high, bool rising, d
   return t;
 }
 
-/// Where the cubic through two values and slopes vanishes, as a guess. The first value is above 0,
-/// the second one not, or the other way round.
+/// Returns where the cubic through two values and slopes vanishes, as a guess. The two values have
+/// different signs.
 HWY_INLINE double hermiteZero(double low, ValueAndSlope atLow, double high, ValueAndSlope atHigh) {
   const double width = high - low;
   const Cubic cubic =
@@ -73,24 +77,26 @@ class ArmKernel {
     touching_ = true;
     entryHeight_ = contactStart_ = 0;
     element_.begin(strain);
-    // From the lowest point on, as far as contact or a free arc goes.
+    // The pass goes on as far as contact or a free arc lasts, from the lowest point on.
     for (std::size_t i = 0; i < line_.segments();)
       i = touching_ ? contactSegments<Everything>(i) : freeSegments<Everything>(i);
     if (touching_) {
       if constexpr (Everything) sums_.work += elasticWork(0);
       work_.addLength(std::max(line_.length - contactStart_, 0.0));
+      // Where contact never ended its length is the period, without the rounding of a sum.
+      if (Everything && work_.wasComplete()) sums_.contactLength = line_.length;
     } else {
       // The lowest point takes over.
       endArc<Everything>(line_.length);
     }
-    // What arms yield that change much in a period follows from their strains.
+    // What the other arms yield, which change much in a period, follows from their strains.
     for (std::size_t k = 0; k < vectors_.slow; ++k) work_.yieldChange[k] = element_.yields()[k];
     for (std::size_t k = vectors_.slow; k < vectors_.arms; ++k)
       work_.yieldChange[k] = strain[k] - element_.strains()[k];
     work_.sums = sums_;
   }
 
-  /// Strains (m) at the lowest point in complete contact.
+  /// Finds the strains (m) at the lowest point in complete contact, as ArmPass::completeStrains.
   void completeStrains(double* strain) {
     std::fill_n(strain, vectors_.arms, 0.0);
     element_.begin(strain);
@@ -141,14 +147,16 @@ class ArmKernel {
             std::abs(step * inside.along)};
   }
 
-  /// Put into the elements' own springs from where contact began up to this height.
+  /// Returns what has been put into the elements' own springs since contact began, up to this
+  /// height.
   double elasticWork(double height) const {
     return (entryHeight_ - height) * (depth_ - 0.5 * (entryHeight_ + height));
   }
 
   // ---- In contact
 
-  /// Whole segments in contact, as long as pressure surely lasts; then a look inside of one.
+  /// Takes whole segments in contact as long as pressure surely lasts, then looks inside of one.
+  /// Returns the next segment.
   template <bool Everything>
   std::size_t contactSegments(std::size_t i) {
     const std::size_t last = line_.segments() - 1;
@@ -176,7 +184,7 @@ class ArmKernel {
     One begin, end, d0, d1, d2, mean;
   };
 
-  /// The first `count` of a batch from segment i on; the others are flat.
+  /// Loads the first `count` segments of a batch from segment i on. The lanes behind them are flat.
   HWY_INLINE Segments loadSegments(std::size_t i, std::size_t count, SegmentBatch& batch) const {
     const double* height = line_.heightAboveMinimum.data() + i;
     const double* slopeOut = line_.slopeOut.empty() ? line_.slopeIn.data() : line_.slopeOut.data();
@@ -199,13 +207,13 @@ class ArmKernel {
     return s;
   }
 
-  /// Of how many segments from the first on pressure surely lasts.
+  /// Returns over how many segments, from the first on, pressure surely lasts.
   HWY_INLINE std::size_t lastingIn(const Segments& s, const SegmentBatch& batch) const {
     const One zero = One::all(0), depth = One::all(depth_), h = One::all(line_.spacing),
               glassy = One::all(element_.glassy()),
               perLength = One::all(element_.dashpot() / line_.spacing);
     const One rise = s.d0 + s.d1 + s.d2;
-    // Pressure and its slope at both ends.
+    // These are pressure and its slope at both ends of each segment.
     const One before = mulAdd(perLength, s.d0, depth - s.begin + One::load(batch.strainSum));
     const One slopeBefore =
         mulAdd(s.d0, glassy, mulSub(perLength, s.d1, h * One::load(batch.lossSum)));
@@ -220,7 +228,7 @@ class ArmKernel {
     return static_cast<std::size_t>(std::countr_one(bitsOf(lasts)));
   }
 
-  /// Integral (m^2) of w over the first `count` segments.
+  /// Returns the integral (m^2) of w over the first `count` segments.
   HWY_INLINE double depthIn(const Segments& s, std::size_t count) const {
     const One w = onlyIn({hn::FirstN(kTag, count)}, One::all(depth_) - s.mean);
     return line_.spacing * sumOf(w);
@@ -234,7 +242,8 @@ class ArmKernel {
     return !(before.value + before.slope * meet > 0);
   }
 
-  /// Contact from `from` on; returns where it ends, or `to`. atEnd: the pressure there, if known.
+  /// Follows contact from `from` on and returns where it ends, or `to`. atEnd: the pressure at `to`
+  /// as long as contact lasts, if known.
   template <bool Everything>
   double pressed(const Inside& inside, double from, double to, const ValueAndSlope* atEnd) {
     const ContactPiece piece = pieceOf(inside, from, to);
@@ -251,10 +260,10 @@ class ArmKernel {
     return at;
   }
 
-  /// Where pressure ends on the piece, or kNone.
+  /// Returns where pressure ends on the piece, or kNone.
   double liftOff(const ContactPiece& piece, const ValueAndSlope* atEnd) {
     const ValueAndSlope before = element_.pressure(piece);
-    // Right where contact begins p may be 0 to rounding, but it grows.
+    // Where contact begins p may be 0 to rounding, but it grows.
     if (before.value <= 0 && before.slope <= 0) return 0;
     const ValueAndSlope after = atEnd ? *atEnd : element_.pressureAt(piece, 1);
     const auto pressure = [&](double u) { return element_.pressureAt(piece, u); };
@@ -263,7 +272,8 @@ class ArmKernel {
       return zeroNear(guess, 0, high, false, kPlaceTolerance, pressure);
     };
     if (after.value <= 0) return zeroUntil(1, after);
-    // The lowest pressure is between: from both sides, until it is surely above 0 or below.
+    // The lowest pressure lies between. It is closed in from both sides until it is surely above 0
+    // or found to be below.
     ValueAndSlope atLow = before, atHigh = after;
     double low = 0, high = 1;
     for (int i = 0; i < 60 && high - low > 1e-9 && mayDip(atLow, atHigh, high - low); ++i) {
@@ -309,7 +319,8 @@ class ArmKernel {
     entryHeight_ = height;
   }
 
-  /// As many segments as the line stays above the free surface for sure; then a look inside of one.
+  /// Takes as many segments as the line surely stays above the free surface, in blocks of growing
+  /// size, then looks inside of one. Returns the next segment.
   template <bool Everything>
   std::size_t freeSegments(std::size_t i) {
     const std::size_t last = line_.segments() - 1;
@@ -337,21 +348,21 @@ class ArmKernel {
     return lookInside<Everything>(i, nullptr);
   }
 
-  /// Depth of the line below the free surface at t, the amplitudes being those at `from`; slope
-  /// with t.
+  /// Returns the depth of the line below the free surface at t, and its slope with t. The
+  /// amplitudes are those at `from`.
   HWY_INLINE ValueAndSlope gapAt(const Inside& inside, double from, double t) const {
     const ValueAndSlope back = element_.comesBack(std::abs((t - from) * inside.along));
     return {leftHeight_ + (back_ + back.value) - inside.height(t),
             -inside.height.derivative(t) + inside.along * back.slope};
   }
 
-  /// First place in (from, to] where the line reaches the free surface, or kNone.
+  /// Returns the first place in (from, to] where the line reaches the free surface, or kNone.
   double findEntry(const Inside& inside, double from, double to) const {
     const double onward = to > from ? 1 : -1;
     // The free surface rises, over the rest of a segment not farther than over a whole one.
     const double highest = leftHeight_ + (back_ + element_.comesBackOverBlock(0));
     const auto gap = [&](double t) { return gapAt(inside, from, t); };
-    // From one breakpoint to the next the line goes up or down all the way.
+    // From one breakpoint to the next the line only rises or only falls, so it is lowest at an end.
     Few<4> stops = breakpoints(inside.height, to > from);
     stops.add(to);
     double a = from, heightA = inside.height(from);
@@ -421,7 +432,7 @@ class ArmKernel {
     return i + 1;
   }
 
-  /// The free surface creeps back to the end of a segment.
+  /// Lets the free surface creep back to the end of a segment.
   HWY_INLINE void relaxTo(const Inside& inside, double from, double end) {
     if (from == 0 && inside.along == line_.spacing) {
       back_ += element_.comesBackOverBlock(0);

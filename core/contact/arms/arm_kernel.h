@@ -11,12 +11,12 @@
 
 namespace asperity {
 
-/// One pass at an indentation (m), from these strains (m, one for each arm) at the lowest point.
-/// Output::Force: only sums.depth, lengths and yieldChange are gathered.
+/// Runs one pass at an indentation (m), from these strains (m, one for each arm) at the lowest
+/// point. Output::Force: only sums.depth, lengths and yieldChange are gathered.
 void runArmPass(const PreparedProfile& line, const ArmVectors& vectors, double depth,
                 std::span<const double> strain, Output output, ArmWorkspace& work);
 
-/// As ArmPass::completeStrains.
+/// Finds the strains (m) at the lowest point in complete contact, as ArmPass::completeStrains.
 void findCompleteStrains(const PreparedProfile& line, const ArmVectors& vectors,
                          std::span<double> strain, ArmWorkspace& work);
 
@@ -32,7 +32,7 @@ struct ArmJacobian {
   AlignedRows strain, mode, lost;  // [arm or mode] over unknowns, at a place of the pass
 };
 
-/// Of the last pass that was run in `work`.
+/// Finds the derivatives of the last pass that was run in `work`.
 void findArmJacobian(const ArmVectors& vectors, const ArmWorkspace& work, ArmJacobian& jacobian);
 
 }  // namespace asperity

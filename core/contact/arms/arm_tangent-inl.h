@@ -1,5 +1,6 @@
-// ArmTangent of arm_coefficients.h with the unknowns in the lanes of vectors: how the outcome of a
-// pass answers to its start. Compiled once per instruction set.
+// This file has ArmTangent of arm_coefficients.h with the unknowns in the lanes of vectors: how the
+// outcome of a pass answers to its start. It leaves out what a contact makes forgotten, so that
+// fast arms cost nothing. The file is compiled once per instruction set.
 
 #if defined(ASPERITY_ARM_TANGENT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASPERITY_ARM_TANGENT_INL
@@ -57,8 +58,8 @@ class ArmTangentKernel {
     return (count + One::kLanes - 1) / One::kLanes * One::kLanes;
   }
 
-  /// Arms, from the slowest on, of whose strains a contact of this length leaves something; those
-  /// of all others are lost to the last digit.
+  /// Returns the number of arms, from the slowest on, of whose strains a contact of this length
+  /// leaves something. The strains of all others are lost to the last digit.
   std::size_t armsRememberedAfter(double length) const {
     constexpr double kForgotten = 45;
     std::size_t count = vectors_.arms;
@@ -76,7 +77,7 @@ class ArmTangentKernel {
     for (std::size_t i = 0; i < vectors_.arms; ++i) jacobian_.strain.row(i)[i + 1] = 1;
   }
 
-  /// Strains decay; what slow arms lose is yielded.
+  /// Lets the strains decay over a contact; what slow arms lose is yielded.
   void contact(double length, std::size_t remembered) {
     jacobian_.volume.row(0)[0] += length;
     const One way = One::all(length);
@@ -96,7 +97,7 @@ class ArmTangentKernel {
     }
   }
 
-  /// Rows of amplitudes from those of strains where contact ends.
+  /// Makes the rows of amplitudes from those of strains where contact ends.
   void leave(std::size_t remembered) {
     product(vectors_.modes, remembered, vectors_.ofYield, jacobian_.strain, jacobian_.mode);
     for (std::size_t j = 0; j < vectors_.modes; ++j)
@@ -123,7 +124,7 @@ class ArmTangentKernel {
         }
       }
     }
-    // What slow arms yield.
+    // This is what slow arms yield.
     for (std::size_t i = 0; i < vectors_.slow; ++i) {
       double* change = jacobian_.change.row(i);
       for (std::size_t k = 0; k < lanes_; k += One::kLanes) {
@@ -136,13 +137,13 @@ class ArmTangentKernel {
     }
   }
 
-  /// Strains of the free surface, and what the line presses it in beyond.
+  /// Makes the rows of strains: those of the free surface, and what the line presses in beyond.
   void enter(std::size_t remembered) {
     product(remembered, vectors_.modes, vectors_.toYield, jacobian_.mode, jacobian_.strain);
     for (std::size_t i = 0; i < remembered; ++i) jacobian_.strain.row(i)[0] += 1;
   }
 
-  /// to[i] = - sum over m of factor.row(m)[i] from[m], four rows of `to` at a time.
+  /// Computes to[i] = - sum over m of factor.row(m)[i] from[m], four rows of `to` at a time.
   void product(std::size_t rows, std::size_t terms, const AlignedRows& factor,
                const AlignedRows& from, AlignedRows& to) const {
     for (std::size_t k = 0; k < lanes_; k += One::kLanes) {

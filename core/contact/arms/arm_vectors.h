@@ -19,7 +19,7 @@ struct alignas(64) WideCell {
   std::array<double, kWidestVector> value{};
 };
 
-/// Rows of numbers of one width, each at the start of a cache line.
+/// Rows of numbers of one width. Each row begins a cache line and is padded with zeros.
 class AlignedRows {
  public:
   AlignedRows() = default;
@@ -102,7 +102,8 @@ struct ArmVectors {
 struct ArmWorkspace {
   explicit ArmWorkspace(const ArmVectors& vectors);
 
-  /// Lengths (m) along the period in contact, free, in contact, ..., from the lowest point on.
+  /// Lengths (m) along the period, in contact, free, in contact, and so on, from the lowest point
+  /// on.
   std::vector<double> lengths;
   std::vector<double> yieldChange;  // m, of each arm
   PassSums sums;

@@ -98,7 +98,7 @@ HWY_INLINE bool any(OneMask x) { return !hn::AllFalse(kTag, x.m); }
 HWY_INLINE unsigned bitsOf(OneMask x) { std::uint8_t bits[8] = {}; hn::StoreMaskBits(kTag, x.m, bits); return bits[0]; }
 // clang-format on
 
-/// The sums over the lanes of two vectors, which take hardly longer than one.
+/// The sums over the lanes of two vectors at once, which takes hardly longer than one sum.
 struct TwoSums {
   double x, y;
 };
@@ -127,10 +127,11 @@ struct OneExponential {
   One two, grown;
 };
 
-/// To two units in the last place; beyond -350 to 350 x counts as that. Half as long as the
-/// library's, whose steps wait for each other, as edges of contact wait for this.
+/// Returns exp(-x) to two units in the last place; x is limited to -350 to 350. It takes half the
+/// time of the library's function, whose steps depend on each other; edges of contact wait for this
+/// result.
 HWY_INLINE OneExponential exponentialOf(One x) {
-  constexpr double kWhole = 6755399441055744.0;  // added to it, numbers lose their fractions
+  constexpr double kWhole = 6755399441055744.0;  // adding it removes the fraction of a number
   x = max(min(x, One::all(350)), One::all(-350));
   // -x = n ln 2 + r
   const One moved = negMulAdd(x, One::all(1.4426950408889634), One::all(kWhole));

@@ -4,9 +4,8 @@
 
 namespace asperity {
 
-CompleteContactFriction completeContactFriction(const ElementLaw& law,
-                                                const WaveSpectrum& spectrum, double lineForce,
-                                                double velocity) {
+CompleteContactFriction completeContactFriction(const ElementLaw& law, const WaveSpectrum& spectrum,
+                                                double lineForce, double velocity) {
   double loss = 0, variance = 0;
   for (const SpectralWave& wave : spectrum.waves) {
     const ComplexModulus modulus = complexModulus(law, wave.waveNumber * velocity);

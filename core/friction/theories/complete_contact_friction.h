@@ -17,8 +17,7 @@ struct CompleteContactFriction {
 };
 
 /// lineForce: F_N / L in N/m, above 0.
-CompleteContactFriction completeContactFriction(const ElementLaw& law,
-                                                const WaveSpectrum& spectrum, double lineForce,
-                                                double velocity);
+CompleteContactFriction completeContactFriction(const ElementLaw& law, const WaveSpectrum& spectrum,
+                                                double lineForce, double velocity);
 
 }  // namespace asperity

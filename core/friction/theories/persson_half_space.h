@@ -29,8 +29,7 @@ struct DirectionIntegrals {
 class PerssonHalfSpace {
  public:
   /// nominalPressure: sigma_0 in Pa, above 0. The spectrum must outlive it.
-  PerssonHalfSpace(const ElementLaw& law, const WaveSpectrum& spectrum,
-                   double nominalPressure);
+  PerssonHalfSpace(const ElementLaw& law, const WaveSpectrum& spectrum, double nominalPressure);
 
   struct Result {
     double mu = 0;

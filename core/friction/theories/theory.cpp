@@ -14,15 +14,15 @@ namespace asperity {
 namespace {
 
 constexpr std::array<TheoryEntry, 4> kEntries{
-    {{Theory::Eq11, "eq_11", "Eq. (11)",
+    {{Theory::Eq11, "Eq. (11)",
       "Eq. (11) of Li et al. (2013): self-affine lines, Kelvin elements, contact of many summits."},
-     {Theory::GaussianFoundation, "gaussian_foundation", "Gaussian foundation, low velocity",
+     {Theory::GaussianFoundation, "Gaussian foundation, low velocity",
       "Gaussian line on independent elements as the velocity goes to 0, without a fitted constant; "
       "it needs many independent waves."},
-     {Theory::CompleteContact, "complete_contact", "complete contact",
+     {Theory::CompleteContact, "complete contact",
       "Losses of all waves of the line in complete contact, for any linear rheology; below "
       "complete contact it is too large."},
-     {Theory::PerssonHalfSpace, "persson_half_space", "half-space, with long-range elasticity",
+     {Theory::PerssonHalfSpace, "half-space, with long-range elasticity",
       "Persson (2001) for the isotropic surface that this line is equivalent to, at its nominal "
       "pressure: another model, whose elements feel each other."}}};
 

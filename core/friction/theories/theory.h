@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "core/base/message.h"
@@ -12,13 +11,10 @@
 
 namespace asperity {
 
-enum class Theory { Eq11, GaussianFoundation, CompleteContact, PerssonHalfSpace };
-
 struct TheoryEntry {
-  Theory theory;
-  std::string_view word;  // in scenes and on the command line
-  const char* name;       // in legends
-  const char* range;      // one sentence: what it holds for, and its source
+  Theory theory;      // its word in scenes and on the command line: theoryWords()
+  const char* name;   // in legends
+  const char* range;  // one sentence: what it holds for, and its source
 };
 std::span<const TheoryEntry> theoryEntries();
 const TheoryEntry& entryOf(Theory theory);

@@ -1,0 +1,66 @@
+#include "app/output_folder.h"
+
+#include <utility>
+
+#include "app/headless_pictures.h"
+#include "app/output.h"
+#include "core/base/atomic_file.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/language/translated.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char* kExtensions[]{".png", ".svg", ".pdf"};
+
+}  // namespace
+
+OutputFolder::OutputFolder(std::string folder, std::vector<std::filesystem::path> inputs,
+                           const PictureSettings& settings)
+    : folder_(std::move(folder)), inputs_(std::move(inputs)), settings_(settings) {}
+
+void OutputFolder::addText(const std::string& name, std::string bytes) {
+  texts_.push_back({pathOf(name), std::move(bytes)});
+}
+
+void OutputFolder::addSheet(const std::string& name, DiagramSheet sheet) {
+  sheets_.push_back({name, std::move(sheet)});
+}
+
+void OutputFolder::write(const std::string& origin) const {
+  makeFolder(folder_);
+  for (const Text& text : texts_) checkName(text.file);
+  for (const Sheet& sheet : sheets_)
+    for (const char* extension : kExtensions) checkName(pathOf(sheet.name + extension));
+  HeadlessPictures pictures(settings_.backend);
+  for (const Sheet& sheet : sheets_) {
+    DiagramOptions options{settings_.width, settings_.height, settings_.scale, settings_.theme};
+    if (settings_.transparent) options.theme.background.a = 0;
+    const DrawList picture = composeDiagrams(sheet.sheet, options);
+    for (const char* extension : kExtensions)
+      pictures.write(pathOf(sheet.name + extension), picture,
+                     {translated(sheet.sheet.title), origin, settings_.scale});
+  }
+  pictures.finish();
+  for (auto text = texts_.rbegin(); text != texts_.rend(); ++text)
+    writeFileAtomically(text->file, text->bytes);
+}
+
+std::string OutputFolder::summary() const {
+  std::string lines;
+  for (const Text& text : texts_) lines += wroteLine(text.file);
+  for (const Sheet& sheet : sheets_)
+    lines += wroteLine(pathOf(sheet.name + ".png") + " (.svg, .pdf)");
+  return lines;
+}
+
+std::string OutputFolder::pathOf(const std::string& name) const {
+  return (std::filesystem::path(folder_) / name).string();
+}
+
+void OutputFolder::checkName(const std::string& name) const {
+  checkWritable(name);
+  checkNoInput(name, inputs_);
+}
+
+}  // namespace asperity

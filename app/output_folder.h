@@ -1,0 +1,47 @@
+// A folder of results: texts and charts that a command writes together. Main thread.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/picture_options.h"
+#include "core/chart/diagram.h"
+
+namespace asperity {
+
+class OutputFolder {
+ public:
+  /// inputs: files that the command reads and may not replace. `settings` must outlive it.
+  OutputFolder(std::string folder, std::vector<std::filesystem::path> inputs,
+               const PictureSettings& settings);
+
+  void addText(const std::string& name, std::string bytes);
+  /// As NAME.png, NAME.svg and NAME.pdf.
+  void addSheet(const std::string& name, DiagramSheet sheet);
+
+  /// Everything is known by now, so that only whole files stand in the folder. The first text,
+  /// which says what the others are, is the last to be written. `origin` stands in the pictures.
+  void write(const std::string& origin) const;
+  /// One line for each file.
+  std::string summary() const;
+
+ private:
+  struct Text {
+    std::string file, bytes;
+  };
+  struct Sheet {
+    std::string name;
+    DiagramSheet sheet;
+  };
+  std::string pathOf(const std::string& name) const;
+  void checkName(const std::string& name) const;
+
+  std::string folder_;
+  std::vector<std::filesystem::path> inputs_;
+  const PictureSettings& settings_;
+  std::vector<Text> texts_;
+  std::vector<Sheet> sheets_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,149 @@
+#include "core/chart/fit_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/number_text.h"
+#include "core/chart/curve_diagram.h"
+#include "core/friction/curve_file.h"
+#include "core/scene/columns.h"
+#include "core/scene/parameters.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numberOrNull(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+std::vector<MeasuredPoint> allPoints(std::span<const FrictionData> data) {
+  std::vector<MeasuredPoint> points;
+  for (const FrictionData& table : data)
+    points.insert(points.end(), table.points.begin(), table.points.end());
+  return points;
+}
+
+}  // namespace
+
+nlohmann::ordered_json fitJson(const Fit& fit) {
+  Json parameters = Json::array(), combinations = Json::array(), profiles = Json::array();
+  for (const FittedParameter& parameter : fit.parameters)
+    parameters.push_back({{"key", parameter.key},
+                          {"unit", findParameter(parameter.key)->unit},
+                          {"value", parameter.value},
+                          {"low", parameter.low},
+                          {"high", parameter.high},
+                          {"is_logarithmic", parameter.isLogarithmic},
+                          {"standard_error", numberOrNull(parameter.standardError)},
+                          {"is_determined", parameter.isDetermined},
+                          {"is_at_limit", parameter.isAtLimit}});
+  for (const Combination& combination : fit.combinations) {
+    Json exponents;
+    for (std::size_t k = 0; k < combination.exponents.size(); ++k)
+      exponents[fit.parameters[k].key] = combination.exponents[k];
+    combinations.push_back({{"exponents", std::move(exponents)},
+                            {"standard_error", numberOrNull(combination.standardError)}});
+  }
+  for (const ObjectiveProfile& profile : fit.profiles)
+    profiles.push_back(
+        {{"key", profile.key}, {"values", profile.values}, {"chi_squared", profile.chiSquared}});
+  Json correlations = Json::array();
+  for (Eigen::Index i = 0; i < fit.correlation.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < fit.correlation.cols(); ++j)
+      row.push_back(numberOrNull(fit.correlation(i, j)));
+    correlations.push_back(std::move(row));
+  }
+  Json notes = Json::array();
+  for (const Message& note : fit.notes) notes.push_back(note.english());
+  return {{"parameters", std::move(parameters)},
+          {"correlations", std::move(correlations)},
+          {"combinations", std::move(combinations)},
+          {"profiles", std::move(profiles)},
+          {"chi_squared", fit.chiSquared},
+          {"degrees_of_freedom", fit.freedom},
+          {"relative_scatter", fit.relativeScatter > 0 ? Json(fit.relativeScatter) : Json()},
+          {"has_converged", fit.hasConverged},
+          {"evaluations", fit.evaluations},
+          {"notes", std::move(notes)}};
+}
+
+std::string fitCsv(const Fit& fit, std::span<const FrictionData> data) {
+  const std::vector<MeasuredPoint> points = allPoints(data);
+  std::string text =
+      joinedColumns({"velocity", "normal_force", "temperature", "mu_measured", "mu_error", "mu",
+                     "mu_standard_error", "mu_band", "measured_over_computed"}) +
+      "\n";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double mu = totalMu(fit.computed[i]);
+    for (const double value :
+         {points[i].velocity, points[i].normalForce, points[i].temperature, points[i].mu,
+          points[i].muError, mu, fit.computedErrors[i], fit.bandErrors[i]})
+      text += csvNumber(value) + ",";
+    text += csvNumber(points[i].mu / mu) + "\n";
+  }
+  return text;
+}
+
+Message fittedInWords(const FittedParameter& parameter) {
+  const std::string unit(findParameter(parameter.key)->unit);
+  return message("{} = {}, {} to {}", parameter.key, PrintedNumber{quantity(parameter.value, unit)},
+                 PrintedNumber{quantity(parameter.low, unit)},
+                 PrintedNumber{quantity(parameter.high, unit)});
+}
+
+DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
+  DiagramSheet sheet = curveSheet(set);
+  std::vector<Message> values;
+  for (const FittedParameter& parameter : fit.parameters)
+    values.push_back(fittedInWords(parameter));
+  sheet.subtitle = listed(values);
+  // The band at the measured points, in the order of the axis.
+  DiagramSeries band;
+  band.name = "fit \u00B1 standard error";
+  band.isBand = true;
+  band.colour = 0;
+  std::size_t i = 0;
+  for (const MeasuredCurve& measured : set.measured)
+    for (const double velocity : measured.velocities) {
+      const double mu = totalMu(fit.computed[i]);
+      band.points.push_back({velocity, mu, mu - fit.bandErrors[i], mu + fit.bandErrors[i]});
+      ++i;
+    }
+  std::ranges::sort(band.points, {}, &DiagramPoint::x);
+  Diagram& curves = sheet.diagrams.front();
+  curves.series.insert(curves.series.begin(), std::move(band));
+  return sheet;
+}
+
+DiagramSheet profileSheet(const Fit& fit) {
+  DiagramSheet sheet;
+  sheet.title = "What the data say about each parameter";
+  sheet.note =
+      "The least sum of squares with one parameter held: flat where the data leave it open.";
+  for (std::size_t k = 0; k < fit.profiles.size(); ++k) {
+    const ObjectiveProfile& profile = fit.profiles[k];
+    const Parameter& row = *findParameter(profile.key);
+    Diagram diagram;
+    diagram.x = {Message(row.label), std::string(row.unit),
+                 fit.parameters[k].isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
+    diagram.y = {"chi squared above its least", "", AxisScale::Linear};
+    DiagramSeries series;
+    series.mark = SeriesMark::Circle;
+    for (std::size_t i = 0; i < profile.values.size(); ++i)
+      series.points.push_back({profile.values[i], profile.chiSquared[i] - fit.chiSquared});
+    diagram.series = {std::move(series)};
+    DiagramMarker best;
+    best.x = fit.parameters[k].value;
+    best.isFixed = true;
+    best.label = fittedInWords(fit.parameters[k]);
+    diagram.marker = best;
+    sheet.diagrams.push_back(std::move(diagram));
+  }
+  return sheet;
+}
+
+}  // namespace asperity
