@@ -192,7 +192,7 @@ class States {
         const Member& member = group.members[i];
         const SteadyResult result = inUnitsOf(member, group, results[member.result]);
         averages[i].add(result);
-        if (options_.keepsLines) found.muOfLines[member.state].push_back(result.muTotal());
+        if (options_.keepsLines) found.muOfLines[member.state].push_back(result.mu + result.muInterface);
       }
     };
     const auto report = [&](std::int64_t lines) {

@@ -280,9 +280,9 @@ void ArmsEditor::showTexts() {
   add_->setText(tr("Add arm"));
   add_->setToolTip(tr("One more arm, with ten times the longest relaxation time"));
   paste_->setText(tr("Paste table"));
-  paste_->setToolTip(
-      tr("Two columns from the clipboard, as a spreadsheet copies them, replace all arms: modulus in "
-         "Pa and relaxation time in s, or as names and units in the first row say"));
+  paste_->setToolTip(tr(
+      "Two columns from the clipboard, as a spreadsheet copies them, replace all arms: modulus in "
+      "Pa and relaxation time in s, or as names and units in the first row say"));
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     rows_[i]->showTexts();
     rows_[i]->show(arms_[i], false);

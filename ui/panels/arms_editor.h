@@ -1,9 +1,9 @@
 // The arms of an elastomer as a table: modulus and relaxation time of each in engineering units,
-// sorted by time, with buttons to add, to remove and to paste a table; a long table is folded under a line that
-// summarizes it. A refused value stays as it was typed, with the reason below it. Every accepted
-// change passes on the whole list. Object names: "armsFold", "armsAdd", "armsPaste", "armsRefusal",
-// and from 0 "armModulus:I",
-// "armTime:I", "armRemove:I", "armError:I". GUI thread; belongs to its parent.
+// sorted by time, with buttons to add, to remove and to paste a table; a long table is folded under
+// a line that summarizes it. A refused value stays as it was typed, with the reason below it. Every
+// accepted change passes on the whole list. Object names: "armsFold", "armsAdd", "armsPaste",
+// "armsRefusal", and from 0 "armModulus:I", "armTime:I", "armRemove:I", "armError:I". GUI thread;
+// belongs to its parent.
 #pragma once
 
 #include <QWidget>

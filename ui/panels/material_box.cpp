@@ -80,8 +80,8 @@ QIcon modulusIcon(const Elastomer& elastomer, const QSize& size, const QPalette&
   const auto draw = [&](double Point::*value, const QPen& pen) {
     QPainterPath path;
     for (int i = 0; i < kPoints; ++i) {
-      const double share = (points[static_cast<std::size_t>(i)].*value - lowest) /
-                           std::max(highest - lowest, 1e-9);
+      const double share =
+          (points[static_cast<std::size_t>(i)].*value - lowest) / std::max(highest - lowest, 1e-9);
       const QPointF at(2 + (size.width() - 4.0) * i / (kPoints - 1),
                        size.height() - 3 - (size.height() - 6.0) * share);
       i == 0 ? path.moveTo(at) : path.lineTo(at);

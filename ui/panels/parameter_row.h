@@ -1,9 +1,10 @@
 // One row of the table of parameters as controls: label with symbol, then slider and exact entry,
 // or a list of words, or a text, with a button for files where it names a file, or the table of an
-// elastomer's arms, or the box of materials; description and allowed range as tooltip, a button that resets to the default,
-// and the reason below a refused text. Object names: "slider:KEY", "entry:KEY", "text:KEY",
-// "arms:KEY", "material:KEY", "choice:KEY", "browse:KEY", "reset:KEY", "note:KEY", "error:KEY", "row:KEY". The row
-// holds no scene; it shows one and emits the user's input. GUI thread.
+// elastomer's arms, or the box of materials; description and allowed range as tooltip, a button
+// that resets to the default, and the reason below a refused text. Object names: "slider:KEY",
+// "entry:KEY", "text:KEY", "arms:KEY", "material:KEY", "choice:KEY", "browse:KEY", "reset:KEY",
+// "note:KEY", "error:KEY", "row:KEY". The row holds no scene; it shows one and emits the user's
+// input. GUI thread.
 #pragma once
 
 #include <QWidget>

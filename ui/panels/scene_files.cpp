@@ -20,8 +20,8 @@ void useMaterial(Scene& scene, const std::string& name) {
   // The reader of scenes puts the values in; nothing else of the scene can then be in its way.
   Scene carrier;
   carrier.elastomer.temperature = scene.elastomer.temperature;
-  Elastomer next = readScene(writeScene(carrier), "", scene.folder, {"elastomer.material=" + name})
-                       .elastomer;
+  Elastomer next =
+      readScene(writeScene(carrier), "", scene.folder, {"elastomer.material=" + name}).elastomer;
   next.temperature = scene.elastomer.temperature;
   next.shearModulus = scene.elastomer.shearModulus;  // of other rheologies, to come back to
   next.relaxationTime = scene.elastomer.relaxationTime;
