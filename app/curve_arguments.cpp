@@ -124,7 +124,7 @@ const char* CurveArguments::firstOption() const {
 }
 
 bool CurveArguments::hasMore(const Scene& scene) const {
-  const Comparison none;
+  const Comparisons none;
   return !compare.empty() || !with.empty() || !(scene.comparison == none);
 }
 
@@ -251,7 +251,7 @@ CurveSet curvesOf(const CurveArguments& arguments, const Scene& scene, std::vect
                           std::move(curve.points), static_cast<int>(set.pinned.size()),
                           static_cast<int>(set.pinned.size()) + 1});
   }
-  if (!(scene.comparison == Comparison{})) {
+  if (!(scene.comparison == Comparisons{})) {
     StateOptions options;
     options.threads = common.threads;
     addComparisons(set, readComparisonData(scene), options);

@@ -14,6 +14,7 @@
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
+#include "core/base/text_number.h"
 #include "core/chart/material_sheets.h"
 #include "core/material/material_model.h"
 #include "core/scene/columns.h"

@@ -90,9 +90,9 @@ std::string fitCsv(const Fit& fit, std::span<const FrictionData> data) {
 
 Message fittedInWords(const FittedParameter& parameter) {
   const std::string unit(findParameter(parameter.key)->unit);
-  return message("{} = {}, {} to {}", parameter.key, PrintedNumber{quantity(parameter.value, unit)},
-                 PrintedNumber{quantity(parameter.low, unit)},
-                 PrintedNumber{quantity(parameter.high, unit)});
+  return message("{} = {}, {} to {}", parameter.key, PrintedNumber{printedQuantity(parameter.value, unit)},
+                 PrintedNumber{printedQuantity(parameter.low, unit)},
+                 PrintedNumber{printedQuantity(parameter.high, unit)});
 }
 
 DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {

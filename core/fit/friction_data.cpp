@@ -338,6 +338,10 @@ Scene sceneOf(const MeasuredPoint& point, const Scene& scene) {
     at.load.kind = LoadKind::Force;
     at.load.normalForce = point.normalForce;
   }
+  if (!std::isnan(point.nominalPressure)) {
+    at.load.kind = LoadKind::Pressure;
+    at.load.nominalPressure = point.nominalPressure;
+  }
   if (!std::isnan(point.temperature)) at.elastomer.temperature = point.temperature;
   return at;
 }

@@ -167,7 +167,7 @@ class States {
   }
 
   /// The result of a group, in the units of a member.
-  SteadyResult inUnitsOf(const Member& member, const Group& group, SteadyResult result) const {
+  SteadyResult inUnitsOf(const Member& member, SteadyResult result) const {
     result.mu *= member.height;
     result.indentation *= member.height;
     result.rmsSlopeContact *= member.height;
@@ -190,9 +190,10 @@ class States {
     const auto take = [&](std::span<const SteadyResult> results) {
       for (std::size_t i = 0; i < group.members.size(); ++i) {
         const Member& member = group.members[i];
-        const SteadyResult result = inUnitsOf(member, group, results[member.result]);
+        const SteadyResult result = inUnitsOf(member, results[member.result]);
         averages[i].add(result);
-        if (options_.keepsLines) found.muOfLines[member.state].push_back(result.mu + result.muInterface);
+        if (options_.keepsLines)
+          found.muOfLines[member.state].push_back(result.mu + result.muInterface);
       }
     };
     const auto report = [&](std::int64_t lines) {

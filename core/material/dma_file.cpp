@@ -390,7 +390,7 @@ class Reader {
     const auto refuse = [&](const char* what, double value) {
       throw InputError(name_, fmt::format("line {}", line),
                        message("{} is {}, which must be above 0; leave the row out or correct it",
-                               what, plain(value)));
+                               Message(what), plain(value)));
     };
     if (!(modulus.frequency > 0)) refuse("the frequency", modulus.frequency);
     if (!(modulus.storage > 0)) refuse("the storage modulus", modulus.storage);

@@ -21,6 +21,20 @@ void checkRow(const MeasuredModulus& row) {
                              "the column",
                              plain(value), celsius(row.temperature), row.modulus.frequency));
   };
+  // Beyond these limits nothing is measured, and sums would lose their digits.
+  constexpr double kLowest = 1e-9, kHighest = 1e12;    // Hz
+  constexpr double kSoftest = 1e-3, kStiffest = 1e13;  // Pa
+  const DynamicModulus& modulus = row.modulus;
+  if (modulus.frequency > 0 && !(modulus.frequency >= kLowest && modulus.frequency <= kHighest))
+    throw InputError("", "frequency",
+                     message("{} Hz is outside {} to {} Hz", plain(modulus.frequency),
+                             plain(kLowest), plain(kHighest)));
+  for (const double pascals : {modulus.storage, modulus.loss})
+    if (pascals > 0 && !(pascals >= kSoftest && pascals <= kStiffest))
+      throw InputError("", "modulus",
+                       message("{} Pa is outside {} to {} Pa; --modulus-unit says what the file "
+                               "means",
+                               plain(pascals), plain(kSoftest), plain(kStiffest)));
   if (!(row.modulus.frequency > 0)) refuse("frequency", row.modulus.frequency);
   if (!(row.modulus.storage > 0)) refuse("storage modulus", row.modulus.storage);
   if (!(row.modulus.loss > 0)) refuse("loss modulus", row.modulus.loss);

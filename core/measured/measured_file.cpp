@@ -246,13 +246,13 @@ void requireSize(const SurfaceSource& source, std::int64_t columns, std::int64_t
 std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_view axis,
                                      std::string_view unit) {
   if (unit.empty()) return {};
-  if (const auto metres = metresPer(unit)) return StatedUnit{std::string(unit), *metres};
+  if (const auto metres = metresPer(unit)) return StatedUnit{shortened(unit), *metres};
   const bool ofHeights = axis.starts_with('z') || axis.starts_with('Z');
   if ((ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto") return {};
   throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
                    message("the axis {} is in '{}', which is no unit of length; the key can say "
                            "another one",
-                           axis, unit));
+                           axis, shortened(unit)));
 }
 
 MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,

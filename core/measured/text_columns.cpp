@@ -94,7 +94,7 @@ void findValidity(const TextBlock& block, int column, std::string_view name, Col
 Message columnText(const TextBlock& block, int column) {
   const std::string& name = block.columns[static_cast<std::size_t>(column)].name;
   if (name.empty()) return message("column {}", column + 1);
-  return message("column {} '{}'", column + 1, name);
+  return message("column {} '{}'", column + 1, shortened(name));
 }
 
 ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
@@ -247,7 +247,7 @@ std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTabl
   if (isChosen) return {};
   throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
                    message("{} is in '{}', which is no unit of length; the key can say another one",
-                           columnText(block, column), unit));
+                           columnText(block, column), shortened(unit)));
 }
 
 }  // namespace asperity

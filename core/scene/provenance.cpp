@@ -222,7 +222,9 @@ SceneDemands demandsOf(const Scene& scene) {
     demands.file = materials;
   const double nodes = nodesOf(scene, file);
   const double lines =
-      mayHaveManyLines(scene.surface) ? static_cast<double>(scene.ensemble.realizations) : 1;
+      mayHaveManyLines(scene.surface)
+          ? static_cast<double>(std::max<std::int64_t>(scene.ensemble.realizations, 1))
+          : 1;
   const double passes = kPassesOfLine + kPasses * static_cast<double>(scene.sweep.points);
   const double memory = nodes * kBytesPerNode, seconds = nodes * lines * passes * kSecondsPerNode;
   if (memory > kMemoryUnasked) demands.memory = memory;

@@ -113,11 +113,11 @@ struct DataFile {
 };
 
 /// What stands beside the friction curve.
-struct Comparison {
+struct Comparisons {
   std::vector<DataFile> data;
   std::vector<Theory> theory{Theory::Eq11};
 
-  bool operator==(const Comparison&) const = default;
+  bool operator==(const Comparisons&) const = default;
 };
 
 struct Ensemble {
@@ -146,7 +146,7 @@ struct Scene {
   Sweep sweep;
   Ensemble ensemble;
   Accuracy accuracy;
-  Comparison comparison;
+  Comparisons comparison;
 
   /// Folder against which surface.file is resolved; where the scene was read, not part of it.
   std::filesystem::path folder;

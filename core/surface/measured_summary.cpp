@@ -60,7 +60,9 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.used = surfaceValues(profile.used, profile.spacing, processing.longWaveCut);
   summary.rawSpectrum = hannSpectrum(withoutGaps(profile.raw), profile.spacing);
   summary.usedSpectrum = hannSpectrum(withoutGaps(profile.used), profile.spacing);
-  std::vector<double> levelled = withoutGaps(profile.raw);
+  std::vector<double> levelled = profile.raw;
+  markOutliers(levelled, processing.outliers, processing.form);
+  interpolateGaps(levelled);
   removeForm(levelled, processing.form);
   summary.band = reliableBand(levelled, profile.spacing, processing.shortWaveCut);
   summary.period = source.length();

@@ -7,6 +7,242 @@
 <context>
     <name>core</name>
     <message>
+        <source>reduced sliding velocity a_T v at %1 K</source>
+        <translation>reduzierte Gleitgeschwindigkeit a_T v bei %1 K</translation>
+    </message>
+    <message>
+        <source>%1 = %2, %3 to %4</source>
+        <translation>%1 = %2, %3 bis %4</translation>
+    </message>
+    <message>
+        <source>%1:%2 is no range within %3</source>
+        <translation>%1:%2 ist kein Bereich innerhalb von %3</translation>
+    </message>
+    <message>
+        <source>the scene's %1 is outside %2 to %3</source>
+        <translation>der Wert der Szene, %1, liegt außerhalb von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>unknown key; did you mean %1?</source>
+        <translation>unbekannter Schlüssel; ist %1 gemeint?</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>unbekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>is not a real number, which alone can be varied</source>
+        <translation>ist keine reelle Zahl; nur solche lassen sich variieren</translation>
+    </message>
+    <message>
+        <source>has no meaning in this scene</source>
+        <translation>hat in dieser Szene keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>is 0, which means none; it needs a value to begin from</source>
+        <translation>ist 0, also ausgeschaltet; es braucht einen Anfangswert</translation>
+    </message>
+    <message>
+        <source>%1 ends at its limit; the best value may lie beyond</source>
+        <translation>%1 endet an seiner Grenze; der beste Wert liegt vielleicht dahinter</translation>
+    </message>
+    <message>
+        <source>%1 is not determined by these data: its standard error is %2 in %3</source>
+        <translation>%1 wird von diesen Daten nicht bestimmt: der Standardfehler ist %2 in %3</translation>
+    </message>
+    <message>
+        <source>%1 points do not determine %2 parameters; more points than parameters are needed</source>
+        <translation>%1 Punkte bestimmen keine %2 Parameter; es müssen mehr Punkte als Parameter sein</translation>
+    </message>
+    <message>
+        <source>no parameter is named</source>
+        <translation>kein Parameter ist genannt</translation>
+    </message>
+    <message>
+        <source>the fit ended before the sum of squares stopped falling</source>
+        <translation>die Anpassung endete, bevor die Summe der Quadrate aufhörte zu fallen</translation>
+    </message>
+    <message>
+        <source>the points lie further from the curve than their errors say: chi squared is %1 for %2 degrees of freedom</source>
+        <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: Chi-Quadrat ist %1 bei %2 Freiheitsgraden</translation>
+    </message>
+    <message>
+        <source>a temperature of %1 K is too cold for rubber; name the unit, as in "temperature (C)"</source>
+        <translation>eine Temperatur von %1 K ist zu kalt für Gummi; die Einheit nennen, etwa „temperature (C)“</translation>
+    </message>
+    <message>
+        <source>column %1 has texts where numbers are expected</source>
+        <translation>Spalte %1 enthält Texte, wo Zahlen erwartet werden</translation>
+    </message>
+    <message>
+        <source>column %1: %2 (%3)</source>
+        <translation>Spalte %1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>column %1: the unit %2 is unknown; known are %3</source>
+        <translation>Spalte %1: die Einheit %2 ist unbekannt; bekannt sind %3</translation>
+    </message>
+    <message>
+        <source>has %1 columns without names; name them: velocity, mu, and where there are some mu_error, normal_force, nominal_pressure, temperature, label</source>
+        <translation>hat %1 Spalten ohne Namen; so benennen: velocity, mu, und wo vorhanden mu_error, normal_force, nominal_pressure, temperature, label</translation>
+    </message>
+    <message>
+        <source>has %1 row of numbers; at least 2 are needed</source>
+        <translation>hat %1 Zeile mit Zahlen; mindestens 2 werden gebraucht</translation>
+    </message>
+    <message>
+        <source>has no column of the %1; its columns are %2</source>
+        <translation>hat keine Spalte mit %1; die Spalten sind %2</translation>
+    </message>
+    <message>
+        <source>has the velocity of row %1, %2 m/s; average repeated measurements and give their error as mu_error, or tell them apart by a label</source>
+        <translation>hat die Geschwindigkeit von Zeile %1, %2 m/s; wiederholte Messungen mitteln und ihren Fehler als mu_error angeben, oder mit einem Label unterscheiden</translation>
+    </message>
+    <message>
+        <source>has two columns of the %1: %2 and %3</source>
+        <translation>hat zwei Spalten mit %1: %2 und %3</translation>
+    </message>
+    <message>
+        <source>has both a normal force and a nominal pressure; one of them says the load</source>
+        <translation>hat Normalkraft und Nennpressung; eine von beiden gibt die Last an</translation>
+    </message>
+    <message>
+        <source>row %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>the %1 is %2, which is not above 0</source>
+        <translation>%1: %2 ist nicht größer als 0</translation>
+    </message>
+    <message>
+        <source>the %1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>the error of the velocity is below 0</source>
+        <translation>der Fehler der Geschwindigkeit ist kleiner als 0</translation>
+    </message>
+    <message>
+        <source>error of the coefficient of friction</source>
+        <translation>Fehler des Reibungskoeffizienten</translation>
+    </message>
+    <message>
+        <source>error of the velocity</source>
+        <translation>Fehler der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>label</source>
+        <translation>Label</translation>
+    </message>
+    <message>
+        <source>%1 is named twice</source>
+        <translation>%1 ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>a list of %1</source>
+        <translation>eine Liste aus %1</translation>
+    </message>
+    <message>
+        <source>a list of 0 to %1 {file, label}</source>
+        <translation>eine Liste von 0 bis %1 {file, label}</translation>
+    </message>
+    <message>
+        <source>has %1 tables; allowed is %2</source>
+        <translation>hat %1 Tabellen; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>needs an object of file and label</source>
+        <translation>braucht ein Objekt aus file und label</translation>
+    </message>
+    <message>
+        <source>unknown key; a table has file and label</source>
+        <translation>unbekannter Schlüssel; eine Tabelle hat file und label</translation>
+    </message>
+    <message>
+        <source>is no text</source>
+        <translation>ist kein Text</translation>
+    </message>
+    <message>
+        <source>measured / computed</source>
+        <translation>gemessen / berechnet</translation>
+    </message>
+    <message>
+        <source>fit ± standard error</source>
+        <translation>Anpassung ± Standardfehler</translation>
+    </message>
+    <message>
+        <source>What the data say about each parameter</source>
+        <translation>Was die Daten über jeden Parameter sagen</translation>
+    </message>
+    <message>
+        <source>The least sum of squares with one parameter held: flat where the data leave it open.</source>
+        <translation>Die kleinste Summe der Quadrate bei einem festgehaltenen Parameter: flach, wo die Daten ihn offen lassen.</translation>
+    </message>
+    <message>
+        <source>chi squared above its least</source>
+        <translation>Chi-Quadrat über dem kleinsten</translation>
+    </message>
+    <message>
+        <source>Gaussian foundation, low velocity</source>
+        <translation>Gaußsche Linie auf Bettung, kleine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>complete contact</source>
+        <translation>vollständiger Kontakt</translation>
+    </message>
+    <message>
+        <source>half-space, with long-range elasticity</source>
+        <translation>Halbraum, mit weitreichender Elastizität</translation>
+    </message>
+    <message>
+        <source>shear velocity</source>
+        <translation>Scher-Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>shear width</source>
+        <translation>Scher-Breite</translation>
+    </message>
+    <message>
+        <source>measured friction</source>
+        <translation>gemessene Reibung</translation>
+    </message>
+    <message>
+        <source>theories</source>
+        <translation>Theorien</translation>
+    </message>
+    <message>
+        <source>Velocity (times the temperature shift) at which the local shear is largest; 0: it does not depend on the velocity.</source>
+        <translation>Geschwindigkeit (mal Temperaturverschiebung), bei der die lokale Scherung am größten ist; 0: sie hängt nicht von der Geschwindigkeit ab.</translation>
+    </message>
+    <message>
+        <source>How fast the local shear falls beside that velocity: it is exp(-c) of its largest value a decade away.</source>
+        <translation>Wie schnell die lokale Scherung neben dieser Geschwindigkeit abfällt: eine Dekade daneben ist sie exp(-c) ihres größten Wertes.</translation>
+    </message>
+    <message>
+        <source>Tables of measured friction that are shown beside the curve: velocity and mu, with or without errors, force, temperature.</source>
+        <translation>Tabellen gemessener Reibung, die neben der Kurve gezeigt werden: velocity und mu, mit oder ohne Fehler, Kraft, Temperatur.</translation>
+    </message>
+    <message>
+        <source>Theories that are drawn beside the curve.</source>
+        <translation>Theorien, die neben der Kurve gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Eq. (11) of Li et al. (2013): self-affine lines, Kelvin elements, contact of many summits.</source>
+        <translation>Gl. (11) von Li et al. (2013): selbstaffine Linien, Kelvin-Elemente, Kontakt vieler Gipfel.</translation>
+    </message>
+    <message>
+        <source>Gaussian line on independent elements as the velocity goes to 0, without a fitted constant; it needs many independent waves.</source>
+        <translation>Gaußsche Linie auf unabhängigen Elementen bei verschwindender Geschwindigkeit, ohne angepasste Konstante; sie braucht viele unabhängige Wellen.</translation>
+    </message>
+    <message>
+        <source>Losses of all waves of the line in complete contact, for any linear rheology; below complete contact it is too large.</source>
+        <translation>Verluste aller Wellen der Linie bei vollständigem Kontakt, für jede lineare Rheologie; darunter ist sie zu groß.</translation>
+    </message>
+    <message>
+        <source>Persson (2001) for the isotropic surface that this line is equivalent to, at its nominal pressure: another model, whose elements feel each other.</source>
+        <translation>Persson (2001) für die isotrope Fläche, der diese Linie entspricht, bei ihrer Nennpressung: ein anderes Modell, dessen Elemente einander spüren.</translation>
+    </message>
+    <message>
         <source>%1 is not one of %2</source>
         <translation>%1 ist keines von %2</translation>
     </message>
@@ -3359,6 +3595,532 @@
     <message>
         <source>the positions along %1 are not uniform; surfaces need a uniform grid</source>
         <translation>die Orte längs %1 sind nicht gleichabständig; Flächen brauchen ein gleichabständiges Gitter</translation>
+        <source>%1 at %2 and %3 Hz is not above 0; leave such rows out, or correct the column</source>
+        <translation>%1 bei %2 und %3 Hz ist nicht über 0; solche Zeilen weglassen oder die Spalte berichtigen</translation>
+    </message>
+    <message>
+        <source>there is one frequency alone at %1, %2 Hz; a shift needs sweeps of at least two frequencies at each temperature</source>
+        <translation>bei %1 gibt es nur eine Frequenz, %2 Hz; eine Verschiebung braucht mindestens zwei Frequenzen bei jeder Temperatur</translation>
+    </message>
+    <message>
+        <source>holds no row of frequency and moduli</source>
+        <translation>enthält keine Zeile mit Frequenz und Moduln</translation>
+    </message>
+    <message>
+        <source>runs from %1 to %2 without a gap of more than %3 K; sweeps at constant temperatures are needed (--temperature-tolerance says how far the rows of one sweep may lie apart)</source>
+        <translation>läuft von %1 bis %2 ohne eine Lücke von mehr als %3 K; nötig sind Messungen bei festen Temperaturen (--temperature-tolerance sagt, wie weit die Zeilen einer Messung auseinanderliegen dürfen)</translation>
+    </message>
+    <message>
+        <source>the isotherms at %1 and %2 do not overlap: no shift brings their moduli together; a sweep at a temperature between them or over more frequencies is needed, or leave the isotherms beyond the gap out</source>
+        <translation>die Isothermen bei %1 und %2 überlappen nicht: keine Verschiebung bringt ihre Moduln zusammen; nötig ist eine Messung bei einer Temperatur dazwischen oder über mehr Frequenzen, oder die Isothermen jenseits der Lücke weglassen</translation>
+    </message>
+    <message>
+        <source>the isotherm at %1 is slower than that at %2 by %3 decades: the temperatures are out of order; correct the column, or leave an isotherm out</source>
+        <translation>die Isotherme bei %1 ist um %3 Dekaden langsamer als die bei %2: die Temperaturen sind vertauscht; die Spalte berichtigen oder eine Isotherme weglassen</translation>
+    </message>
+    <message>
+        <source>holds no isotherm</source>
+        <translation>enthält keine Isotherme</translation>
+    </message>
+    <message>
+        <source>%1 K is outside of the measured temperatures, %2 to %3 K (%4 to %5); a temperature may be written as 20C</source>
+        <translation>%1 K liegt außerhalb der gemessenen Temperaturen, %2 bis %3 K (%4 bis %5); eine Temperatur darf als 20C geschrieben werden</translation>
+    </message>
+    <message>
+        <source>has one value alone; a series needs a range of frequencies</source>
+        <translation>hat nur einen Wert; eine Reihe braucht einen Bereich von Frequenzen</translation>
+    </message>
+    <message>
+        <source>%1 is outside 1 to %2, what %3 points can tell</source>
+        <translation>%1 liegt außerhalb von 1 bis %2, was %3 Punkte hergeben</translation>
+    </message>
+    <message>
+        <source>is 0 in the fit: down to %1 Hz the storage modulus still falls as that of a liquid, which cannot carry a load for ever; measure at lower frequencies or higher temperatures, give --equilibrium-modulus, or allow it with --liquid</source>
+        <translation>ist 0 in der Anpassung: bis %1 Hz hinab fällt der Speichermodul wie der einer Flüssigkeit, die keine Last auf Dauer trägt; bei tieferen Frequenzen oder höheren Temperaturen messen, --equilibrium-modulus angeben oder es mit --liquid erlauben</translation>
+    </message>
+    <message>
+        <source>needs a number in place %1</source>
+        <translation>braucht eine Zahl an Stelle %1</translation>
+    </message>
+    <message>
+        <source>keywords of Abaqus</source>
+        <translation>Schlüsselwörter von Abaqus</translation>
+    </message>
+    <message>
+        <source>has a hyperelastic form whose shear modulus is not read; NEO HOOKE, MOONEY-RIVLIN and YEOH are, or give --equilibrium-modulus</source>
+        <translation>hat eine hyperelastische Form, deren Schubmodul nicht gelesen wird; NEO HOOKE, MOONEY-RIVLIN und YEOH werden es, oder --equilibrium-modulus angeben</translation>
+    </message>
+    <message>
+        <source>is not TIME=PRONY; a table of frequencies and moduli is read as such</source>
+        <translation>ist nicht TIME=PRONY; eine Tabelle von Frequenzen und Moduln wird als solche gelesen</translation>
+    </message>
+    <message>
+        <source>is a second *VISCOELASTIC; keep the material that is meant alone</source>
+        <translation>ist ein zweites *VISCOELASTIC; nur das gemeinte Material stehen lassen</translation>
+    </message>
+    <message>
+        <source>commands of Ansys</source>
+        <translation>Befehle von Ansys</translation>
+    </message>
+    <message>
+        <source>begins at a place that is outside 1 to 200</source>
+        <translation>beginnt an einer Stelle außerhalb von 1 bis 200</translation>
+    </message>
+    <message>
+        <source>a table of relaxation times and moduli</source>
+        <translation>eine Tabelle von Relaxationszeiten und Moduln</translation>
+    </message>
+    <message>
+        <source>holds no relaxation time</source>
+        <translation>enthält keine Relaxationszeit</translation>
+    </message>
+    <message>
+        <source>holds no term of a Prony series</source>
+        <translation>enthält kein Glied einer Prony-Reihe</translation>
+    </message>
+    <message>
+        <source>has %1 terms; allowed is %2</source>
+        <translation>hat %1 Glieder; erlaubt sind %2</translation>
+    </message>
+    <message>
+        <source>the modulus is %1, which must be at least 0</source>
+        <translation>der Modul ist %1 und muss mindestens 0 sein</translation>
+    </message>
+    <message>
+        <source>the relaxation time is %1 s, which must be above 0</source>
+        <translation>die Relaxationszeit ist %1 s und muss über 0 sein</translation>
+    </message>
+    <message>
+        <source>the parts of the instantaneous modulus add up to %1, more than 1</source>
+        <translation>die Teile des Momentanmoduls ergeben zusammen %1, mehr als 1</translation>
+    </message>
+    <message>
+        <source>has parts of a modulus and not the modulus itself; give the instantaneous shear modulus with --instantaneous-modulus, or --equilibrium-modulus</source>
+        <translation>hat Teile eines Moduls und nicht den Modul selbst; den Momentan-Schubmodul mit --instantaneous-modulus angeben, oder --equilibrium-modulus</translation>
+    </message>
+    <message>
+        <source>has parts that add up to 1, so that its long-term modulus is 0; give --instantaneous-modulus, and --liquid if that is meant</source>
+        <translation>hat Teile, die zusammen 1 ergeben, so dass der Langzeitmodul 0 ist; --instantaneous-modulus angeben, und --liquid, wenn das gemeint ist</translation>
+    </message>
+    <message>
+        <source>is not above 0, as of a liquid, which cannot carry a load for ever; give --equilibrium-modulus, or allow it with --liquid</source>
+        <translation>ist nicht über 0, wie bei einer Flüssigkeit, die keine Last auf Dauer trägt; --equilibrium-modulus angeben oder es mit --liquid erlauben</translation>
+    </message>
+    <message>
+        <source>has no unit, and %1 Pa would be no rubber; say --modulus-unit MPa or another one</source>
+        <translation>hat keine Einheit, und %1 Pa wären kein Gummi; --modulus-unit MPa oder eine andere angeben</translation>
+    </message>
+    <message>
+        <source>holds no row with a frequency and both moduli</source>
+        <translation>enthält keine Zeile mit einer Frequenz und beiden Moduln</translation>
+    </message>
+    <message>
+        <source>has no columns that are known as frequency, storage and loss modulus (or tan delta, or magnitude and phase) among %1; say which they are with --frequency-column, --storage-column and --loss-column</source>
+        <translation>hat unter %1 keine Spalten, die als Frequenz, Speicher- und Verlustmodul (oder tan delta, oder Betrag und Phase) bekannt sind; mit --frequency-column, --storage-column und --loss-column sagen, welche es sind</translation>
+    </message>
+    <message>
+        <source>has the unit %1, which is not one of %2; %3 says which is meant</source>
+        <translation>hat die Einheit %1, die keine von %2 ist; %3 sagt, welche gemeint ist</translation>
+    </message>
+    <message>
+        <source>is of another kind than the other modulus: one is of shear (G), one of tension (E); say with --storage-column and --loss-column which belong together</source>
+        <translation>ist von anderer Art als der andere Modul: einer ist von Schub (G), einer von Zug (E); mit --storage-column und --loss-column sagen, welche zusammengehören</translation>
+    </message>
+    <message>
+        <source>may be of shear (G) or of tension (E); say which with --modulus shear or --modulus tension</source>
+        <translation>kann von Schub (G) oder von Zug (E) sein; mit --modulus shear oder --modulus tension sagen, welcher</translation>
+    </message>
+    <message>
+        <source>runs from %1 to %2 without a unit: kelvins and degrees Celsius seem to be mixed; say which with --temperature-unit, or correct the column</source>
+        <translation>läuft von %1 bis %2 ohne Einheit: Kelvin und Grad Celsius scheinen gemischt; mit --temperature-unit sagen, welche, oder die Spalte berichtigen</translation>
+    </message>
+    <message>
+        <source>is stated nowhere; say at which the moduli were measured with --temperature, such as --temperature 20C</source>
+        <translation>steht nirgends; mit --temperature sagen, bei welcher die Moduln gemessen wurden, etwa --temperature 20C</translation>
+    </message>
+    <message>
+        <source>has no unit, and %1 is in %2; say with --modulus-unit which unit both have</source>
+        <translation>hat keine Einheit, und %1 ist in %2; mit --modulus-unit sagen, welche Einheit beide haben</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which must be above 0; leave the row out or correct it</source>
+        <translation>%1 ist %2 und muss über 0 sein; die Zeile weglassen oder berichtigen</translation>
+    </message>
+    <message>
+        <source>the frequency</source>
+        <translation>die Frequenz</translation>
+    </message>
+    <message>
+        <source>the storage modulus</source>
+        <translation>der Speichermodul</translation>
+    </message>
+    <message>
+        <source>the loss modulus</source>
+        <translation>der Verlustmodul</translation>
+    </message>
+    <message>
+        <source>the temperature in K</source>
+        <translation>die Temperatur in K</translation>
+    </message>
+    <message>
+        <source>is %1 K in the file's shift; leave --temperature out</source>
+        <translation>ist %1 K in der Verschiebung der Datei; --temperature weglassen</translation>
+    </message>
+    <message>
+        <source>is stated nowhere; say at which the series holds with --temperature, such as --temperature 20C</source>
+        <translation>steht nirgends; mit --temperature sagen, bei welcher die Reihe gilt, etwa --temperature 20C</translation>
+    </message>
+    <message>
+        <source>no isotherm is within 1 K of %1</source>
+        <translation>keine Isotherme liegt innerhalb von 1 K um %1</translation>
+    </message>
+    <message>
+        <source>leaves no isotherm</source>
+        <translation>lässt keine Isotherme übrig</translation>
+    </message>
+    <message>
+        <source>%1 needs more isotherms than %2</source>
+        <translation>%1 braucht mehr Isothermen als %2</translation>
+    </message>
+    <message>
+        <source>has %1 rows; allowed is %2, more than an instrument needs</source>
+        <translation>hat %1 Zeilen; erlaubt sind %2, mehr als ein Gerät braucht</translation>
+    </message>
+    <message>
+        <source>%1: %2 arms, G = %3 in equilibrium, at %4</source>
+        <translation>%1: %2 Arme, G = %3 im Gleichgewicht, bei %4</translation>
+    </message>
+    <message>
+        <source>which frequencies were measured is not known: friction on it is not marked as extrapolated</source>
+        <translation>welche Frequenzen gemessen wurden, ist nicht bekannt: Reibung darauf wird nicht als extrapoliert gekennzeichnet</translation>
+    </message>
+    <message>
+        <source>measured: one isotherm at %1, %2 to %3</source>
+        <translation>gemessen: eine Isotherme bei %1, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>measured: %1 isotherms from %2 to %3; at %4 they cover %5 to %6</source>
+        <translation>gemessen: %1 Isothermen von %2 bis %3; bei %4 decken sie %5 bis %6 ab</translation>
+    </message>
+    <message>
+        <source>rows without a value, left out: %1</source>
+        <translation>Zeilen ohne Wert, weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>moduli of tension, divided by %1 for shear (Poisson's ratio %2)</source>
+        <translation>Zugmoduln, für Schub durch %1 geteilt (Querkontraktionszahl %2)</translation>
+    </message>
+    <message>
+        <source>overlaps: neighbours agree within %1 to %2 decades (rms)</source>
+        <translation>Überlappungen: Nachbarn stimmen auf %1 bis %2 Dekaden überein (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>Prony series: %1 arms from %2 relaxation times, G = %3 in equilibrium; rms residual %4 % of G', %5 % of G''</source>
+        <translation>Prony-Reihe: %1 Arme aus %2 Relaxationszeiten, G = %3 im Gleichgewicht; Restabweichung %4 % von G', %5 % von G'' (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>Williams, Landel and Ferry: C1 = %1, C2 = %2 K, %3 decades rms</source>
+        <translation>Williams, Landel und Ferry: C1 = %1, C2 = %2 K, %3 Dekaden (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>Arrhenius: %1, %2 decades rms</source>
+        <translation>Arrhenius: %1, %2 Dekaden (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>one temperature alone: there is no shift</source>
+        <translation>nur eine Temperatur: es gibt keine Verschiebung</translation>
+    </message>
+    <message>
+        <source>the shift is kept as the table</source>
+        <translation>die Verschiebung bleibt die Tabelle</translation>
+    </message>
+    <message>
+        <source>the shift is that of Williams, Landel and Ferry</source>
+        <translation>die Verschiebung ist die von Williams, Landel und Ferry</translation>
+    </message>
+    <message>
+        <source>the shift is that of Arrhenius</source>
+        <translation>die Verschiebung ist die von Arrhenius</translation>
+    </message>
+    <message>
+        <source>not thermorheologically simple: shifts from G' alone and from G'' alone differ by up to %1 decades between neighbours, %2 in all; predictions at other temperatures are approximate</source>
+        <translation>nicht thermorheologisch einfach: Verschiebungen aus G' allein und aus G'' allein unterscheiden sich um bis zu %1 Dekaden zwischen Nachbarn, %2 insgesamt; Vorhersagen bei anderen Temperaturen sind Näherungen</translation>
+    </message>
+    <message>
+        <source>there is no file of this name, and %1</source>
+        <translation>es gibt keine Datei dieses Namens, und %1</translation>
+    </message>
+    <message>
+        <source>has no rows</source>
+        <translation>hat keine Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 K is outside the shift table, %2 to %3 K</source>
+        <translation>%1 K liegt außerhalb der Verschiebungstabelle, %2 bis %3 K</translation>
+    </message>
+    <message>
+        <source>has %1 rows; allowed is %2</source>
+        <translation>hat %1 Zeilen; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>needs an object of temperature and log10_shift</source>
+        <translation>braucht ein Objekt aus temperature und log10_shift</translation>
+    </message>
+    <message>
+        <source>unknown key; a row has temperature and log10_shift</source>
+        <translation>unbekannter Schlüssel; eine Zeile hat temperature und log10_shift</translation>
+    </message>
+    <message>
+        <source>%1 K is not above the %2 K of the row before; the rows are needed in the order of rising temperature</source>
+        <translation>%1 K liegt nicht über den %2 K der Zeile davor; die Zeilen müssen nach steigender Temperatur geordnet sein</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 {temperature, log10_shift}, %2 and %3</source>
+        <translation>eine Liste von 1 bis %1 {temperature, log10_shift}, %2 und %3</translation>
+    </message>
+    <message>
+        <source>a material is JSON in UTF-8, which 'asperity material' makes from a table of measured moduli</source>
+        <translation>ein Material ist JSON in UTF-8, das 'asperity material' aus einer Tabelle gemessener Moduln macht</translation>
+    </message>
+    <message>
+        <source>is not %1</source>
+        <translation>ist nicht %1</translation>
+    </message>
+    <message>
+        <source>unknown key of a material</source>
+        <translation>unbekannter Schlüssel eines Materials</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>frequency f</source>
+        <translation>Frequenz f</translation>
+    </message>
+    <message>
+        <source>frequency f %1</source>
+        <translation>Frequenz f %1</translation>
+    </message>
+    <message>
+        <source>reduced frequency f aᴛ %1</source>
+        <translation>reduzierte Frequenz f aᴛ %1</translation>
+    </message>
+    <message>
+        <source>%1: isotherms</source>
+        <translation>%1: Isothermen</translation>
+    </message>
+    <message>
+        <source>storage modulus G'</source>
+        <translation>Speichermodul G'</translation>
+    </message>
+    <message>
+        <source>loss modulus G''</source>
+        <translation>Verlustmodul G''</translation>
+    </message>
+    <message>
+        <source>modulus G', G''</source>
+        <translation>Modul G', G''</translation>
+    </message>
+    <message>
+        <source>G' measured</source>
+        <translation>G' gemessen</translation>
+    </message>
+    <message>
+        <source>G'' measured</source>
+        <translation>G'' gemessen</translation>
+    </message>
+    <message>
+        <source>G' of the series</source>
+        <translation>G' der Reihe</translation>
+    </message>
+    <message>
+        <source>G'' of the series</source>
+        <translation>G'' der Reihe</translation>
+    </message>
+    <message>
+        <source>residual in %</source>
+        <translation>Restabweichung in %</translation>
+    </message>
+    <message>
+        <source>%1: master curve</source>
+        <translation>%1: Masterkurve</translation>
+    </message>
+    <message>
+        <source>%1 arms, G = %2 in equilibrium, rms residual %3 % of G' and %4 % of G''</source>
+        <translation>%1 Arme, G = %2 im Gleichgewicht, Restabweichung %3 % von G' und %4 % von G'' (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>Not thermorheologically simple: G' and G'' alone ask for different shifts, and the points of one temperature leave the curve.</source>
+        <translation>Nicht thermorheologisch einfach: G' und G'' allein verlangen verschiedene Verschiebungen, und die Punkte einer Temperatur verlassen die Kurve.</translation>
+    </message>
+    <message>
+        <source>%1: loss tangent</source>
+        <translation>%1: Verlustfaktor</translation>
+    </message>
+    <message>
+        <source>loss tangent tan δ</source>
+        <translation>Verlustfaktor tan δ</translation>
+    </message>
+    <message>
+        <source>Prony series</source>
+        <translation>Prony-Reihe</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>%1: shifts with temperature</source>
+        <translation>%1: Verschiebungen mit der Temperatur</translation>
+    </message>
+    <message>
+        <source>temperature T</source>
+        <translation>Temperatur T</translation>
+    </message>
+    <message>
+        <source>shift log₁₀ aᴛ</source>
+        <translation>Verschiebung log₁₀ aᴛ</translation>
+    </message>
+    <message>
+        <source>from both moduli</source>
+        <translation>aus beiden Moduln</translation>
+    </message>
+    <message>
+        <source>from G' alone</source>
+        <translation>aus G' allein</translation>
+    </message>
+    <message>
+        <source>from G'' alone</source>
+        <translation>aus G'' allein</translation>
+    </message>
+    <message>
+        <source>WLF, %1 decades rms</source>
+        <translation>WLF, %1 Dekaden (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>Arrhenius, %1 decades rms</source>
+        <translation>Arrhenius, %1 Dekaden (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>excited at %1</source>
+        <translation>angeregt bei %1</translation>
+    </message>
+    <message>
+        <source>tan δ</source>
+        <translation>tan δ</translation>
+    </message>
+    <message>
+        <source>share of the loss</source>
+        <translation>Anteil am Verlust</translation>
+    </message>
+    <message>
+        <source>nothing is dissipated at this velocity</source>
+        <translation>bei dieser Geschwindigkeit wird nichts dissipiert</translation>
+    </message>
+    <message>
+        <source>Where the rubber is used at %1</source>
+        <translation>Wo der Gummi bei %1 gebraucht wird</translation>
+    </message>
+    <message>
+        <source>Tinted: from 5 to 95 % of q C1(q) G''(q v), the loss in complete contact; below per decade of frequency, q² C1 G'', over its largest value.</source>
+        <translation>Getönt: von 5 bis 95 % von q C1(q) G''(q v), dem Verlust bei vollständigem Kontakt; unten je Dekade der Frequenz, q² C1 G'', bezogen auf den größten Wert.</translation>
+    </message>
+    <message>
+        <source>the line excites no loss at this velocity</source>
+        <translation>die Linie regt bei dieser Geschwindigkeit keinen Verlust an</translation>
+    </message>
+    <message>
+        <source>at %1 the line excites %2 to %3, half of the loss below %4</source>
+        <translation>bei %1 regt die Linie %2 bis %3 an, die Hälfte des Verlusts unter %4</translation>
+    </message>
+    <message>
+        <source>%1; measured were %2 to %3, %4 % of the loss is extrapolated</source>
+        <translation>%1; gemessen wurden %2 bis %3, %4 % des Verlusts sind extrapoliert</translation>
+    </message>
+    <message>
+        <source>beyond the measured frequencies</source>
+        <translation>jenseits der gemessenen Frequenzen</translation>
+    </message>
+    <message>
+        <source>Beyond the measured frequencies: more than a tenth of the loss rests on frequencies at which the rubber was not measured.</source>
+        <translation>Jenseits der gemessenen Frequenzen: mehr als ein Zehntel des Verlusts beruht auf Frequenzen, bei denen der Gummi nicht gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>another shift table</source>
+        <translation>eine andere Verschiebungstabelle</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>A shipped material or a material file, relative to the scene; it gives moduli, relaxation times and shift, and a key beside it replaces that one value.</source>
+        <translation>Ein mitgeliefertes Material oder eine Materialdatei, relativ zur Szene; sie gibt Moduln, Relaxationszeiten und Verschiebung, und ein Schlüssel daneben ersetzt diesen einen Wert.</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>How temperature shifts the relaxation times: by Williams, Landel and Ferry (wlf), by an activation energy (arrhenius), or as measured (table).</source>
+        <translation>Wie die Temperatur die Relaxationszeiten verschiebt: nach Williams, Landel und Ferry (wlf), mit einer Aktivierungsenergie (arrhenius) oder wie gemessen (table).</translation>
+    </message>
+    <message>
+        <source>activation energy</source>
+        <translation>Aktivierungsenergie</translation>
+    </message>
+    <message>
+        <source>Activation energy of the shift with temperature (Arrhenius).</source>
+        <translation>Aktivierungsenergie der Verschiebung mit der Temperatur (Arrhenius).</translation>
+    </message>
+    <message>
+        <source>shift table</source>
+        <translation>Verschiebungstabelle</translation>
+    </message>
+    <message>
+        <source>Measured shifts: temperature in K and log10 of the factor on all relaxation times, linear in between; there is none outside.</source>
+        <translation>Gemessene Verschiebungen: Temperatur in K und log10 des Faktors auf alle Relaxationszeiten, dazwischen linear; außerhalb gibt es keine.</translation>
+    </message>
+    <message>
+        <source>measured from</source>
+        <translation>gemessen ab</translation>
+    </message>
+    <message>
+        <source>Lowest frequency at which the elastomer was measured, at the temperature of no shift; friction that rests on others is marked. 0: not known.</source>
+        <translation>Tiefste Frequenz, bei der das Elastomer gemessen wurde, bei der Temperatur ohne Verschiebung; Reibung, die auf anderen beruht, wird gekennzeichnet. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>measured to</source>
+        <translation>gemessen bis</translation>
+    </message>
+    <message>
+        <source>Highest frequency at which the elastomer was measured, at the temperature of no shift. 0: not known.</source>
+        <translation>Höchste Frequenz, bei der das Elastomer gemessen wurde, bei der Temperatur ohne Verschiebung. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>measured above</source>
+        <translation>gemessen über</translation>
+    </message>
+    <message>
+        <source>Lowest temperature at which the elastomer was measured. 0: not known.</source>
+        <translation>Tiefste Temperatur, bei der das Elastomer gemessen wurde. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>measured below</source>
+        <translation>gemessen unter</translation>
+    </message>
+    <message>
+        <source>Highest temperature at which the elastomer was measured. 0: not known.</source>
+        <translation>Höchste Temperatur, bei der das Elastomer gemessen wurde. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>measured strain</source>
+        <translation>Messdehnung</translation>
+    </message>
+    <message>
+        <source>Amplitude of the strain with which the elastomer was measured. 0: not known.</source>
+        <translation>Amplitude der Verformung, mit der das Elastomer gemessen wurde. 0: nicht bekannt.</translation>
     </message>
 </context>
 <context>
@@ -3552,8 +4314,8 @@
         <translation>Bereiche I bis IV</translation>
     </message>
     <message>
-        <source>Relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber.</source>
-        <translation>Relaxationszeiten von 100 s bis 10⁻¹⁰ s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 10⁻¹⁰ s abgeschnitten, daher gehört der Abfall oberhalb von etwa 10⁵ m/s zur Anpassung und nicht zum Gummi.</translation>
+        <source>An example without a published source, relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber.</source>
+        <translation>Ein Beispiel ohne veröffentlichte Quelle, Relaxationszeiten von 100 s bis 10⁻¹⁰ s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 10⁻¹⁰ s abgeschnitten, daher gehört der Abfall oberhalb von etwa 10⁵ m/s zur Anpassung und nicht zum Gummi.</translation>
     </message>
     <message>
         <source>Reversal</source>
@@ -3620,8 +4382,8 @@
         <translation>Der Gummi gleitet eine gerade Flanke hinab, daher ist der Druck auf ihr gleichmäßig und fällt hinter der Spitze ab. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
     </message>
     <message>
-        <source>The series holds at 343 K; at 298 K every arm is about 140 times as slow and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>
-        <translation>Die Reihe gilt bei 343 K; bei 298 K ist jeder Arm etwa 140-mal so langsam, und die Reibung bei Schrittgeschwindigkeit ist die eines steiferen Gummis. Die Temperatur verschieben: Die Kurve wandert unverändert längs der Geschwindigkeit.</translation>
+        <source>The series, an example without a published source, holds at 343 K; by the shift of another filled rubber (Hentschke and Plagge 2021) every arm is about 140 times as slow at 298 K, and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>
+        <translation>Die Reihe, ein Beispiel ohne veröffentlichte Quelle, gilt bei 343 K; mit der Verschiebung eines anderen gefüllten Gummis (Hentschke und Plagge 2021) ist jeder Arm bei 298 K etwa 140-mal so langsam, und die Reibung bei Schrittgeschwindigkeit ist die eines steiferen Gummis. Die Temperatur verschieben: Die Kurve wandert unverändert längs der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>The short waves lie in the valleys and the summits are smooth, so the slope in contact rises with the load. Friction at light load is far below that of the line with rough summits, at nearly the same spectrum.</source>
@@ -3684,28 +4446,28 @@
         <translation>Reifen auf Asphalt</translation>
     </message>
     <message>
-        <source>Stones some millimetres wide press into a tread under 2.5 bar. Each stone is met on its front side alone: the rubber behind it comes back too late, and that is the friction. Wavelengths are those of road macrotexture (ISO 13473-1: 0.5 mm to 50 mm); height, roll-off, the moduli, which grow fourfold a decade as near the glass transition, and the width of 1 mm that turns pressure into force are an example. Shorter waves are left out, because with them slopes are no longer small.</source>
-        <translation>Steine von einigen Millimetern Breite drücken mit 2,5 bar in einen Laufstreifen. Jeder Stein wird nur an seiner Vorderseite berührt: Der Gummi dahinter kommt zu spät zurück, und das ist die Reibung. Die Wellenlängen sind die der Makrotextur von Straßen (ISO 13473-1: 0,5 mm bis 50 mm); Höhe, Roll-off, die Moduln, die je Dekade auf das Vierfache wachsen wie nahe dem Glasübergang, und die Breite von 1 mm, die aus Druck Kraft macht, sind ein Beispiel. Kürzere Wellen fehlen, weil mit ihnen Steigungen nicht mehr klein sind.</translation>
-    </message>
-    <message>
         <source>Rubber on sandpaper</source>
         <translation>Gummi auf Schleifpapier</translation>
-    </message>
-    <message>
-        <source>Grains of P80 paper are 0.2 mm wide on average (FEPA 43-1), and rubber touches only their tips. Move the velocity: slowly the rubber fills the valleys behind each tip and pushes from both sides; at some centimetres a second it is pushed from the front alone. The height of the paper is an example, low enough that slopes stay small (a new paper is steeper), and so is the rubber with its one relaxation time.</source>
-        <translation>Körner von Papier P80 sind im Mittel 0,2 mm breit (FEPA 43-1), und der Gummi berührt nur ihre Spitzen. Ändern Sie die Geschwindigkeit: Langsam füllt der Gummi die Täler hinter jeder Spitze und drückt von beiden Seiten; bei einigen Zentimetern in der Sekunde wird er nur von vorn gedrückt. Die Höhe des Papiers ist ein Beispiel, so niedrig, dass Steigungen klein bleiben (neues Papier ist steiler), und ebenso der Gummi mit seiner einen Relaxationszeit.</translation>
     </message>
     <message>
         <source>Shoe on concrete</source>
         <translation>Schuh auf Beton</translation>
     </message>
     <message>
-        <source>A soft sole on concrete, under the pressure of a person who stands on both feet. Slow creeping costs little and so does a fast slip: friction is highest where a ridge passes in the time in which the rubber relaxes, and a foot that begins to slip has less and less of it. All figures are an example; adhesion, which on clean dry concrete adds to this friction, is not in it.</source>
-        <translation>Eine weiche Sohle auf Beton unter dem Druck eines Menschen, der auf beiden Füßen steht. Langsames Kriechen kostet wenig, schnelles Rutschen ebenso: Die Reibung ist am größten, wo ein Grat in der Zeit vorbeikommt, in der der Gummi relaxiert, und ein Fuß, der zu rutschen beginnt, hat immer weniger davon. Alle Werte sind ein Beispiel; Adhäsion, die auf sauberem trockenem Beton dazukommt, ist nicht enthalten.</translation>
-    </message>
-    <message>
         <source>Everyday surfaces</source>
         <translation>Oberflächen des Alltags</translation>
+    </message>
+    <message>
+        <source>Each stone is met on its front side alone: the rubber behind it comes back too late, and that is the friction. Wavelengths of some millimetres are those of road macrotexture (ISO 13473-1: 0.5 mm to 50 mm), the pressure is that of a car tyre, and the height, the moduli near the glass transition and the width of 2 mm that turns pressure into force are an example; shorter waves, with which slopes are not small any more, are left out.</source>
+        <translation>Jeder Stein wird nur an seiner Vorderseite berührt: Der Gummi dahinter kommt zu spät zurück, und das ist die Reibung. Wellenlängen von einigen Millimetern sind die der Makrotextur von Straßen (ISO 13473-1: 0,5 mm bis 50 mm), der Druck ist der eines Autoreifens, und die Höhe, die Moduln nahe dem Glasübergang und die Breite von 2 mm, die aus Druck Kraft macht, sind ein Beispiel; kürzere Wellen, mit denen Steigungen nicht mehr klein sind, fehlen.</translation>
+    </message>
+    <message>
+        <source>Move the velocity: slowly the rubber fills the valleys behind each tip and pushes from both sides, at some centimetres a second it is met from the front alone. Grains of P80 paper are 0.2 mm wide on average (FEPA 43-1); the height, low enough that slopes stay small, and the rubber with its one relaxation time are an example.</source>
+        <translation>Ändern Sie die Geschwindigkeit: Langsam füllt der Gummi die Täler hinter jeder Spitze und drückt von beiden Seiten, bei einigen Zentimetern in der Sekunde wird er nur von vorn getroffen. Körner von Papier P80 sind im Mittel 0,2 mm breit (FEPA 43-1); die Höhe, so niedrig, dass Steigungen klein bleiben, und der Gummi mit seiner einen Relaxationszeit sind ein Beispiel.</translation>
+    </message>
+    <message>
+        <source>Slow creeping costs little and so does a fast slip: friction is highest where a ridge passes in the time in which the rubber relaxes, and a foot that begins to slip has less and less of it. All figures are an example for a soft sole under a person who stands on both feet; adhesion, which on clean dry concrete adds to this friction, is not in it.</source>
+        <translation>Langsames Kriechen kostet wenig, schnelles Rutschen ebenso: Die Reibung ist am größten, wo ein Grat in der Zeit vorbeikommt, in der der Gummi relaxiert, und ein Fuß, der zu rutschen beginnt, hat immer weniger davon. Alle Werte sind ein Beispiel für eine weiche Sohle unter einem Menschen, der auf beiden Füßen steht; Adhäsion, die auf sauberem trockenem Beton dazukommt, ist nicht enthalten.</translation>
     </message>
 </context>
 </TS>

@@ -226,7 +226,7 @@ void ParameterPanel::edit(ParameterRow& row, Change&& change, const QString& ref
   }
   complaints_.remove(fromUtf8(row.parameter().key));
   sizes_.follow(scene_.surface, next.surface);
-  followLines(scene_, next);
+  followRealizations(scene_, next);
   if (!haveSameFile(scene_, next)) line_ = {};
   scene_ = std::move(next);
   showRows(&row);

@@ -122,15 +122,6 @@ Missing missingOf(const Scene& scene) {
   return {};
 }
 
-void followLines(const Scene& before, Scene& next) {
-  const auto areRows = [](const Scene& scene) {
-    return scene.surface.kind == SurfaceKind::Measured && !hasRandomPhases(scene.surface);
-  };
-  if (areRows(next) && !areRows(before)) next.ensemble.realizations = 0;
-  if (!areRows(next) && next.ensemble.realizations == 0)
-    next.ensemble.realizations = Ensemble{}.realizations;
-}
-
 KeptSizes::KeptSizes(const Surface& surface) : others_{Surface{}.length, Surface{}.elements} {
   sizeOf(surface.kind, profile_, others_) = {surface.length, surface.elements};
 }
@@ -144,6 +135,13 @@ void KeptSizes::follow(const Surface& before, Surface& next) {
     next.length = size.length;
     next.elements = size.elements;
   }
+}
+
+void followRealizations(const Scene& before, Scene& next) {
+  const Parameter& row = *findParameter(kRealizations);
+  const bool wasOpen = isLeftToProfile(row, before, 0), isOpen = isLeftToProfile(row, next, 0);
+  if (wasOpen == isOpen) return;
+  next.ensemble.realizations = isOpen ? 0 : Ensemble{}.realizations;
 }
 
 }  // namespace asperity

@@ -50,10 +50,6 @@ bool isMaterial(const Parameter& parameter);
 /// Returns whether the parameter is a text of several sentences.
 bool isLongText(const Parameter& parameter);
 
-/// The rows of a measured surface are counted by its file: every row where they become the lines of
-/// the scene `next`, and the usual number of random lines where they no longer are.
-void followLines(const Scene& before, Scene& next);
-
 /// What is missing before the scene can run, and where; the text is empty where nothing is missing.
 struct Missing {
   std::string_view key;
@@ -61,8 +57,8 @@ struct Missing {
 };
 Missing missingOf(const Scene& scene);
 
-/// Remembers length and elements of the surface kinds that are not shown: a profile has its own,
-/// all others share theirs, and both return with their kind.
+/// Remembers length and elements of the surface kinds that are not shown: those with a file share
+/// theirs, all others share theirs, and both return with their kind.
 class KeptSizes {
  public:
   explicit KeptSizes(const Surface& surface);
@@ -73,5 +69,9 @@ class KeptSizes {
  private:
   LineSize profile_, others_;
 };
+
+/// Realizations mean every row where a surface becomes a measured one, and a number again where it
+/// becomes another one. `next` has followed `before`.
+void followRealizations(const Scene& before, Scene& next);
 
 }  // namespace asperity

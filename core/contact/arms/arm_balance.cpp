@@ -3,8 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 #include "core/base/flush_denormals.h"
@@ -68,9 +66,12 @@ class ArmSolver::Search {
       unknown_ = from + step;
       residual = evaluate(worstBefore < kNearlyMet ? Output::Everything : Output::Force);
       const bool good = worst_ < 0.5 * worstBefore;
-      if (isEnough(contraction * worstBefore) || (!good && bestWorst_ <= kAcceptedResidual)) break;
+      // Without progress by a fresh Jacobian, or near rounding by any, an accepted residual is
+      // taken.
+      const double stalledBelow = fresh ? kAcceptedResidual : kRoundingResidual;
+      if (isEnough(contraction * worstBefore) || (!good && bestWorst_ <= stalledBelow)) break;
       if (!good && fresh) shorten(from, step, worstBefore, residual);
-      contraction = std::min(worst_ / worstBefore, 1.0);
+      contraction = worst_ < worstBefore ? worst_ / worstBefore : 1;
       fresh = !good || !(worstBefore < kQuasiNewtonBelow);
       if (fresh)
         factorJacobian();
@@ -157,7 +158,6 @@ class ArmSolver::Search {
     }
     worst_ = std::max(forceResidual_, periodicityError_);
     if (!(worst_ >= 0)) worst_ = kInfinite;
-    if (getenv("DBG")) fprintf(stderr, "%.1e(%.0e) ", worst_, forceResidual_);
     if (worst_ < bestWorst_) remember(output);
     best_.force.passes = passes_;
     return residual;
@@ -321,7 +321,6 @@ class Continuation {
   static constexpr int kMostSteps = 60;
 
   ArmBalance attempt(double velocity, const ArmBalance* guess) {
-    if (getenv("DBG")) fprintf(stderr, "\n v %g: ", velocity);
     ArmSolver solver(line_, tables_, velocity);
     ArmBalance found = byForce_ ? solver.atLoad(value_, guess) : solver.atDepth(value_, guess);
     passes_ += found.force.passes;

@@ -1,15 +1,17 @@
 // Steady sliding of elements with arms: after a period their strains at the lowest point are the
 // same again, and the force is the given one. Repeated passes close only at the rate
 // exp(-L / v tau). Here depth and strains move together by Newton's method with the derivatives
-// that a pass gathers beside its sums, kept up by Broyden's update while that is good enough: an
-// arm of any relaxation time takes a few passes. Complete contact is tried first where it may be,
-// because there the answer is known and a pass only proves it. At the start slow arms have yielded
-// the mean depth F_N / 4 G L and fast ones follow the line, which is exact for both.
-// Threading: functions of their arguments; line, law and modes are shared freely. An ArmSolver
-// keeps its workspace, refers to the line, and belongs to one thread.
-// Failure: no exception; the result's status says whether balance and period closed.
+// that follow from a pass, kept up by Broyden's update while that is good enough, so an arm of any
+// relaxation time takes a few passes. The pass that is expected to end the search gathers all sums.
+// Complete contact is tried first where it may be, because there the answer is known and a pass
+// only proves it. Without a guess (arm_guess.h), slow arms have yielded the mean depth F_N / 4 G L
+// at the start and fast ones follow the line, which is exact for both. Threading: these are
+// functions of their arguments; line and tables are shared freely. An ArmSolver keeps its
+// workspace, refers to the line, and belongs to one thread. Failure: no exception; the result's
+// status says whether balance and period closed.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 

@@ -1,6 +1,8 @@
 // The pass of arm_pass.h and its derivatives, compiled for several instruction sets with the arms
-// in the lanes of vectors; the best one that the machine has is chosen at run time (kernels.h).
-// Results agree with ArmPass and ArmTangent to rounding. Functions of their arguments; any thread.
+// in the lanes of vectors. The best set that the machine has is chosen at run time (kernels.h).
+// Results agree with ArmPass and ArmTangent, the readable truth, to rounding, and differ in the
+// last digits from one instruction set to another. Threading: these are functions of their
+// arguments. A workspace belongs to one thread.
 #pragma once
 
 #include <span>

@@ -9,9 +9,11 @@
 
 #include "core/accuracy/work_precision_sheet.h"
 #include "core/base/input_error.h"
+#include "core/base/regular_file.h"
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
+#include "core/chart/material_sheets.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_difference.h"
 #include "core/friction/ensemble.h"
@@ -281,6 +283,17 @@ Texts figureTexts() {
   return texts;
 }
 
+/// A rubber as measured, and where a scene uses it.
+void addMaterials(Texts& texts) {
+  const std::string file = "epdm_70.csv";
+  const std::string folder = ASPERITY_RESOURCES_DIR "/materials/measurements/";
+  const Material material = makeMaterial(readRegularFile(folder + file, 1 << 20), file, {});
+  for (const NamedSheet& sheet : materialSheets(material)) add(texts, sheet.sheet);
+  for (const Message& line : materialSummary(material)) texts.insert(line);
+  const Scene scene = readScene(R"({"elastomer": {"material": "epdm_70"}})", "test");
+  add(texts, excitationSheet(scene));
+}
+
 Texts diagramTexts() {
   Texts texts;
   for (Scene& scene : shippedScenes()) {
@@ -304,6 +317,7 @@ Texts diagramTexts() {
   addRegions(texts, scene);
   addComparison(texts);
   addLineDiagrams(texts);
+  addMaterials(texts);
   return texts;
 }
 

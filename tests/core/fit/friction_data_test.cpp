@@ -1,0 +1,114 @@
+// Tables of measured friction as people write them.
+#include "core/fit/friction_data.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/base/input_error.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+FrictionData parsed(const std::string& text) {
+  return parseFrictionData(text, "mine.csv");
+}
+
+std::string errorOf(const std::string& text) {
+  try {
+    parsed(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(FrictionData, ReadsVelocityAndFriction) {
+  for (const char* text :
+       {"velocity,mu\n0.001,0.2\n0.01,0.35\n", "v (m/s);COF\n0,001;0,2\n0,01;0,35\n",
+        "v [mm/s]\t\u00B5\n1\t0.2\n10\t0.35\n",
+        "# bench 3\nspeed (mm/s),friction\n1,0.2\n10,0.35\n", "0.001 0.2\n0.01 0.35\n",
+        "Geschwindigkeit;Reibwert\nmm/s;-\n1;0,2\n10;0,35\n"}) {
+    const FrictionData data = parsed(text);
+    ASSERT_EQ(data.points.size(), 2U) << text;
+    EXPECT_DOUBLE_EQ(data.points[0].velocity, 1e-3) << text;
+    EXPECT_DOUBLE_EQ(data.points[1].mu, 0.35) << text;
+    EXPECT_FALSE(data.hasErrors());
+    EXPECT_TRUE(std::isnan(data.points[0].normalForce));
+  }
+}
+
+TEST(FrictionData, ReadsWhatElseTheTableHas) {
+  const FrictionData data = parsed(
+      "label,velocity (mm/s),velocity_error (%),mu,mu_error,normal force (mN),temperature (C)\n"
+      "A,1,5,0.2,0.01,20,25\nB,10,5,0.35,0.02,20,60\n");
+  ASSERT_EQ(data.points.size(), 2U);
+  const MeasuredPoint& point = data.points[1];
+  EXPECT_EQ(point.label, "B");
+  EXPECT_DOUBLE_EQ(point.velocity, 0.01);
+  EXPECT_DOUBLE_EQ(point.velocityError, 0.0005);
+  EXPECT_DOUBLE_EQ(point.muError, 0.02);
+  EXPECT_DOUBLE_EQ(point.normalForce, 0.02);
+  EXPECT_DOUBLE_EQ(point.temperature, 333.15);
+  EXPECT_EQ(point.row, 3);
+  EXPECT_TRUE(data.hasErrors());
+  EXPECT_EQ(data.notes.size(), 7U);
+}
+
+TEST(FrictionData, ReadsPressureAndRelativeErrors) {
+  const FrictionData data = parsed("v,mu,sigma_mu (%),pressure (kPa)\n1,0.5,4,200\n2,0.4,4,300\n");
+  EXPECT_DOUBLE_EQ(data.points[0].muError, 0.02);
+  EXPECT_DOUBLE_EQ(data.points[1].nominalPressure, 3e5);
+}
+
+TEST(FrictionData, SaysInWhichRowWhatIsWrong) {
+  EXPECT_THAT(errorOf("velocity,mu\n1,0.2\n"), HasSubstr("1 row of numbers"));
+  EXPECT_THAT(errorOf("velocity,mu\n1,0.2\n2,-0.1\n"),
+              HasSubstr("row 3: the coefficient of friction is -0.1"));
+  EXPECT_THAT(errorOf("velocity,mu\n0,0.2\n2,0.1\n"), HasSubstr("row 2: the velocity is 0"));
+  EXPECT_THAT(errorOf("velocity,mu\n1,0.2\n1,0.3\n"),
+              HasSubstr("row 3: has the velocity of row 2"));
+  EXPECT_THAT(errorOf("velocity,mu,mu_error\n1,0.2,0.01\n2,0.3,\n"),
+              HasSubstr("row 3: the error of the coefficient of friction is missing"));
+  EXPECT_THAT(errorOf("velocity,mu\n1,0.2\n2,\n"), HasSubstr("row 3"));
+  EXPECT_THAT(errorOf("velocity,temperature\n1,20\n2,20\n"),
+              HasSubstr("no column of the coefficient of friction"));
+  EXPECT_THAT(errorOf("velocity,mu,temperature\n1,0.2,20\n2,0.3,20\n"), HasSubstr("name the unit"));
+  EXPECT_THAT(errorOf("velocity (furlong/h),mu\n1,0.2\n2,0.3\n"), HasSubstr("furlong/h"));
+  EXPECT_THAT(errorOf("velocity,mu,normal_force,pressure\n1,0.2,1,1\n2,0.3,1,1\n"),
+              HasSubstr("both a normal force and a nominal pressure"));
+  EXPECT_THAT(errorOf("velocity,mu\n1,hello\n2,0.3\n"), HasSubstr("mine.csv"));
+  EXPECT_THAT(errorOf(""), HasSubstr("mine.csv"));
+}
+
+/// Forces and temperatures tell points apart.
+TEST(FrictionData, OneVelocityUnderManyForcesIsASeries) {
+  const FrictionData data =
+      parsed("velocity,mu,normal_force\n0.1,0.5,1\n0.1,0.4,10\n0.1,0.3,100\n");
+  EXPECT_EQ(data.points.size(), 3U);
+}
+
+TEST(FrictionData, AStateHasTheValuesOfItsPoint) {
+  Scene scene;
+  scene.load.kind = LoadKind::Indentation;
+  MeasuredPoint point;
+  point.velocity = 0.3;
+  point.normalForce = 2;
+  point.temperature = 310;
+  const Scene at = sceneOf(point, scene);
+  EXPECT_EQ(at.load.kind, LoadKind::Force);
+  EXPECT_EQ(at.load.normalForce, 2);
+  EXPECT_EQ(at.sliding.velocity, 0.3);
+  EXPECT_EQ(at.elastomer.temperature, 310);
+  point.normalForce = kNotApplicable;
+  point.nominalPressure = 2e5;
+  EXPECT_EQ(sceneOf(point, scene).load.kind, LoadKind::Pressure);
+  EXPECT_EQ(sceneOf(point, scene).load.nominalPressure, 2e5);
+}
+
+}  // namespace
+}  // namespace asperity
