@@ -90,7 +90,8 @@ std::string fitCsv(const Fit& fit, std::span<const FrictionData> data) {
 
 Message fittedInWords(const FittedParameter& parameter) {
   const std::string unit(findParameter(parameter.key)->unit);
-  return message("{} = {}, {} to {}", parameter.key, PrintedNumber{printedQuantity(parameter.value, unit)},
+  return message("{} = {}, {} to {}", parameter.key,
+                 PrintedNumber{printedQuantity(parameter.value, unit)},
                  PrintedNumber{printedQuantity(parameter.low, unit)},
                  PrintedNumber{printedQuantity(parameter.high, unit)});
 }

@@ -4122,6 +4122,166 @@
         <source>Amplitude of the strain with which the elastomer was measured. 0: not known.</source>
         <translation>Amplitude der Verformung, mit der das Elastomer gemessen wurde. 0: nicht bekannt.</translation>
     </message>
+    <message>
+        <source>interpolate</source>
+        <translation>interpolieren</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>gsf</source>
+        <translation>GSF</translation>
+    </message>
+    <message>
+        <source>gwy</source>
+        <translation>GWY</translation>
+    </message>
+    <message>
+        <source>sur</source>
+        <translation>SUR</translation>
+    </message>
+    <message>
+        <source>sdf</source>
+        <translation>SDF</translation>
+    </message>
+    <message>
+        <source>x3p</source>
+        <translation>X3P</translation>
+    </message>
+    <message>
+        <source>gwyddion</source>
+        <translation>Gwyddion</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>along-x</source>
+        <translation>längs x</translation>
+    </message>
+    <message>
+        <source>along-y</source>
+        <translation>längs y</translation>
+    </message>
+    <message>
+        <source>c1-two-sided</source>
+        <translation>C1 zweiseitig</translation>
+    </message>
+    <message>
+        <source>c1-one-sided</source>
+        <translation>C1 einseitig</translation>
+    </message>
+    <message>
+        <source>c2</source>
+        <translation>C2</translation>
+    </message>
+    <message>
+        <source>unstated</source>
+        <translation>nicht genannt</translation>
+    </message>
+    <message>
+        <source>matrix</source>
+        <translation>Matrix</translation>
+    </message>
+    <message>
+        <source>summits</source>
+        <translation>Spitzen</translation>
+    </message>
+    <message>
+        <source>valleys</source>
+        <translation>Täler</translation>
+    </message>
+    <message>
+        <source>wlf</source>
+        <translation>WLF</translation>
+    </message>
+    <message>
+        <source>arrhenius</source>
+        <translation>Arrhenius</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>isotropic-equivalent</source>
+        <translation>isotropes Äquivalent</translation>
+    </message>
+    <message>
+        <source>as-measured</source>
+        <translation>wie gemessen</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>spiegeln</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>überblenden</translation>
+    </message>
+    <message>
+        <source>random-phases</source>
+        <translation>zufällige Phasen</translation>
+    </message>
+    <message>
+        <source>periodic</source>
+        <translation>wie gemessen wiederholt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>ablehnen</translation>
+    </message>
+    <message>
+        <source>shear</source>
+        <translation>Schub</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>needs two columns: modulus in Pa and relaxation time in s</source>
+        <translation>braucht zwei Spalten: Modul in Pa und Relaxationszeit in s</translation>
+    </message>
+    <message>
+        <source>needs a column of relaxation times and one of moduli, named such as tau and G</source>
+        <translation>braucht eine Spalte von Relaxationszeiten und eine von Moduln, mit Namen wie tau und G</translation>
+    </message>
+    <message>
+        <source>holds a modulus or a time that is not above 0, or too large</source>
+        <translation>enthält einen Modul oder eine Zeit, die nicht über 0 liegt oder zu groß ist</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this surface</source>
+        <translation>für diese Oberfläche reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number from 0 to 0.5</source>
+        <translation>&apos;%1&apos; ist keine Zahl von 0 bis 0,5</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a temperature such as 20C, 293.15K or 68F</source>
+        <translation>&apos;%1&apos; ist keine Temperatur wie 20C, 293.15K oder 68F</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a modulus such as 2.3MPa</source>
+        <translation>&apos;%1&apos; ist kein Modul wie 2.3MPa</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>

@@ -90,7 +90,9 @@ std::vector<Arm> armsFromTable(std::string_view text) {
     choices.isLiquid = true;  // the equilibrium modulus stands in the scene
     const auto series = readPronyFile({}, &table, name, choices);
     if (!series)
-      throw InputError(name, "", "needs a column 'tau' or 'relaxation time' and one 'modulus'");
+      throw InputError(
+          name, "",
+          "needs a column of relaxation times and one of moduli, named such as tau and G");
     arms = series->arms;
   } else {
     arms = namelessArms(table.largest(), name);

@@ -217,7 +217,7 @@ MaterialChoices MaterialImport::choices() const {
     made.columns.poissonRatio = withPoint(typed).toDouble(&isNumber);
     if (!isNumber || !(made.columns.poissonRatio >= 0 && made.columns.poissonRatio <= 0.5))
       throw InputError("", "--poisson-ratio",
-                       message("'{}' is outside 0 to 0.5", typed.toStdString()));
+                       message("'{}' is not a number from 0 to 0.5", typed.toStdString()));
   }
   if (const QString typed = text(*temperature_, "--temperature"); !typed.isEmpty())
     made.columns.temperature = kelvins(typed, "--temperature");
