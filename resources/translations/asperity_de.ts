@@ -419,6 +419,10 @@
         <source>F_N = %1 on one period of %2; F_N / L = %3</source>
         <translation>F_N = %1 auf eine Periode von %2; F_N / L = %3</translation>
     </message>
+    <message>
+        <source>chi squared %1 for %2 degrees of freedom</source>
+        <translation>Chi-Quadrat %1 bei %2 Freiheitsgraden</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -583,6 +587,18 @@
     <message>
         <source>arms: %1</source>
         <translation>Arme: %1</translation>
+    </message>
+    <message>
+        <source>clipboard</source>
+        <translation>Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Paste table</source>
+        <translation>Tabelle einfügen</translation>
+    </message>
+    <message>
+        <source>Two columns from the clipboard, as a spreadsheet copies them, replace all arms: modulus in Pa and relaxation time in s, or as names and units in the first row say</source>
+        <translation>Zwei Spalten aus der Zwischenablage, wie eine Tabellenkalkulation sie kopiert, ersetzen alle Arme: Modul in Pa und Relaxationszeit in s, oder wie Namen und Einheiten in der ersten Zeile sagen</translation>
     </message>
 </context>
 <context>
@@ -1220,6 +1236,10 @@
         <source>Shows how a viscoelastic elastomer slides over a randomly rough rigid line, after Li et al., &lt;i&gt;Friction between a viscoelastic body and a rigid surface with random self-affine roughness&lt;/i&gt;, Physical Review Letters 111, 034301 (2013).&lt;br&gt;&lt;br&gt;The elements of the elastomer are independent of each other: long-range elastic coupling is not in the model.&lt;br&gt;&lt;br&gt;Free software, GPL-3.0-or-later.</source>
         <translation>Zeigt, wie ein viskoelastisches Elastomer über eine zufällig raue starre Linie gleitet, nach Li et al., &lt;i&gt;Friction between a viscoelastic body and a rigid surface with random self-affine roughness&lt;/i&gt;, Physical Review Letters 111, 034301 (2013).&lt;br&gt;&lt;br&gt;Die Elemente des Elastomers sind voneinander unabhängig: Eine langreichweitige elastische Kopplung ist nicht im Modell.&lt;br&gt;&lt;br&gt;Freie Software, GPL-3.0-or-later.</translation>
     </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Das Bild ist in der Zwischenablage</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MessageBar</name>
@@ -1279,14 +1299,6 @@
         <translation>Genauigkeit</translation>
     </message>
     <message>
-        <source>Choose a profile</source>
-        <translation>Profil wählen</translation>
-    </message>
-    <message>
-        <source>Profiles (*.csv);;All files (*)</source>
-        <translation>Profile (*.csv);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>parameters</source>
         <translation>Parameter</translation>
     </message>
@@ -1301,6 +1313,14 @@
     <message>
         <source>choose the kind of spectrum</source>
         <translation>Art des Spektrums wählen</translation>
+    </message>
+    <message>
+        <source>Choose a file of the line</source>
+        <translation>Datei der Linie wählen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>Tabellen (*.csv *.txt);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -1487,6 +1507,14 @@
         <source>%1 parameters</source>
         <translation>%1 Parameter</translation>
     </message>
+    <message>
+        <source>Open surface</source>
+        <translation>Oberfläche öffnen</translation>
+    </message>
+    <message>
+        <source>Open material</source>
+        <translation>Werkstoff öffnen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SceneTabs</name>
@@ -1541,6 +1569,14 @@
     <message>
         <source>velocity, friction, indentation and contact length in time</source>
         <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
+    </message>
+    <message>
+        <source>moduli of the elastomer and the frequencies in use</source>
+        <translation>Moduln des Elastomers und die genutzten Frequenzen</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
     </message>
 </context>
 <context>
@@ -1770,6 +1806,18 @@
     <message>
         <source>%1 frames/s</source>
         <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>⚠ 1 note</source>
+        <translation>⚠ 1 Hinweis</translation>
+    </message>
+    <message>
+        <source>⚠ %1 notes</source>
+        <translation>⚠ %1 Hinweise</translation>
+    </message>
+    <message>
+        <source>notes on how far the results hold</source>
+        <translation>Hinweise, wie weit die Ergebnisse gelten</translation>
     </message>
 </context>
 <context>
@@ -2274,6 +2322,10 @@
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
+    <message>
+        <source>evaluations</source>
+        <translation>Auswertungen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::FrictionChartModel</name>
@@ -2314,6 +2366,299 @@
     <message>
         <source>Click to unpin this curve</source>
         <translation>Klicken, um diese Kurve zu lösen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::DiagramView</name>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save diagram…</source>
+        <translation>Diagramm speichern …</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf)</source>
+        <translation>Bilder (*.png *.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save diagram</source>
+        <translation>Diagramm speichern</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ImportCommands</name>
+    <message>
+        <source>Open surface…</source>
+        <translation>Oberfläche öffnen …</translation>
+    </message>
+    <message>
+        <source>Open material…</source>
+        <translation>Werkstoff öffnen …</translation>
+    </message>
+    <message>
+        <source>Open surface</source>
+        <translation>Oberfläche öffnen</translation>
+    </message>
+    <message>
+        <source>Measured surfaces (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.sur *.pro *.gsf *.gwy);;All files (*)</source>
+        <translation>Gemessene Oberflächen (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.sur *.pro *.gsf *.gwy);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open material</source>
+        <translation>Werkstoff öffnen</translation>
+    </message>
+    <message>
+        <source>Materials and measured moduli (*.json *.csv *.txt *.dat *.inp);;All files (*)</source>
+        <translation>Werkstoffe und gemessene Moduln (*.json *.csv *.txt *.dat *.inp);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ImportPage</name>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>progress of reading</source>
+        <translation>Fortschritt des Lesens</translation>
+    </message>
+    <message>
+        <source>Read the file again</source>
+        <translation>Die Datei noch einmal lesen</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>Lesen anhalten</translation>
+    </message>
+    <message>
+        <source>Reading was stopped</source>
+        <translation>Das Lesen wurde angehalten</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::MaterialBox</name>
+    <message>
+        <source>own values</source>
+        <translation>eigene Werte</translation>
+    </message>
+    <message>
+        <source>Open material…</source>
+        <translation>Werkstoff öffnen …</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::MaterialImport</name>
+    <message>
+        <source>Save material</source>
+        <translation>Werkstoff speichern</translation>
+    </message>
+    <message>
+        <source>Materials (*.json)</source>
+        <translation>Werkstoffe (*.json)</translation>
+    </message>
+    <message>
+        <source>&amp;Save and use…</source>
+        <translation>&amp;Speichern und verwenden …</translation>
+    </message>
+    <message>
+        <source>Open material</source>
+        <translation>Werkstoff öffnen</translation>
+    </message>
+    <message>
+        <source>the measured moduli and their fit</source>
+        <translation>die gemessenen Moduln und ihre Anpassung</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>wie gefunden</translation>
+    </message>
+    <message>
+        <source>What the file is</source>
+        <translation>Was die Datei ist</translation>
+    </message>
+    <message>
+        <source>frequency in</source>
+        <translation>Frequenz in</translation>
+    </message>
+    <message>
+        <source>Unit of the frequencies</source>
+        <translation>Einheit der Frequenzen</translation>
+    </message>
+    <message>
+        <source>temperature in</source>
+        <translation>Temperatur in</translation>
+    </message>
+    <message>
+        <source>Unit of the temperatures</source>
+        <translation>Einheit der Temperaturen</translation>
+    </message>
+    <message>
+        <source>modulus in</source>
+        <translation>Modul in</translation>
+    </message>
+    <message>
+        <source>Unit of the moduli</source>
+        <translation>Einheit der Moduln</translation>
+    </message>
+    <message>
+        <source>deformation</source>
+        <translation>Verformung</translation>
+    </message>
+    <message>
+        <source>Whether the moduli are of shear (G) or of tension (E)</source>
+        <translation>Ob die Moduln für Schub (G) oder für Zug (E) gelten</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>Querkontraktionszahl</translation>
+    </message>
+    <message>
+        <source>Turns moduli of tension into those of shear: G = E / (2 (1 + ν))</source>
+        <translation>Macht aus Zugmoduln Schubmoduln: G = E / (2 (1 + ν))</translation>
+    </message>
+    <message>
+        <source>measured at</source>
+        <translation>gemessen bei</translation>
+    </message>
+    <message>
+        <source>Temperature of a file that does not state one, such as 20 °C</source>
+        <translation>Temperatur einer Datei, die keine nennt, etwa 20 °C</translation>
+    </message>
+    <message>
+        <source>instantaneous modulus</source>
+        <translation>Anfangsmodul</translation>
+    </message>
+    <message>
+        <source>Shear modulus in Pa of a series that gives parts of it</source>
+        <translation>Schubmodul in Pa zu einer Reihe, die Anteile davon nennt</translation>
+    </message>
+    <message>
+        <source>Master curve</source>
+        <translation>Masterkurve</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>Temperature to which all isotherms are shifted, such as 20 °C</source>
+        <translation>Temperatur, zu der alle Isothermen verschoben werden, etwa 20 °C</translation>
+    </message>
+    <message>
+        <source>near 25 °C</source>
+        <translation>nahe 25 °C</translation>
+    </message>
+    <message>
+        <source>vertical shifts, too</source>
+        <translation>auch senkrecht schieben</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>How the shifts stand in the material: as a formula, or as their table</source>
+        <translation>Wie die Verschiebungen im Werkstoff stehen: als Formel oder als ihre Tabelle</translation>
+    </message>
+    <message>
+        <source>Prony series</source>
+        <translation>Prony-Reihe</translation>
+    </message>
+    <message>
+        <source>as few as do</source>
+        <translation>so wenige wie nötig</translation>
+    </message>
+    <message>
+        <source>Relaxation times, evenly spaced in their logarithm</source>
+        <translation>Relaxationszeiten mit gleichen Abständen im Logarithmus</translation>
+    </message>
+    <message>
+        <source>terms</source>
+        <translation>Glieder</translation>
+    </message>
+    <message>
+        <source>In the file of the material</source>
+        <translation>In der Datei des Werkstoffs</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of the material</source>
+        <translation>Name des Werkstoffs</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Where the measurements come from, so that a reader can look it up</source>
+        <translation>Woher die Messungen stammen, sodass Leser nachsehen können</translation>
+    </message>
+    <message>
+        <source>Isotherms</source>
+        <translation>Isothermen</translation>
+    </message>
+    <message>
+        <source>Loss tangent</source>
+        <translation>Verlustfaktor</translation>
+    </message>
+    <message>
+        <source>Shifts</source>
+        <translation>Verschiebungen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SurfaceImport</name>
+    <message>
+        <source>What the file is</source>
+        <translation>Was die Datei ist</translation>
+    </message>
+    <message>
+        <source>From heights to a profile</source>
+        <translation>Von Höhen zum Profil</translation>
+    </message>
+    <message>
+        <source>From the profile to the line</source>
+        <translation>Vom Profil zur Linie</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>roh</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>verwendet</translation>
+    </message>
+    <message>
+        <source>&amp;Use this surface</source>
+        <translation>Diese Oberfläche &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Open surface</source>
+        <translation>Oberfläche öffnen</translation>
+    </message>
+    <message>
+        <source>the profile and its spectrum, raw and used</source>
+        <translation>das Profil und sein Spektrum, roh und verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TopographyPicture</name>
+    <message>
+        <source>topography</source>
+        <translation>Topographie</translation>
+    </message>
+    <message>
+        <source>%1 × %2, heights over %3</source>
+        <translation>%1 × %2, Höhen über %3</translation>
     </message>
 </context>
 </TS>

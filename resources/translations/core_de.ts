@@ -4149,6 +4149,8 @@
     <message>
         <source>summits</source>
         <translation>Gipfel</translation>
+        <source>interpolate</source>
+        <translation>interpolieren</translation>
     </message>
     <message>
         <source>spectrum</source>
@@ -4191,10 +4193,6 @@
         <translation>spiegeln</translation>
     </message>
     <message>
-        <source>measured</source>
-        <translation>gemessen</translation>
-    </message>
-    <message>
         <source>mean</source>
         <translation>Mittelwert</translation>
     </message>
@@ -4217,6 +4215,8 @@
     <message>
         <source>gwyddion</source>
         <translation>Gwyddion</translation>
+        <source>gsf</source>
+        <translation>GSF</translation>
     </message>
     <message>
         <source>gwy</source>
@@ -4225,6 +4225,20 @@
     <message>
         <source>gsf</source>
         <translation>GSF</translation>
+        <source>sur</source>
+        <translation>SUR</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>along-x</source>
+        <translation>längs x</translation>
+    </message>
+    <message>
+        <source>along-y</source>
+        <translation>längs y</translation>
     </message>
     <message>
         <source>c1-two-sided</source>
@@ -4239,20 +4253,56 @@
         <translation>überblenden</translation>
     </message>
     <message>
-        <source>auto</source>
-        <translation>automatisch</translation>
+        <source>wlf</source>
+        <translation>WLF</translation>
+    </message>
+    <message>
+        <source>arrhenius</source>
+        <translation>Arrhenius</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
     </message>
     <message>
         <source>as-measured</source>
         <translation>wie gemessen</translation>
     </message>
     <message>
-        <source>along-y</source>
-        <translation>längs y</translation>
+        <source>shear</source>
+        <translation>Schub</translation>
     </message>
     <message>
-        <source>along-x</source>
-        <translation>längs x</translation>
+        <source>tension</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>needs two columns: modulus in Pa and relaxation time in s</source>
+        <translation>braucht zwei Spalten: Modul in Pa und Relaxationszeit in s</translation>
+    </message>
+    <message>
+        <source>needs a column of relaxation times and one of moduli, named such as tau and G</source>
+        <translation>braucht eine Spalte von Relaxationszeiten und eine von Moduln, mit Namen wie tau und G</translation>
+    </message>
+    <message>
+        <source>holds a modulus or a time that is not above 0, or too large</source>
+        <translation>enthält einen Modul oder eine Zeit, die nicht über 0 liegt oder zu groß ist</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this surface</source>
+        <translation>für diese Oberfläche reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number from 0 to 0.5</source>
+        <translation>&apos;%1&apos; ist keine Zahl von 0 bis 0,5</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a temperature such as 20C, 293.15K or 68F</source>
+        <translation>&apos;%1&apos; ist keine Temperatur wie 20C, 293.15K oder 68F</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a modulus such as 2.3MPa</source>
+        <translation>&apos;%1&apos; ist kein Modul wie 2.3MPa</translation>
     </message>
 </context>
 <context>

@@ -1,16 +1,24 @@
 #include "ui/panels/arms_editor.h"
 
+#include <QClipboard>
 #include <QGridLayout>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QToolButton>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/text_table.h"
+#include "core/material/prony_file.h"
 #include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/value_entry.h"
 
@@ -49,7 +57,54 @@ Arm armAfter(const std::vector<Arm>& arms) {
   return next;
 }
 
+/// The columns of a table without names: the larger of two moduli is far above the longest time.
+std::vector<Arm> namelessArms(const TextBlock& block, const std::string& name) {
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < block.columns.size(); ++i)
+    if (!block.columns[i].isText && !(block.columns.size() > 2 && countsRows(block, i)))
+      columns.push_back(i);
+  if (columns.size() != 2)
+    throw InputError(name, "", "needs two columns: modulus in Pa and relaxation time in s");
+  double largest[2] = {0, 0};
+  for (std::size_t row = 0; row < block.rows; ++row)
+    for (std::size_t k = 0; k < 2; ++k)
+      if (const double value = block.at(row, columns[k]); !std::isnan(value))
+        largest[k] = std::max(largest[k], value);
+  const std::size_t modulus = largest[0] >= largest[1] ? 0 : 1;
+  std::vector<Arm> arms;
+  for (std::size_t row = 0; row < block.rows; ++row)
+    arms.push_back({block.at(row, columns[modulus]), block.at(row, columns[1 - modulus])});
+  return arms;
+}
+
 }  // namespace
+
+std::vector<Arm> armsFromTable(std::string_view text) {
+  const std::string name = ArmsEditor::tr("clipboard").toStdString();
+  const TextTable table = readTextTable(text, name);
+  const bool isNamed = std::ranges::any_of(
+      table.largest().columns, [](const TextColumn& column) { return !column.name.empty(); });
+  std::vector<Arm> arms;
+  if (isNamed) {
+    PronyChoices choices;
+    choices.isLiquid = true;  // the equilibrium modulus stands in the scene
+    const auto series = readPronyFile({}, &table, name, choices);
+    if (!series)
+      throw InputError(
+          name, "",
+          "needs a column of relaxation times and one of moduli, named such as tau and G");
+    arms = series->arms;
+  } else {
+    arms = namelessArms(table.largest(), name);
+  }
+  if (arms.size() > kMostArms)
+    throw InputError(name, "", message("has {} arms; allowed is {}", arms.size(), kMostArms));
+  for (const Arm& arm : arms)
+    for (const ArmMember& member : armMembers())
+      if (const double value = arm.*member.value; !(value > 0 && value <= member.most))
+        throw InputError(name, "", "holds a modulus or a time that is not above 0, or too large");
+  return arms;
+}
 
 /// The widgets of one arm; owned by the table.
 class ArmRow {
@@ -126,6 +181,7 @@ class ArmRow {
   void addValue(QGridLayout& grid, int line, std::size_t k) {
     auto* entry = entries_[k] = new ValueEntry;
     entry->setObjectName(QStringLiteral("%1:%2").arg(kNames[k]).arg(index_));
+    entry->installEventFilter(&editor_);
     auto* unit = units_[k] = new QLabel;
     unit->setProperty("role", "unit");
     unit->setFixedWidth(kUnitDigits * unit->fontMetrics().horizontalAdvance('0'));
@@ -166,7 +222,12 @@ class ArmRow {
 };
 
 ArmsEditor::ArmsEditor(QWidget* parent)
-    : QWidget(parent), fold_(new QToolButton), table_(new QWidget), add_(new QToolButton) {
+    : QWidget(parent),
+      fold_(new QToolButton),
+      table_(new QWidget),
+      add_(new QToolButton),
+      paste_(new QToolButton),
+      refusal_(new QLabel) {
   fold_->setObjectName("armsFold");
   fold_->setProperty("role", "browse");
   fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -195,7 +256,21 @@ ArmsEditor::ArmsEditor(QWidget* parent)
   column->setContentsMargins(14, 2, 0, 4);
   column->setSpacing(4);
   column->addWidget(table_);
-  column->addWidget(add_, 0, Qt::AlignLeft);
+  paste_->setObjectName("armsPaste");
+  paste_->setProperty("role", "browse");
+  paste_->setFocusPolicy(Qt::StrongFocus);
+  connect(paste_, &QToolButton::clicked, this, &ArmsEditor::paste);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(5);
+  buttons->addWidget(add_);
+  buttons->addWidget(paste_);
+  buttons->addStretch(1);
+  column->addLayout(buttons);
+  refusal_->setObjectName("armsRefusal");
+  refusal_->setProperty("role", "error");
+  refusal_->setWordWrap(true);
+  refusal_->hide();
+  column->addWidget(refusal_);
   keepTranslated(*this, [this] { showTexts(); });
 }
 
@@ -206,6 +281,10 @@ void ArmsEditor::showTexts() {
     headings_[k]->setText(names[k] + "&nbsp; " + symbolHtml(symbols[k]));
   add_->setText(tr("Add arm"));
   add_->setToolTip(tr("One more arm, with ten times the longest relaxation time"));
+  paste_->setText(tr("Paste table"));
+  paste_->setToolTip(tr(
+      "Two columns from the clipboard, as a spreadsheet copies them, replace all arms: modulus in "
+      "Pa and relaxation time in s, or as names and units in the first row say"));
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     rows_[i]->showTexts();
     rows_[i]->show(arms_[i], false);
@@ -222,6 +301,8 @@ void ArmsEditor::showArms(const std::vector<Arm>& arms, std::optional<std::size_
   const std::vector<Arm> next = sorted(arms);
   const bool isAnother = next != arms_ || wanted != wanted_ || next.size() != rows_.size();
   if (!isAnother && !replace) return;
+  if (isAnother) refusal_->hide();
+  paste_->setEnabled(!wanted || *wanted > 1);
   arms_ = next;
   wanted_ = wanted;
   makeRows(arms_.size());
@@ -250,6 +331,31 @@ void ArmsEditor::add() {
   arms.push_back(armAfter(arms));
   give(std::move(arms));
   if (!rows_.empty()) rows_.back()->focus();
+}
+
+void ArmsEditor::paste() {
+  refusal_->hide();
+  try {
+    const std::string text = QGuiApplication::clipboard()->text().toStdString();
+    const std::vector<Arm> arms = armsFromTable(text);
+    opened_ = true;
+    give(arms);
+  } catch (const InputError& error) {
+    refusal_->setText(translatedError(error));
+    refusal_->show();
+  }
+}
+
+bool ArmsEditor::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress &&
+      static_cast<QKeyEvent*>(event)->matches(QKeySequence::Paste)) {
+    const QString text = QGuiApplication::clipboard()->text().trimmed();
+    if (text.contains(u'\n') || text.contains(u'\t')) {
+      paste();
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void ArmsEditor::remove(std::size_t index) {

@@ -1,13 +1,15 @@
 // The arms of an elastomer as a table: modulus and relaxation time of each in engineering units,
-// sorted by time, with buttons to add and to remove; a long table is folded under a line that
-// summarizes it. A refused value stays as it was typed, with the reason below it. Every accepted
-// change passes on the whole list. Object names: "armsFold", "armsAdd", and from 0 "armModulus:I",
-// "armTime:I", "armRemove:I", "armError:I". GUI thread; belongs to its parent.
+// sorted by time, with buttons to add, to remove and to paste a table; a long table is folded under
+// a line that summarizes it. A refused value stays as it was typed, with the reason below it. Every
+// accepted change passes on the whole list. Object names: "armsFold", "armsAdd", "armsPaste",
+// "armsRefusal", and from 0 "armModulus:I", "armTime:I", "armRemove:I", "armError:I". GUI thread;
+// belongs to its parent.
 #pragma once
 
 #include <QWidget>
 #include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -37,12 +39,17 @@ class ArmsEditor : public QWidget {
  signals:
   void armsGiven(const std::vector<asperity::Arm>& arms);
 
+ protected:
+  /// A table that is pasted into one of the entries replaces all arms.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   friend class ArmRow;
 
   void give(std::vector<Arm> arms);
   void change(std::size_t index, const Arm& arm);
   void add();
+  void paste();
   void remove(std::size_t index);
   void makeRows(std::size_t count);
   void showTexts();
@@ -57,7 +64,14 @@ class ArmsEditor : public QWidget {
   QWidget* table_;
   QGridLayout* grid_;
   std::array<QLabel*, 2> headings_{};
-  QToolButton* add_;
+  QToolButton *add_, *paste_;
+  QLabel* refusal_;  // why a table was not taken
 };
+
+/// Reads arms from a table of two columns, as a spreadsheet copies it: with names and units in the
+/// first row, or modulus in Pa and relaxation time in s, in any order that makes the larger numbers
+/// the moduli. Throws InputError where there is no such table, a value is not allowed, or there are
+/// more than kMostArms.
+std::vector<Arm> armsFromTable(std::string_view text);
 
 }  // namespace asperity

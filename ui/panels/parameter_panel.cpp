@@ -17,6 +17,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
+#include "ui/panels/scene_files.h"
 
 namespace asperity {
 
@@ -47,26 +48,25 @@ QString sectionTitle(const QString& section) {
 }
 
 /// Returns the sections: frequently used ones first; unknown ones follow in the order of the table.
-QStringList sections() {
+std::vector<ParameterGroup> sections() {
   QStringList names{"sliding", "load", "elastomer", "surface", "interface", "sweep", "accuracy"};
   for (const Parameter& parameter : parameters())
     if (!names.contains(sectionOf(parameter))) names += sectionOf(parameter);
-  return names;
+  std::vector<ParameterGroup> groups;
+  for (const QString& name : names) {
+    ParameterGroup group;
+    if (!name.isEmpty()) group.title = [name] { return sectionTitle(name); };
+    for (const Parameter& parameter : parameters())
+      if (sectionOf(parameter) == name) group.keys.push_back(parameter.key);
+    groups.push_back(std::move(group));
+  }
+  return groups;
 }
 
-QString askForProfile(QWidget* parent, const QString& folder) {
-  return QFileDialog::getOpenFileName(parent, ParameterPanel::tr("Choose a profile"), folder,
-                                      ParameterPanel::tr("Profiles (*.csv);;All files (*)"));
-}
-
-/// Returns the file's name in the scene: relative where the file lies in the scene's folder or
-/// below.
-std::string nameInScene(const Scene& scene, const std::filesystem::path& file) {
-  if (scene.folder.empty()) return file.string();
-  const auto folder = std::filesystem::absolute(scene.folder).lexically_normal();
-  const auto name = std::filesystem::absolute(file).lexically_normal().lexically_relative(folder);
-  const bool isBelow = !name.empty() && *name.begin() != "..";
-  return isBelow ? name.string() : file.string();
+QString askForTable(QWidget* parent, const QString& folder) {
+  return QFileDialog::getOpenFileName(parent, ParameterPanel::tr("Choose a file of the line"),
+                                      folder,
+                                      ParameterPanel::tr("Tables (*.csv *.txt);;All files (*)"));
 }
 
 /// Returns whether two scenes read their profile from the same file.
@@ -78,11 +78,15 @@ bool haveSameFile(const Scene& a, const Scene& b) {
 }  // namespace
 
 ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
+    : ParameterPanel(scene, sections(), parent) {}
+
+ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGroup>& groups,
+                               QWidget* parent)
     : QWidget(parent),
       scene_(scene),
       passedOn_(scene),
       sizes_(scene.surface),
-      chooser_(askForProfile),
+      chooser_(askForTable),
       scroll_(new QScrollArea) {
   auto* content = new QWidget;
   content->setObjectName("parameterRows");
@@ -90,7 +94,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(14, 5, 5, 5);
   column->setSpacing(3);
-  for (const QString& section : sections()) addSection(*column, section);
+  for (const ParameterGroup& group : groups) addGroup(*column, group);
   column->addStretch(1);
 
   scroll_->setWidget(content);
@@ -143,22 +147,22 @@ QSize ParameterPanel::sizeHint() const {
   return {380, 640};
 }
 
-/// Adds a section. Its first choice, if it has one, is in its heading.
-void ParameterPanel::addSection(QVBoxLayout& column, const QString& section) {
-  bool hasHeading = section.isEmpty();
+/// Adds rows under their heading. Their first choice, if they have one, is in the heading.
+void ParameterPanel::addGroup(QVBoxLayout& column, const ParameterGroup& group) {
+  bool hasHeading = !group.title;
   if (column.count() > 0) column.addSpacing(3);
-  for (const Parameter& parameter : parameters()) {
-    if (sectionOf(parameter) != section) continue;
+  for (const std::string_view key : group.keys) {
+    const Parameter& parameter = *findParameter(key);
     const bool isChoice = std::holds_alternative<ChoiceField>(parameter.field);
-    if (!hasHeading && !isChoice) {
+    if (!hasHeading && !(isChoice && group.isInFirstRow)) {
       auto* label = new QLabel;
       label->setProperty("role", "heading");
       column.addWidget(label);
-      headings_.insert(section, label);
+      headings_.emplace_back(label, group.title);
       hasHeading = true;
     }
     ParameterRow& row = addRow(column, parameter);
-    if (!hasHeading) headingRows_.insert(&row, section);
+    if (!hasHeading) headingRows_.insert(&row, group.title);
     hasHeading = true;
   }
 }
@@ -179,11 +183,10 @@ ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& param
 /// Sets all texts. Unfinished input stays. A refused entry is refused again, in the new language.
 void ParameterPanel::showTexts() {
   scroll_->widget()->setAccessibleName(tr("parameters"));
-  for (auto heading = headings_.cbegin(); heading != headings_.cend(); ++heading)
-    (*heading)->setText(sectionTitle(heading.key()));
+  for (const auto& [label, title] : headings_) label->setText(title());
   for (ParameterRow* row : std::as_const(rows_)) {
-    const QString section = headingRows_.value(row);
-    row->showTexts(section.isEmpty() ? QString() : sectionTitle(section));
+    const std::function<QString()> title = headingRows_.value(row);
+    row->showTexts(title ? title() : QString());
   }
   showRows(nullptr);
   showMissing();
@@ -202,6 +205,8 @@ void ParameterPanel::takeText(ParameterRow& row, const QString& text) {
 }
 
 void ParameterPanel::chooseFile(ParameterRow& row) {
+  if (isMaterial(row.parameter())) return emit materialWanted(scene_);
+  if (scene_.surface.kind == SurfaceKind::Measured) return emit surfaceWanted(scene_);
   const std::filesystem::path present = scene_.folder / scene_.surface.file;
   const QString file = chooser_(this, QString::fromStdString(present.parent_path().string()));
   if (file.isEmpty()) return;

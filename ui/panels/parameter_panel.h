@@ -8,6 +8,9 @@
 #include <QSet>
 #include <QWidget>
 #include <functional>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/scene/scene.h"
 #include "ui/panels/profile_defaults.h"
@@ -25,11 +28,23 @@ struct Parameter;
 /// Asks the user for a file, beginning in a folder; empty where none was chosen.
 using FileChooser = std::function<QString(QWidget* parent, const QString& folder)>;
 
+/// Rows under one heading, in this order. `title` is asked again for another language; without it
+/// the rows have no heading.
+struct ParameterGroup {
+  std::function<QString()> title;
+  std::vector<std::string_view> keys;
+  bool isInFirstRow = true;  // whether the heading is that of a choice that comes first
+};
+
 class ParameterPanel : public QWidget {
   Q_OBJECT
 
  public:
+  /// All rows of the table, by section.
   explicit ParameterPanel(const Scene& scene, QWidget* parent = nullptr);
+  /// Some rows of the table.
+  ParameterPanel(const Scene& scene, const std::vector<ParameterGroup>& groups,
+                 QWidget* parent = nullptr);
 
   const Scene& scene() const { return scene_; }
 
@@ -52,13 +67,16 @@ class ParameterPanel : public QWidget {
 
  signals:
   void sceneEdited(const asperity::Scene& scene);
+  /// Emitted where the user wants to open a measured surface, or a material, for this scene.
+  void surfaceWanted(const asperity::Scene& scene);
+  void materialWanted(const asperity::Scene& scene);
 
  protected:
   void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void addSection(QVBoxLayout& column, const QString& section);
+  void addGroup(QVBoxLayout& column, const ParameterGroup& group);
   ParameterRow& addRow(QVBoxLayout& column, const Parameter& parameter);
   template <class Change>
   void edit(ParameterRow& row, Change&& change, const QString& refusal = {});
@@ -76,8 +94,9 @@ class ParameterPanel : public QWidget {
   FileChooser chooser_;
   QSet<QString> complaints_;           // keys of showError()
   QMap<QString, ParameterRow*> rows_;  // by key
-  QMap<QString, QLabel*> headings_;    // by section, where the heading has a line of its own
-  QMap<const ParameterRow*, QString> headingRows_;  // the section of a row that is in the heading
+  /// Titles of groups: with a line of their own, or in the group's first row.
+  std::vector<std::pair<QLabel*, std::function<QString()>>> headings_;
+  QMap<const ParameterRow*, std::function<QString()>> headingRows_;
   QScrollArea* scroll_;
 };
 

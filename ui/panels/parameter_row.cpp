@@ -16,6 +16,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/arms_editor.h"
 #include "ui/panels/choice_box.h"
+#include "ui/panels/material_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
@@ -125,6 +126,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   addLabel(*line);
   if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
     addChoice(*line, *choice);
+  else if (isMaterial(parameter))
+    addMaterials(*line);
   else if (std::holds_alternative<TextField>(parameter.field) ||
            std::holds_alternative<ShiftTableField>(parameter.field))
     addText(*line);
@@ -142,8 +145,10 @@ void ParameterRow::showTexts(const QString& heading) {
   label_->setText(heading.isEmpty() ? labelWithSymbol(parameter_) : heading);
   if (!heading.isEmpty()) label_->setProperty("role", "heading");
   label_->setToolTip(description());
-  for (QWidget* control : std::initializer_list<QWidget*>{slider_, entry_, choice_, arms_, text_})
+  for (QWidget* control :
+       std::initializer_list<QWidget*>{slider_, entry_, choice_, arms_, material_, text_})
     if (control) describe(*control);
+  if (material_) material_->showTexts();
   if (arms_) arms_->setToolTip({});  // its parts have their own tooltips
   if (choice_) {
     choice_->view()->setAccessibleName(choice_->accessibleName());
@@ -174,6 +179,7 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
     replace ? text_->replaceText(text) : text_->showText(text);
   }
   if (arms_) arms_->showArms(scene.elastomer.arms, armsWanted(scene), replace);
+  if (material_) material_->showMaterial(scene.elastomer);
   if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
   if (replace) showError({});
   showReset(value, restingValue(parameter_, scene));
@@ -322,6 +328,15 @@ void ParameterRow::addArms(QHBoxLayout& line, QVBoxLayout& column) {
           [this](const std::vector<Arm>& arms) { emit valueGiven(textOf(arms)); });
   line.addWidget(&arms_->fold(), 1);
   column.addWidget(arms_);
+}
+
+void ParameterRow::addMaterials(QHBoxLayout& line) {
+  material_ = new MaterialBox;
+  name(*material_, "material");
+  connect(material_, &MaterialBox::nameGiven, this,
+          [this](const QString& given) { emit valueGiven(given.toStdString()); });
+  connect(material_, &MaterialBox::fileWanted, this, &ParameterRow::fileWanted);
+  line.addWidget(material_, 1);
 }
 
 /// Adds the button for files. The entry shows the end of a path, which is more informative.

@@ -1,9 +1,10 @@
 // One row of the table of parameters as controls: label with symbol, then slider and exact entry,
 // or a list of words, or a text, with a button for files where it names a file, or the table of an
-// elastomer's arms; description and allowed range as tooltip, a button that resets to the default,
-// and the reason below a refused text. Object names: "slider:KEY", "entry:KEY", "text:KEY",
-// "arms:KEY", "choice:KEY", "browse:KEY", "reset:KEY", "note:KEY", "error:KEY", "row:KEY". The row
-// holds no scene; it shows one and emits the user's input. GUI thread.
+// elastomer's arms, or the box of materials; description and allowed range as tooltip, a button
+// that resets to the default, and the reason below a refused text. Object names: "slider:KEY",
+// "entry:KEY", "text:KEY", "arms:KEY", "material:KEY", "choice:KEY", "browse:KEY", "reset:KEY",
+// "note:KEY", "error:KEY", "row:KEY". The row holds no scene; it shows one and emits the user's
+// input. GUI thread.
 #pragma once
 
 #include <QWidget>
@@ -20,6 +21,7 @@ namespace asperity {
 
 class ArmsEditor;
 class ChoiceBox;
+class MaterialBox;
 class TextBox;
 class ValueEntry;
 class ValueSlider;
@@ -65,6 +67,7 @@ class ParameterRow : public QWidget {
   void addText(QHBoxLayout& line);
   void addLongText(QHBoxLayout& line);
   void addArms(QHBoxLayout& line, QVBoxLayout& column);
+  void addMaterials(QHBoxLayout& line);
   void addBrowse(QHBoxLayout& line);
   void addReset(QHBoxLayout& line);
   void addRemarks(QVBoxLayout& column);
@@ -82,6 +85,7 @@ class ParameterRow : public QWidget {
   ValueEntry* entry_ = nullptr;
   ChoiceBox* choice_ = nullptr;
   ArmsEditor* arms_ = nullptr;
+  MaterialBox* material_ = nullptr;
   TextBox* text_ = nullptr;  // for several sentences
   QLabel* label_ = nullptr;
   QLabel* unit_ = nullptr;  // for numbers

@@ -2,6 +2,7 @@
 
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/panels/scene_files.h"
 
 namespace asperity {
 
@@ -77,14 +78,18 @@ ParameterValue restingValue(const Parameter& parameter, const Scene& scene) {
 }
 
 void giveValue(const Parameter& parameter, Scene& scene, const ParameterValue& value) {
-  if (mayBeLeftOpen(parameter, scene) && value == restingValue(parameter, scene))
+  if (isMaterial(parameter) && std::holds_alternative<std::string>(value))
+    useMaterial(scene, std::get<std::string>(value));
+  else if (mayBeLeftOpen(parameter, scene) && value == restingValue(parameter, scene))
     leaveOpen(parameter, scene);
   else
     setValue(parameter, scene, value);
 }
 
 void giveText(const Parameter& parameter, Scene& scene, std::string_view text) {
-  if (mayBeLeftOpen(parameter, scene) && (text.empty() || text == "0"))
+  if (isMaterial(parameter))
+    useMaterial(scene, std::string(text));
+  else if (mayBeLeftOpen(parameter, scene) && (text.empty() || text == "0"))
     leaveOpen(parameter, scene);
   else
     setFromText(parameter, scene, text);
@@ -96,6 +101,10 @@ bool isChosenWhereOpen(const Parameter& parameter) {
 
 bool isFile(const Parameter& parameter) {
   return parameter.key == kFile;
+}
+
+bool isMaterial(const Parameter& parameter) {
+  return parameter.key == "elastomer.material";
 }
 
 bool isLongText(const Parameter& parameter) {

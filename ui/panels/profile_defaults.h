@@ -36,12 +36,16 @@ ParameterValue restingValue(const Parameter& parameter, const Scene& scene);
 /// Returns whether the scene chooses a value that is left open.
 bool isChosenWhereOpen(const Parameter& parameter);
 
-/// Call setValue() and setFromText(), and also accept values that are left open: 0, or no text.
+/// Call setValue() and setFromText(), and also accept values that are left open: 0, or no text. The
+/// name of a material brings all of its values (scene_files.h).
 void giveValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
 void giveText(const Parameter& parameter, Scene& scene, std::string_view text);
 
 /// Returns whether the parameter names a file.
 bool isFile(const Parameter& parameter);
+
+/// Returns whether the parameter names a material: a shipped one or a file.
+bool isMaterial(const Parameter& parameter);
 
 /// Returns whether the parameter is a text of several sentences.
 bool isLongText(const Parameter& parameter);

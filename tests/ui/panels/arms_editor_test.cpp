@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
@@ -195,6 +197,28 @@ TEST_F(ArmsEditorTest, ComplaintsOfTheRunnerStandInTheRow) {
   EXPECT_EQ(control<QLabel>("error:elastomer.arms").text(), "too little");
   panel_.clearErrors();
   EXPECT_FALSE(isShown("error:elastomer.arms"));
+}
+
+TEST_F(ArmsEditorTest, ATableFromASpreadsheetReplacesThem) {
+  QGuiApplication::clipboard()->setText("1e6\t0.01\r\n2e6\t0.001\r\n3e6\t0.1\r\n");
+  QTest::mouseClick(&control<QToolButton>("armsPaste"), Qt::LeftButton);
+  EXPECT_EQ(arms(), (std::vector<Arm>{{2e6, 0.001}, {1e6, 0.01}, {3e6, 0.1}}));
+  // Names and units, the other order, decimal commas; with the keys of pasting, in an entry.
+  QGuiApplication::clipboard()->setText("tau (s)\tG (MPa)\n0,5\t1,5\n5\t2,5\n");
+  entry("armModulus", 0).setFocus();
+  QTest::keySequence(&entry("armModulus", 0), QKeySequence::Paste);
+  EXPECT_EQ(arms(), (std::vector<Arm>{{1.5e6, 0.5}, {2.5e6, 5}}));
+}
+
+TEST_F(ArmsEditorTest, ATableThatHoldsNoArmsIsRefused) {
+  const std::vector<Arm> before = arms();
+  for (const char* text : {"", "words\n", "1e6\n2e6\n", "1e6\t0\n2e6\t1\n", "1e6\t-1\n2e6\t1\n"}) {
+    QGuiApplication::clipboard()->setText(text);
+    QTest::mouseClick(&control<QToolButton>("armsPaste"), Qt::LeftButton);
+    EXPECT_EQ(arms(), before) << text;
+    EXPECT_TRUE(isShown("armsRefusal")) << text;
+    EXPECT_FALSE(control<QLabel>("armsRefusal").text().isEmpty()) << text;
+  }
 }
 
 }  // namespace

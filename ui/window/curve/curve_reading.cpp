@@ -41,6 +41,20 @@ void readMean(const CurveUpdate& curve, double velocity, CurveReading& reading) 
   }
 }
 
+/// What holds at both neighbours of the velocity, or at the nearest end of the curve.
+NoteSet notesAt(const CurveUpdate& curve, double velocity) {
+  const CurvePoint *below = nullptr, *above = nullptr;
+  for (const CurvePoint& point : curve.points) {
+    if (!isKnown(point)) continue;
+    if (point.velocity <= velocity && (!below || point.velocity > below->velocity)) below = &point;
+    if (point.velocity >= velocity && (!above || point.velocity < above->velocity)) above = &point;
+  }
+  NoteSet notes;
+  for (const CurvePoint* point : {below, above})
+    if (point) notes.add(point->notes);
+  return notes;
+}
+
 QString regionAt(const CurveUpdate& curve, double velocity) {
   for (const CurveRegion& region : regionsOfCurve(*curve.scene, curve.points))
     if (velocity >= region.from && velocity <= region.to)
@@ -59,6 +73,7 @@ CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
   else if (velocity == 0 && !frame.transient)
     reading.regime = CurveReadingText::tr("at rest");
   const bool isOfThisScene = curve && haveSameCurve(*frame.scene, *curve->scene);
+  if (isOfThisScene) reading.notes = notesAt(*curve, std::abs(frame.velocity));
   if (!isOfThisScene || velocity <= 0 || frame.transient) return reading;
   readMean(*curve, velocity, reading);
   if (reading.regime.isEmpty() && curve->isComplete) reading.regime = regionAt(*curve, velocity);

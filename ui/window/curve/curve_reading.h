@@ -1,5 +1,5 @@
-// What a friction curve tells about the velocity that is shown: mean and standard error there, and
-// the region in which it lies. Pure; any thread.
+// What a friction curve tells about the velocity that is shown: mean and standard error there, the
+// region in which it lies, and what a user must know about it. Pure; any thread.
 #pragma once
 
 #include <QString>
@@ -13,6 +13,7 @@ struct CurveReading {
   double mu = kNotApplicable;     // mean over the lines, interpolated on the curve
   double error = kNotApplicable;  // standard error of mu
   QString regime;                 // "region III, plateau", "at rest"; empty: not known
+  NoteSet notes{};                // of the curve's points on both sides of the velocity
 };
 
 /// Reads the curve at the frame's velocity. `curve`: of the frame's scene, or null.

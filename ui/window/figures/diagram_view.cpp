@@ -1,16 +1,23 @@
 #include "ui/window/figures/diagram_view.h"
 
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QEvent>
+#include <QGuiApplication>
+#include <QMenu>
 #include <QPainter>
 #include <QTimer>
 #include <exception>
 #include <utility>
 
+#include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "ui/chart/chart_panel.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pixel_context.h"
+#include "ui/language/translated.h"
+#include "ui/window/main/picture_files.h"
 
 namespace asperity {
 
@@ -40,8 +47,9 @@ DiagramView::DiagramView(QWidget* parent) : QWidget(parent), pause_(new QTimer(t
   });
 }
 
-void DiagramView::show(Maker maker) {
+void DiagramView::show(Maker maker, DiagramExport saved) {
   maker_ = std::move(maker);
+  export_ = std::move(saved);
   requestSoon();
 }
 
@@ -100,6 +108,47 @@ void DiagramView::resizeEvent(QResizeEvent* event) {
 void DiagramView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange) requestSoon();
+}
+
+void DiagramView::contextMenuEvent(QContextMenuEvent* event) {
+  if (export_.name.isEmpty() || !maker_) return QWidget::contextMenuEvent(event);
+  QMenu menu(this);
+  menu.addAction(tr("Copy picture"), this, &DiagramView::copy);
+  menu.addAction(tr("Save diagram…"), this, [this] {
+    QString filters = tr("Pictures (*.png *.svg *.pdf)");
+    if (export_.table) filters += ";;" + tr("Tables (*.csv)");
+    const QString file = askSaveFile(this, tr("Save diagram"), export_.name + ".png", filters);
+    if (!file.isEmpty()) save(file);
+  });
+  menu.exec(event->globalPos());
+}
+
+void DiagramView::save(const QString& file) {
+  files_.request(
+      [maker = maker_, saved = export_, theme = theme_, file](const BackgroundWork::Run&) {
+        const std::filesystem::path path = file.toStdString();
+        if (saved.table && file.endsWith(".csv", Qt::CaseInsensitive))
+          return writeFileAtomically(path, saved.table());
+        const DiagramSheet sheet = maker();
+        const DiagramOptions options = printOptions(sheet, theme);
+        writePicture(path, composeDiagrams(sheet, options),
+                     {translated(sheet.title), saved.origin ? saved.origin() : std::string(),
+                      options.scale});
+      },
+      [this, file] { emit saved(file); }, [this](const QString& reason) { emit failed(reason); });
+}
+
+void DiagramView::copy() {
+  files_.request(
+      [maker = maker_, theme = theme_](const BackgroundWork::Run&) {
+        const DiagramSheet sheet = sheetOf(maker);
+        return renderImage(contextOfThread(), composeDiagrams(sheet, printOptions(sheet, theme)));
+      },
+      [this](const QImage& image) {
+        QGuiApplication::clipboard()->setImage(image);
+        emit saved({});
+      },
+      [this](const QString& reason) { emit failed(reason); });
 }
 
 /// Stretches the last picture until one of the new size is ready.

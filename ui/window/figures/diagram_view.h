@@ -1,11 +1,13 @@
 // Shows diagrams that are made and drawn in the background: only the newest request, and only while
-// the view is visible. GUI thread; belongs to its parent. Failure: an error of the maker is shown
-// as text in place of the picture; where nothing can draw, the signal reports it.
+// the view is visible; a menu copies or saves them. GUI thread; belongs to its parent. Failure: an
+// error of the maker is shown as text in place of the picture; where nothing can draw or a file
+// cannot be written, the signal reports it.
 #pragma once
 
 #include <QImage>
 #include <QWidget>
 #include <functional>
+#include <string>
 
 #include "core/chart/diagram.h"
 #include "ui/contact/contact_picture.h"
@@ -14,6 +16,13 @@
 class QTimer;
 
 namespace asperity {
+
+/// What a diagram becomes as a file. Both functions are called on the worker's thread.
+struct DiagramExport {
+  QString name{};                         // proposed: "material"; empty: it cannot be saved
+  std::function<std::string()> origin{};  // provenance of the picture
+  std::function<std::string()> table{};   // its numbers as CSV; may be empty
+};
 
 class DiagramView : public QWidget {
   Q_OBJECT
@@ -25,18 +34,25 @@ class DiagramView : public QWidget {
   explicit DiagramView(QWidget* parent = nullptr);
 
   /// Sets the diagram to show from now on; of many fast requests some are skipped.
-  void show(Maker maker);
+  void show(Maker maker, DiagramExport saved = {});
   void setTheme(const Theme& theme);
 
   /// Returns whether the newest request is on the screen.
   bool isPainted() const { return shown_ > 0 && shown_ == asked_ && !isDue_; }
   const QImage& image() const { return image_; }
 
+  /// Writes the diagram in the background: .png, .svg, .pdf, or .csv where it has a table. saved()
+  /// or failed() follows.
+  void save(const QString& file);
+  /// Puts the picture on the clipboard; saved() without a file follows.
+  void copy();
+
   QSize minimumSizeHint() const override { return {320, 170}; }
 
  signals:
   void painted();
   void failed(const QString& reason);
+  void saved(const QString& file);
   /// Emitted when the view appears or disappears: only a visible diagram needs data.
   void visibilityChanged(bool isVisible);
 
@@ -46,19 +62,22 @@ class DiagramView : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   void requestSoon();
   void request();
 
   Maker maker_;
+  DiagramExport export_;
   Theme theme_ = lightTheme();
   QImage image_;
   QTimer* pause_;
   bool isDue_ = false;
   quint64 asked_ = 0, shown_ = 0;  // numbers of requests
-  // Last: its thread ends before other members are destroyed.
+  // Last: their threads end before other members are destroyed.
   BackgroundWork pictures_{Overtaking::SkipsTheWaiting};
+  BackgroundWork files_{Overtaking::WaitsForItsTurn};
 };
 
 }  // namespace asperity

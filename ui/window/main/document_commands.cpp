@@ -15,6 +15,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/material/material_library.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
@@ -30,15 +31,21 @@ namespace {
 
 const QString kRecentFiles = QStringLiteral("recentFiles");
 
-/// Returns the scene as it has to be written into `folder`: with its profile named relative to it.
+/// Returns the name of a file of the scene as it has to be in another folder.
+std::string nameSeenFrom(const std::filesystem::path& folder, const Scene& scene,
+                         const std::string& name) {
+  if (name.empty() || std::filesystem::path(name).is_absolute()) return name;
+  return std::filesystem::absolute(scene.folder / name)
+      .lexically_normal()
+      .lexically_proximate(std::filesystem::absolute(folder).lexically_normal())
+      .string();
+}
+
+/// Returns the scene as it has to be written into `folder`: its files are named relative to it.
 Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
-  const std::filesystem::path profile = scene.surface.file;
-  if (profile.empty() || profile.is_absolute()) return scene;
-  scene.surface.file =
-      std::filesystem::absolute(scene.folder / profile)
-          .lexically_normal()
-          .lexically_proximate(std::filesystem::absolute(folder).lexically_normal())
-          .string();
+  scene.surface.file = nameSeenFrom(folder, scene, scene.surface.file);
+  if (!materialFile(scene.elastomer.material, scene.folder).empty())
+    scene.elastomer.material = nameSeenFrom(folder, scene, scene.elastomer.material);
   return scene;
 }
 

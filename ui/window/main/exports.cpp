@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/material/material_library.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
 #include "ui/chart/chart_view.h"
@@ -41,11 +42,15 @@ namespace asperity {
 
 namespace {
 
-/// Returns the scene with an absolute path to its profile, which is found from any folder.
+/// Returns the scene with absolute paths to its files, which are found from any folder.
 Scene withAbsoluteProfile(Scene scene) {
-  if (hasSurfaceFile(scene.surface))
-    scene.surface.file =
-        std::filesystem::absolute(scene.folder / scene.surface.file).lexically_normal().string();
+  const auto absolute = [&](const std::string& name) {
+    return std::filesystem::absolute(scene.folder / name).lexically_normal().string();
+  };
+  if (hasSurfaceFile(scene.surface)) scene.surface.file = absolute(scene.surface.file);
+  if (!scene.elastomer.material.empty() &&
+      !materialFile(scene.elastomer.material, scene.folder).empty())
+    scene.elastomer.material = absolute(scene.elastomer.material);
   return scene;
 }
 

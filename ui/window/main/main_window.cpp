@@ -31,6 +31,7 @@
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/gallery_page.h"
+#include "ui/window/import/import_commands.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
@@ -205,6 +206,9 @@ void MainWindow::buildCommands() {
   documents_->addTo(*commands_);
   figures_->addTo(*commands_);
   appearance_ = new Appearance(*this);
+  imports_ =
+      new ImportCommands({*this, *document_, *documents_, *panel_, *appearance_, *messages_});
+  imports_->addTo(*commands_);
   exports_ = new Exports({*this, *document_, *session_, *canvas_, *tabs_, *figures_, *appearance_,
                           *messages_, *status_});
   exports_->addTo(*commands_);
@@ -363,6 +367,14 @@ void MainWindow::connectCurve() {
                                 : tr("Saved %1").arg(QFileInfo(file).fileName()));
     emit exports_->exported(file);
   });
+  connect(tabs_, &SceneTabs::saved, this, [this](const QString& file) {
+    messages_->end(MessageBar::Failure::Export);
+    status_->say(file.isEmpty() ? tr("The picture is on the clipboard")
+                                : tr("Saved %1").arg(QFileInfo(file).fileName()));
+  });
+  connect(tabs_, &SceneTabs::failed, this, [this](const QString& reason) {
+    messages_->showFailure(MessageBar::Failure::Export, reason);
+  });
   auto* display = new CurveDisplay(*session_, tabs_->plot(), this);
   connect(display, &CurveDisplay::sceneEdited, this, [this](const Scene& scene) {
     document_->edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Velocity"));
@@ -397,7 +409,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
   if (urls.size() != 1 || !urls.front().isLocalFile()) return;
   event->acceptProposedAction();
-  documents_->openDropped(urls.front().toLocalFile());
+  imports_->openDropped(urls.front().toLocalFile());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

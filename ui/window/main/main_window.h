@@ -26,6 +26,7 @@ class CurveCommands;
 class DocumentCommands;
 class Exports;
 class FigurePages;
+class ImportCommands;
 class MessageBar;
 class ParameterPanel;
 class ChartView;
@@ -47,7 +48,8 @@ class MainWindow : public QMainWindow {
 
   SceneDocument& document() { return *document_; }              // the scene and its history
   DocumentCommands& documentCommands() { return *documents_; }  // files, undo, unsaved changes
-  Session& session() { return *session_; }                      // the running scene
+  ImportCommands& imports() { return *imports_; }  // of measured surfaces and materials
+  Session& session() { return *session_; }         // the running scene
   ParameterPanel& panel() { return *panel_; }
   ContactCanvas& canvas() { return *canvas_; }
   SceneTabs& tabs() { return *tabs_; }  // under the contact
@@ -66,7 +68,8 @@ class MainWindow : public QMainWindow {
   void setLanguage(std::string_view code);
 
  protected:
-  /// A scene, or a picture or table made from one, is opened when it is dropped on the window.
+  /// A scene, a picture or table made from one, a measured surface or a material is opened when it
+  /// is dropped on the window.
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
@@ -107,6 +110,7 @@ class MainWindow : public QMainWindow {
   Commands* commands_ = nullptr;
   Appearance* appearance_ = nullptr;
   DocumentCommands* documents_ = nullptr;
+  ImportCommands* imports_ = nullptr;
   Exports* exports_ = nullptr;
   CurveCommands* curveCommands_ = nullptr;
   WindowLayout* windowLayout_ = nullptr;

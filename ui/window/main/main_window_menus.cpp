@@ -47,6 +47,7 @@ void MainWindow::buildMenus() {
   QMenu& file = *addMenu([] { return tr("&File"); });
   add(file, {"open"});
   documents_->addRecentMenu(file);
+  add(file, {"openSurface", "openMaterial"});
   file.addSeparator();
   add(file, {"save", "saveAs", "savePicture"});
   file.addSeparator();

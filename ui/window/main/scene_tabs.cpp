@@ -7,10 +7,14 @@
 #include <QTabBar>
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
+#include "core/chart/material_sheets.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/transient_diagram.h"
+#include "core/scene/provenance.h"
 #include "ui/chart/chart_view.h"
+#include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/accuracy/plan_list.h"
@@ -40,6 +44,28 @@ double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(con
 
 }  // namespace
 
+/// The frequencies that a line excites, which stay while the velocity alone changes. Any thread.
+class ExcitationOfScene {
+ public:
+  std::shared_ptr<const Excitation> of(const Scene& scene) {
+    const std::lock_guard lock(mutex_);
+    const bool isSame = excitation_ && scene.surface == scene_.surface &&
+                        scene.elastomer == scene_.elastomer && scene.folder == scene_.folder &&
+                        scene.ensemble == scene_.ensemble;
+    if (!isSame) {
+      excitation_.reset();
+      excitation_ = std::make_shared<const Excitation>(excitationOf(scene));
+    }
+    scene_ = scene;
+    return excitation_;
+  }
+
+ private:
+  std::mutex mutex_;
+  Scene scene_;
+  std::shared_ptr<const Excitation> excitation_;
+};
+
 SceneTabs::SceneTabs(Session& session, QWidget* parent)
     : QTabWidget(parent),
       session_(session),
@@ -47,8 +73,10 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
       strips_(new ChartView),
       spectrum_(new DiagramView),
       statistics_(new DiagramView),
+      material_(new DiagramView),
       accuracy_(new AccuracyPanel),
-      plan_(new PlanList) {
+      plan_(new PlanList),
+      excitation_(std::make_shared<ExcitationOfScene>()) {
   setObjectName("tabs");
   setDocumentMode(true);
   tabBar()->setFocusPolicy(Qt::NoFocus);  // the space bar pauses the run
@@ -61,8 +89,9 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   strips_->setFocusPolicy(Qt::NoFocus);
   spectrum_->setObjectName("spectrumView");
   statistics_->setObjectName("statisticsView");
-  for (QWidget* page :
-       std::initializer_list<QWidget*>{plot_, strips_, spectrum_, statistics_, accuracy_, plan_})
+  material_->setObjectName("materialView");
+  for (QWidget* page : std::initializer_list<QWidget*>{plot_, strips_, spectrum_, statistics_,
+                                                       material_, accuracy_, plan_})
     addTab(page, QString());
   setTabVisible(kMotionTab, false);
   for (int i = 0; i < count(); ++i) {
@@ -79,6 +108,10 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
     // Two plots need more room than one.
     plot_->setMinimumHeight(accuracy_->comparison() ? kTwoPlots : kOnePlot);
   });
+  for (DiagramView* view : {spectrum_, statistics_, material_}) {
+    connect(view, &DiagramView::saved, this, &SceneTabs::saved);
+    connect(view, &DiagramView::failed, this, &SceneTabs::failed);
+  }
   connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsWanted);
   connect(&session_, &Session::plotChanged, this, &SceneTabs::showMeasuredCurve);
 }
@@ -95,8 +128,10 @@ void SceneTabs::showTexts() {
   strips_->setAccessibleName(tr("velocity, friction, indentation and contact length in time"));
   spectrum_->setAccessibleName(tr("spectrum of the rigid line"));
   statistics_->setAccessibleName(tr("pressures and slopes in contact"));
-  const QString titles[] = {tr("Friction curve"), tr("Motion in time"), tr("Spectrum"),
-                            tr("Statistics"),     tr("Accuracy"),       tr("Plan")};
+  material_->setAccessibleName(tr("moduli of the elastomer and the frequencies in use"));
+  const QString titles[] = {
+      tr("Friction curve"), tr("Motion in time"), tr("Spectrum"), tr("Statistics"),
+      tr("Material"),       tr("Accuracy"),       tr("Plan")};
   for (int i = 0; i < count(); ++i) {
     setTabText(i, titles[i]);
     wanted_[i]->setText(titles[i]);
@@ -157,7 +192,14 @@ void SceneTabs::showScene(const Scene& scene) {
   if (moves && !moved) setCurrentIndex(kMotionTab);
   if (moves) strips_->setSheet(transientSheet(scene, {}));
   plan_->showScene(scene);
-  spectrum_->show([scene] { return spectrumSheet(scene); });
+  spectrum_->show([scene] { return spectrumSheet(scene); },
+                  {"spectrum", [scene] { return pictureOrigin("surface", scene); }, {}});
+  material_->show(
+      [scene, excitation = excitation_] { return excitationSheet(scene, *excitation->of(scene)); },
+      {"material", [scene] { return pictureOrigin("material", scene); },
+       [scene, excitation = excitation_] {
+         return provenanceComment("material", scene) + excitationCsv(scene, *excitation->of(scene));
+       }});
   accuracy_->showScene(scene);
   if (!timed_ || !haveSameCurve(*timed_, scene)) {
     timed_ = scene;
@@ -172,12 +214,14 @@ void SceneTabs::showFrame(const Frame& frame) {
   if (frame.transient && frame.sceneNumber == session_.sceneNumber())
     strips_->setSheet(transientSheet(*frame.scene, *frame.transient, frame.spacing, frame.length));
   if (statistics_->isVisible())
-    statistics_->show([shown = session_.frame()] { return statisticsSheet(*shown); });
+    statistics_->show(
+        [shown = session_.frame()] { return statisticsSheet(*shown); },
+        {"statistics", [scene = *frame.scene] { return pictureOrigin("statistics", scene); }, {}});
 }
 
 void SceneTabs::setTheme(const Theme& theme) {
   for (ChartView* view : {plot_, strips_}) view->setTheme(theme);
-  for (DiagramView* view : {spectrum_, statistics_}) view->setTheme(theme);
+  for (DiagramView* view : {spectrum_, statistics_, material_}) view->setTheme(theme);
   accuracy_->setTheme(theme);
 }
 

@@ -1,5 +1,6 @@
 // The tabs under the contact: the friction curve, the motion over time (only where the scene has
-// one), the spectrum of the line, statistics of the contact, the cost of accuracy, and the plan.
+// one), the spectrum of the line, statistics of the contact, where the rubber is used, the cost of
+// accuracy, and the plan.
 // GUI thread; belongs to its parent.
 #pragma once
 
@@ -7,6 +8,7 @@
 #include <QList>
 #include <QTabWidget>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "core/run/frame.h"
@@ -22,6 +24,7 @@ class AccuracyPanel;
 class ChartView;
 class Commands;
 class DiagramView;
+class ExcitationOfScene;
 class PlanList;
 class Session;
 
@@ -32,6 +35,7 @@ class SceneTabs : public QTabWidget {
   explicit SceneTabs(Session& session, QWidget* parent = nullptr);
 
   ChartView& plot() { return *plot_; }
+  DiagramView& material() { return *material_; }
   AccuracyPanel& accuracy() { return *accuracy_; }
 
   /// Adds a key for each tab, which brings it to the front.
@@ -59,6 +63,9 @@ class SceneTabs : public QTabWidget {
 
  signals:
   void fieldsWanted();
+  /// Emitted when a diagram was saved, or put on the clipboard (no file), or could not be.
+  void saved(const QString& file);
+  void failed(const QString& reason);
 
  private:
   void showTexts();
@@ -68,7 +75,7 @@ class SceneTabs : public QTabWidget {
 
   Session& session_;
   ChartView *plot_, *strips_;
-  DiagramView *spectrum_, *statistics_;
+  DiagramView *spectrum_, *statistics_, *material_;
   AccuracyPanel* accuracy_;
   PlanList* plan_;
   Commands* commands_ = nullptr;
@@ -80,6 +87,7 @@ class SceneTabs : public QTabWidget {
     double seconds, standardError, interval;
   };
   std::optional<Measured> measured_;
+  std::shared_ptr<ExcitationOfScene> excitation_;
 };
 
 }  // namespace asperity

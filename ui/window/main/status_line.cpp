@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QLocale>
+#include <QMenu>
 #include <QPainter>
 #include <QProgressBar>
 #include <QStyle>
@@ -15,6 +16,7 @@
 #include "core/material/element_law.h"
 #include "ui/chart/friction_chart_model.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_reading.h"
@@ -140,6 +142,19 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   line->setSpacing(20);
   regime_ = addFact(*line, "factRegime");
   mu_ = addFact(*line, "factMu");
+  notes_ = new QToolButton;
+  notes_->setObjectName("factNotes");
+  notes_->setAutoRaise(true);
+  notes_->setFocusPolicy(Qt::TabFocus);
+  notes_->hide();
+  connect(notes_, &QToolButton::clicked, this, [this] {
+    QMenu menu(this);
+    menu.setObjectName("notesMenu");
+    for (const Note note : present_.list())
+      menu.addAction(QStringLiteral("⚠ ") + translatedText(sentenceOf(note)));
+    menu.exec(notes_->mapToGlobal(QPoint(0, -menu.sizeHint().height())));
+  });
+  line->addWidget(notes_);
   force_ = addFact(*line, "factForce");
   velocity_ = addFact(*line, "factVelocity");
   settling_ = addFact(*line, "factSettling");
@@ -261,8 +276,27 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   mu_->setText(tr("friction μ = %1%2").arg(readingLabel(presentFriction(frame)), mean));
   force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
   showVelocity(frame);
+  showNotes(reading.notes);
   settling_->setText(frame.isSettling ? tr("settling (R: at once)") : QString());
   fitFacts();
+}
+
+/// Shows that there is something to know, in a few letters; tooltip and menu have the sentences.
+/// The sign comes and goes beside the readings, so that no view moves.
+void StatusLine::showNotes(const NoteSet& notes) {
+  present_ = notes;
+  QStringList sentences;
+  for (const Note note : notes.list()) sentences += translatedText(sentenceOf(note));
+  QString text;
+  if (sentences.size() == 1)
+    text = tr("⚠ 1 note");
+  else if (!sentences.empty())
+    text = tr("⚠ %1 notes").arg(sentences.size());
+  if (text == notes_->text() && sentences.join('\n') == notes_->accessibleDescription()) return;
+  notes_->setText(text);
+  notes_->setAccessibleName(tr("notes on how far the results hold"));
+  notes_->setAccessibleDescription(sentences.join('\n'));
+  notes_->setToolTip(wrappedTip(sentences.join(QStringLiteral(". "))));
 }
 
 /// Shows each reading in full or not at all: in a narrow window the least important ones are left
@@ -274,6 +308,9 @@ void StatusLine::fitFacts() {
   int room = width() - around.left() - around.right();
   for (const QWidget* work : std::initializer_list<const QWidget*>{progress_, stop_})
     if (!work->isHidden()) room -= work->sizeHint().width() + layout()->spacing();
+  // Friction and what limits it stay, however narrow the window is.
+  notes_->setVisible(!present_.empty());
+  if (!present_.empty()) room -= notes_->sizeHint().width() + layout()->spacing();
   bool fits = true;
   for (QLabel* fact : {mu_, settling_, regime_, force_, velocity_, simulations_, rate_, backend_}) {
     const bool isSaidOver =

@@ -1,6 +1,7 @@
 // The readings in the status bar: regime, friction with its error, the paper's two dimensionless
-// numbers, the rates and methods of computing and drawing; and the progress of the friction curve
-// with the button that stops it. They come from the present frame. GUI thread.
+// numbers, what a user must know about how far they hold, the rates and methods of computing and
+// drawing; and the progress of the friction curve with the button that stops it. They come from the
+// present frame. GUI thread.
 #pragma once
 
 #include <QLabel>
@@ -73,6 +74,7 @@ class StatusLine : public QWidget {
   static QLabel* addFact(QHBoxLayout& line, const char* name);
   void showTips();
   void showVelocity(const Frame& frame);
+  void showNotes(const NoteSet& notes);
   void addWork(QHBoxLayout& line);
   void pressed();
   void fallSilent();
@@ -84,6 +86,8 @@ class StatusLine : public QWidget {
   QTimer* silence_;
   QLabel* regime_;
   QLabel* mu_;
+  QToolButton* notes_;  // opens all of them
+  NoteSet present_;
   QLabel* force_;
   QLabel* velocity_;
   QLabel* settling_;

@@ -1,0 +1,247 @@
+// The page on which a measured surface becomes the line of the scene, as a person uses it.
+#include "ui/window/import/surface_import.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QFile>
+#include <QPointer>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "core/scene/scene_file.h"
+#include "core/surface/line_source.h"
+#include "qt_application.h"
+#include "tests/ui/window/main_window_fixture.h"
+#include "ui/window/figures/diagram_view.h"
+#include "ui/window/import/import_commands.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kAmplitude = 2e-6;  // m
+constexpr int kPoints = 400;
+
+class SurfaceImportTest : public MainWindowTest {
+ protected:
+  QString write(const char* name, const std::string& text) {
+    const QString path = folder_.filePath(name);
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text.c_str(), static_cast<qint64>(text.size()));
+    return path;
+  }
+
+  /// Twenty waves of 50 um, in um over mm, on a tilted plane.
+  QString sineFile(double tilt = 0, const char* header = "x [mm];z [µm]\n") {
+    std::string text = header;
+    for (int i = 0; i < kPoints; ++i) {
+      const double x = i * 1e-3 / kPoints;  // m
+      const double z = kAmplitude * std::sin(2 * std::numbers::pi * 20 * i / kPoints) + tilt * x;
+      text += std::to_string(1e3 * x) + ";" + std::to_string(1e6 * z) + "\n";
+    }
+    return write("profile.csv", text);
+  }
+
+  SurfaceImport& openPage(const QString& file) {
+    page_ = &window_.imports().openSurface(file);
+    return *page_;
+  }
+  bool waitForPage() {
+    return waitFor([&] { return page_ && !page_->isReading(); });
+  }
+  template <class Control>
+  Control& inPage(const QString& name) {
+    return *page_->findChild<Control*>(name);
+  }
+  void choose(const QString& key, const QString& word) {
+    auto& box = inPage<QComboBox>("choice:" + key);
+    box.setCurrentIndex(box.findData(word));
+    emit box.activated(box.currentIndex());
+  }
+  void click(const QString& name) {
+    QTest::mouseClick(&inPage<QAbstractButton>(name), Qt::LeftButton);
+  }
+  const Scene& scene() { return window_.document().scene(); }
+
+  QTemporaryDir folder_;
+  QPointer<SurfaceImport> page_;
+};
+
+TEST_F(SurfaceImportTest, MakesTheFileTheSceneInOneStep) {
+  const Scene before = scene();
+  openPage(sineFile());
+  ASSERT_TRUE(waitForPage());
+  ASSERT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  // A whole number of waves: Pq is the amplitude over sqrt 2, up to the line that is removed and
+  // the six decimals of the file.
+  EXPECT_NEAR(page_->summary()->used.pq, kAmplitude / std::sqrt(2), 0.02 * kAmplitude);
+  EXPECT_TRUE(inPage<QLabel>("surfaceValues").text().contains("Pq"));
+  EXPECT_FALSE(inPage<QLabel>("surfaceFacts").text().isEmpty());
+  EXPECT_EQ(scene(), before);
+  click("importAccept");
+  ASSERT_TRUE(waitFor([&] { return page_.isNull(); }));
+  EXPECT_EQ(scene().surface.kind, SurfaceKind::Measured);
+  EXPECT_EQ(scene().ensemble.realizations, 0);
+  EXPECT_EQ(window_.document().history().count(), 1);
+  ASSERT_TRUE(waitForFrame());
+  EXPECT_NEAR(frame()->length, 2e-3, 1e-8);  // mirrored
+  window_.document().history().undo();
+  EXPECT_EQ(scene(), before);
+}
+
+TEST_F(SurfaceImportTest, CancelLeavesEverything) {
+  const Scene before = scene();
+  openPage(sineFile());
+  ASSERT_TRUE(waitForPage());
+  choose("surface.form", "parabola");
+  ASSERT_TRUE(waitForPage());
+  click("importCancel");
+  ASSERT_TRUE(waitFor([&] { return page_.isNull(); }));
+  EXPECT_EQ(scene(), before);
+  EXPECT_EQ(window_.document().history().count(), 0);
+}
+
+/// The page and the command line read one file as the same line, bit for bit.
+TEST_F(SurfaceImportTest, ItsLineIsThatOfTheCommand) {
+  const QString file = sineFile(0.01);
+  openPage(file);
+  ASSERT_TRUE(waitForPage());
+  click("importAccept");
+  ASSERT_TRUE(waitFor([&] { return page_.isNull(); }));
+  const Scene told = readScene(R"({"surface": {"kind": "measured", "file": "profile.csv"}})",
+                               "told", std::filesystem::path(folder_.path().toStdString()));
+  const Line ofCommand = LineSource(told, 1).make(0), ofPage = LineSource(scene(), 1).make(0);
+  EXPECT_EQ(ofCommand.length, ofPage.length);
+  EXPECT_EQ(ofCommand.height, ofPage.height);
+}
+
+TEST_F(SurfaceImportTest, AStepIsShownAtOnce) {
+  openPage(sineFile(0.05));
+  ASSERT_TRUE(waitForPage());
+  // A tilt of 0.05 over 1 mm has an rms height of 0.05 mm / sqrt 12.
+  EXPECT_NEAR(page_->summary()->raw.pq, 0.05e-3 / std::sqrt(12.0), 1e-6);
+  const double withoutTilt = page_->summary()->used.pq;
+  EXPECT_LT(withoutTilt, kAmplitude);
+  choose("surface.form", "mean");
+  ASSERT_TRUE(page_->isReading());
+  EXPECT_FALSE(inPage<QPushButton>("importAccept").isEnabled());
+  ASSERT_TRUE(waitForPage());
+  EXPECT_NEAR(page_->summary()->used.pq, page_->summary()->raw.pq, 1e-9);
+  auto& sheet = inPage<DiagramView>("surfaceSheet");
+  EXPECT_TRUE(waitFor([&] { return sheet.isPainted(); }));
+}
+
+/// Without a unit, 400 units of length would be 400 m: the page asks, and goes on with the answer.
+TEST_F(SurfaceImportTest, AsksForAUnitThatIsMissing) {
+  std::string text;
+  for (int i = 0; i < kPoints; ++i)
+    text += std::to_string(i) + " " + std::to_string(100 * std::sin(i * 0.3)) + "\n";
+  openPage(write("plain.txt", text));
+  ASSERT_TRUE(waitForPage());
+  EXPECT_FALSE(page_->isReady());
+  EXPECT_FALSE(page_->complaint().isEmpty());
+  EXPECT_FALSE(page_->complaint().contains('\n'));
+  EXPECT_FALSE(inPage<QPushButton>("importAccept").isEnabled());
+  choose("surface.position_unit", "um");
+  ASSERT_TRUE(waitForPage());
+  choose("surface.height_unit", "nm");
+  ASSERT_TRUE(waitForPage());
+  EXPECT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  EXPECT_NEAR(page_->summary()->spacing, 1e-6, 1e-12);
+}
+
+TEST_F(SurfaceImportTest, SaysWhatIsWrongInOneLine) {
+  openPage(write("nothing.csv", "these are words and no numbers\n"));
+  ASSERT_TRUE(waitForPage());
+  EXPECT_FALSE(page_->isReady());
+  EXPECT_FALSE(page_->complaint().isEmpty());
+  EXPECT_FALSE(page_->complaint().contains('\n'));
+  openPage(folder_.filePath("gone.sdf"));
+  ASSERT_TRUE(waitForPage());
+  EXPECT_FALSE(page_->isReady());
+}
+
+TEST_F(SurfaceImportTest, ShowsATopographyAndItsRows) {
+  std::string text = "x [um] y [um] z [nm]\n";
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 32; ++column)
+      text += std::to_string(column) + " " + std::to_string(2 * row) + " " +
+              std::to_string(100 * std::sin(0.7 * column + row)) + "\n";
+  openPage(write("points.txt", text));
+  ASSERT_TRUE(waitForPage());
+  ASSERT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  EXPECT_TRUE(inPage<QWidget>("topographyPicture").isVisible());
+  EXPECT_EQ(page_->summary()->rowsUsed, 8);
+  auto& entry = inPage<ValueEntry>("entry:surface.row");
+  entry.setFocus();
+  entry.selectAll();
+  QTest::keyClicks(&entry, "3");
+  QTest::keyClick(&entry, Qt::Key_Return);
+  ASSERT_TRUE(waitForPage());
+  EXPECT_EQ(page_->summary()->rowsUsed, 1);
+  EXPECT_EQ(page_->summary()->rowInFile, 3);
+  choose("surface.direction", "along_y");
+  ASSERT_TRUE(waitForPage());
+  ASSERT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  EXPECT_NEAR(page_->summary()->spacing, 2e-6, 1e-12);
+}
+
+TEST_F(SurfaceImportTest, ReadingCanBeStopped) {
+  std::string text = "x [mm];z [um]\n";
+  for (int i = 0; i < 300000; ++i)
+    text += std::to_string(1e-3 * i) + ";" + std::to_string(std::sin(0.01 * i)) + "\n";
+  openPage(write("long.csv", text));
+  ASSERT_TRUE(page_->isReading());
+  EXPECT_TRUE(inPage<QProgressBar>("importProgress").isVisible());
+  click("importStop");
+  EXPECT_FALSE(page_->isReading());
+  EXPECT_FALSE(page_->isReady());
+  EXPECT_FALSE(page_->complaint().isEmpty());
+  click("importStop");  // reads it again
+  ASSERT_TRUE(waitForPage());
+  EXPECT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+}
+
+TEST_F(SurfaceImportTest, ADroppedFileOpensThePage) {
+  drop(sineFile());
+  ASSERT_TRUE(waitFor([&] { return window_.findChild<SurfaceImport*>() != nullptr; }));
+  page_ = window_.findChild<SurfaceImport*>();
+  ASSERT_TRUE(waitForPage());
+  EXPECT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+}
+
+/// The same file again begins with the choices that were made for it.
+TEST_F(SurfaceImportTest, KeepsTheChoicesOfTheSameFile) {
+  const QString file = sineFile();
+  openPage(file);
+  ASSERT_TRUE(waitForPage());
+  choose("surface.form", "parabola");
+  ASSERT_TRUE(waitForPage());
+  click("importAccept");
+  ASSERT_TRUE(waitFor([&] { return page_.isNull(); }));
+  openPage(file);
+  ASSERT_TRUE(waitForPage());
+  EXPECT_EQ(page_->panel().scene().surface.processing.form, FormRemoval::Parabola);
+}
+
+TEST_F(SurfaceImportTest, SteepLinesAreNotedInTheStatusLine) {
+  auto& notes = control<QToolButton>("factNotes");
+  ASSERT_TRUE(waitFor([&] { return session().friction().progress() >= 1; }));
+  EXPECT_FALSE(notes.isVisible());
+  const int height = window_.canvas().height();
+  Scene steep = scene();
+  steep.surface.rmsHeight = 1e-3;
+  window_.document().edit(steep);
+  ASSERT_TRUE(waitFor([&] { return notes.isVisible(); }));
+  EXPECT_TRUE(notes.toolTip().contains("0.3")) << notes.toolTip().toStdString();
+  EXPECT_EQ(window_.canvas().height(), height);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,152 @@
+#include "ui/panels/material_box.h"
+
+#include <QFileInfo>
+#include <QIcon>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/material/element_law.h"
+#include "core/material/material_library.h"
+#include "ui/language/language.h"
+#include "ui/panels/number_text.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr QSize kPreview{64, 26};  // pixels
+constexpr int kAsksForFile = Qt::UserRole + 1;
+
+QJsonObject shippedObject(std::string_view json) {
+  return QJsonDocument::fromJson({json.data(), static_cast<qsizetype>(json.size())}).object();
+}
+
+/// The moduli of a shipped material at its reference temperature.
+Elastomer shippedElastomer(std::string_view json) {
+  const QJsonObject root = shippedObject(json);
+  Elastomer elastomer;
+  elastomer.rheology = Rheology::Prony;
+  elastomer.equilibriumModulus = root["equilibrium_modulus"].toDouble();
+  elastomer.viscosity = root["viscosity"].toDouble();
+  elastomer.arms.clear();
+  for (const auto& arm : root["arms"].toArray())
+    elastomer.arms.push_back(
+        {arm.toObject()["modulus"].toDouble(), arm.toObject()["relaxation_time"].toDouble()});
+  return elastomer;
+}
+
+}  // namespace
+
+QIcon modulusIcon(const Elastomer& elastomer, const QSize& size, const QPalette& palette) {
+  if (elastomer.arms.empty()) return {};
+  double shortest = HUGE_VAL, longest = 0;
+  for (const Arm& arm : elastomer.arms) {
+    if (!(arm.relaxationTime > 0)) continue;
+    shortest = std::min(shortest, arm.relaxationTime);
+    longest = std::max(longest, arm.relaxationTime);
+  }
+  if (!(longest > 0)) return {};
+  const double from = std::log10(0.1 / longest), to = std::log10(10 / shortest);
+  constexpr int kPoints = 48;
+  struct Point {
+    double storage, loss;
+  };
+  std::vector<Point> points;
+  double lowest = HUGE_VAL, highest = -HUGE_VAL;
+  for (int i = 0; i < kPoints; ++i) {
+    const double w = std::pow(10, from + (to - from) * i / (kPoints - 1));
+    double storage = elastomer.equilibriumModulus, loss = 0;
+    for (const Arm& arm : elastomer.arms) {
+      const double wt = w * arm.relaxationTime, part = arm.modulus * wt / (1 + wt * wt);
+      storage += part * wt;
+      loss += part;
+    }
+    points.push_back({std::log10(std::max(storage, 1e-30)), std::log10(std::max(loss, 1e-30))});
+    lowest = std::min({lowest, points.back().storage, points.back().loss});
+    highest = std::max({highest, points.back().storage, points.back().loss});
+  }
+  constexpr double kDensity = 2;
+  QPixmap pixmap(size * kDensity);
+  pixmap.setDevicePixelRatio(kDensity);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto draw = [&](double Point::*value, const QPen& pen) {
+    QPainterPath path;
+    for (int i = 0; i < kPoints; ++i) {
+      const double share =
+          (points[static_cast<std::size_t>(i)].*value - lowest) / std::max(highest - lowest, 1e-9);
+      const QPointF at(2 + (size.width() - 4.0) * i / (kPoints - 1),
+                       size.height() - 3 - (size.height() - 6.0) * share);
+      i == 0 ? path.moveTo(at) : path.lineTo(at);
+    }
+    painter.setPen(pen);
+    painter.drawPath(path);
+  };
+  draw(&Point::loss, QPen(palette.color(QPalette::PlaceholderText), 1.4));
+  draw(&Point::storage, QPen(palette.color(QPalette::Highlight), 1.8));
+  return pixmap;
+}
+
+MaterialBox::MaterialBox(QWidget* parent) : ChoiceBox(parent) {
+  setIconSize(kPreview);
+  setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  setMinimumContentsLength(8);
+  connect(this, &QComboBox::activated, this, &MaterialBox::pick);
+}
+
+void MaterialBox::showMaterial(const Elastomer& elastomer) {
+  const bool isSame = count() > 0 && elastomer.material == elastomer_.material;
+  elastomer_ = elastomer;
+  if (!isSame) fill();
+}
+
+void MaterialBox::showTexts() {
+  fill();
+}
+
+void MaterialBox::fill() {
+  clear();
+  addItem(tr("own values"), QString());
+  for (const ShippedMaterial& material : shippedMaterials()) {
+    const QString name = shippedObject(material.json)["name"].toString();
+    addItem(name.isEmpty() ? fromUtf8(material.name) : name, fromUtf8(material.name));
+  }
+  const QString present = QString::fromStdString(elastomer_.material);
+  if (findData(present) < 0) {
+    addItem(QFileInfo(present).fileName(), present);
+    setItemData(count() - 1, present, Qt::ToolTipRole);
+  }
+  setCurrentIndex(findData(present));
+  insertSeparator(count());
+  addItem(tr("Open material…"), QString());
+  setItemData(count() - 1, true, kAsksForFile);
+}
+
+/// Draws the pictures in the colours of the window as they are now.
+void MaterialBox::showPopup() {
+  for (const ShippedMaterial& material : shippedMaterials())
+    setItemIcon(findData(fromUtf8(material.name)),
+                modulusIcon(shippedElastomer(material.json), kPreview, palette()));
+  if (currentIndex() >= 0 && itemIcon(currentIndex()).isNull())
+    setItemIcon(currentIndex(), modulusIcon(elastomer_, kPreview, palette()));
+  ChoiceBox::showPopup();
+}
+
+void MaterialBox::pick(int index) {
+  const bool asks = itemData(index, kAsksForFile).toBool();
+  const QString name = itemData(index).toString();
+  setCurrentIndex(findData(QString::fromStdString(elastomer_.material)));  // until it is taken
+  if (asks)
+    emit fileWanted();
+  else
+    emit nameGiven(name);
+}
+
+}  // namespace asperity

@@ -1,0 +1,39 @@
+// A box of materials: the values typed by hand, those that come with the program, the file that the
+// scene names, and a last entry that asks for a file. Each entry of the open list has a small
+// picture of its moduli G' and G'' over frequency. GUI thread; belongs to its parent.
+#pragma once
+
+#include "core/material/elastomer.h"
+#include "ui/panels/choice_box.h"
+
+namespace asperity {
+
+class MaterialBox : public ChoiceBox {
+  Q_OBJECT
+
+ public:
+  explicit MaterialBox(QWidget* parent = nullptr);
+
+  /// Shows the elastomer's material.
+  void showMaterial(const Elastomer& elastomer);
+  void showTexts();
+
+  void showPopup() override;
+
+ signals:
+  /// Emitted with a shipped material, a file as the scene names it, or an empty name.
+  void nameGiven(const QString& name);
+  void fileWanted();
+
+ private:
+  void fill();
+  void pick(int index);
+
+  Elastomer elastomer_;
+};
+
+/// Draws storage modulus (solid) and loss modulus (pale) of an elastomer over all frequencies at
+/// which its arms relax, both logarithmic.
+QIcon modulusIcon(const Elastomer& elastomer, const QSize& size, const QPalette& palette);
+
+}  // namespace asperity

@@ -1,0 +1,25 @@
+// Files that a scene names, and what naming one means for the scene. Pure but for reading the file
+// of a material; any thread.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// Returns the file's name in the scene: relative where the file lies in the scene's folder or
+/// below.
+std::string nameInScene(const Scene& scene, const std::filesystem::path& file);
+
+/// Makes a shipped material, or one of a file, that of the scene: its elastomer then has all values
+/// of the material, at the scene's temperature. An empty name forgets the name and keeps the
+/// values. Throws InputError where there is no such material.
+void useMaterial(Scene& scene, const std::string& name);
+
+/// Makes a measured file the surface of the scene, to be read as it says; the period, the elements
+/// and the lines are those of the file. Choices that were made for the same file stay.
+void useSurface(Scene& scene, const std::filesystem::path& file);
+
+}  // namespace asperity

@@ -1,0 +1,19 @@
+// What a file that a person drops on the window is: told from its content. Pure but for reading the
+// file; any thread.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace asperity {
+
+enum class FileKind {
+  Scene,     // a scene, or what the program made from one; also what cannot be read at all
+  Material,  // material.json
+  Moduli,    // measured moduli, or a ready Prony series
+  Surface,   // anything else
+};
+
+FileKind kindOfFile(const std::filesystem::path& file);
+
+}  // namespace asperity

@@ -1,0 +1,138 @@
+#include "ui/window/import/import_commands.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSettings>
+#include <exception>
+
+#include "core/base/input_error.h"
+#include "core/base/text.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/panels/scene_files.h"
+#include "ui/window/import/material_import.h"
+#include "ui/window/import/surface_import.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/commands.h"
+#include "ui/window/main/document_commands.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/scene_document.h"
+
+namespace asperity {
+
+ImportCommands::ImportCommands(const Parts& parts) : QObject(&parts.window), parts_(parts) {
+  connect(&parts_.panel, &ParameterPanel::surfaceWanted, this, &ImportCommands::askSurface);
+  connect(&parts_.panel, &ParameterPanel::materialWanted, this, &ImportCommands::askMaterial);
+  connect(&parts_.document, &SceneDocument::opening, this, [this] { work_.cancel(); });
+}
+
+void ImportCommands::addTo(Commands& commands) {
+  commands.add({"openSurface",
+                [] { return tr("Open surface…"); },
+                [this] { askSurface(parts_.document.scene()); },
+                {Qt::CTRL | Qt::SHIFT | Qt::Key_O}});
+  commands.add({"openMaterial", [] { return tr("Open material…"); }, [this] { askMaterial(); }});
+}
+
+/// The folder of the files that the scene names.
+QString ImportCommands::folder() const {
+  const Scene& scene = parts_.document.scene();
+  const std::filesystem::path file = scene.folder / scene.surface.file;
+  return QString::fromStdString(file.parent_path().string());
+}
+
+void ImportCommands::askSurface(const Scene& scene) {
+  const QString file = QFileDialog::getOpenFileName(
+      &parts_.window, tr("Open surface"), folder(),
+      tr("Measured surfaces (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.sur *.pro *.gsf "
+         "*.gwy);;All files (*)"));
+  if (!file.isEmpty()) showSurface(scene, file);
+}
+
+void ImportCommands::askMaterial() {
+  const QString file = QFileDialog::getOpenFileName(
+      &parts_.window, tr("Open material"), folder(),
+      tr("Materials and measured moduli (*.json *.csv *.txt *.dat *.inp);;All files (*)"));
+  if (!file.isEmpty()) openMaterial(file);
+}
+
+void ImportCommands::closePages() {
+  for (QDialog* page : parts_.window.findChildren<QDialog*>(Qt::FindDirectChildrenOnly))
+    if (qobject_cast<ImportPage*>(page)) delete page;
+}
+
+SurfaceImport& ImportCommands::openSurface(const QString& file) {
+  return showSurface(parts_.document.scene(), file);
+}
+
+SurfaceImport& ImportCommands::showSurface(const Scene& scene, const QString& file) {
+  closePages();
+  auto* page = new SurfaceImport(scene, QFileInfo(file).absoluteFilePath(),
+                                 parts_.appearance.theme(), &parts_.window);
+  connect(page, &SurfaceImport::sceneChosen, this,
+          [this, file](const Scene& chosen) { takeSurface(chosen, file); });
+  page->open();
+  return *page;
+}
+
+/// A title and a description that belong to a shipped scene do not fit another surface.
+void ImportCommands::takeSurface(Scene scene, const QString& file) {
+  if (scene.title.empty() || isTranslatedScene(scene.title)) {
+    scene.title = printable(QFileInfo(file).completeBaseName().toStdString());
+    scene.description.clear();
+    scene.chapter.clear();
+  }
+  parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Open surface"));
+}
+
+void ImportCommands::openMaterial(const QString& file) {
+  if (kindOfFile(file.toStdString()) == FileKind::Material)
+    takeMaterial(file);
+  else
+    openModuli(file);
+}
+
+MaterialImport& ImportCommands::openModuli(const QString& file) {
+  closePages();
+  auto* page = new MaterialImport(QFileInfo(file).absoluteFilePath(), parts_.appearance.theme(),
+                                  &parts_.window);
+  connect(page, &MaterialImport::materialWritten, this, &ImportCommands::takeMaterial);
+  page->open();
+  return *page;
+}
+
+void ImportCommands::takeMaterial(const QString& file) {
+  Scene scene = parts_.document.scene();
+  try {
+    useMaterial(scene, nameInScene(scene, QFileInfo(file).absoluteFilePath().toStdString()));
+  } catch (const std::exception& error) {
+    return parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
+  }
+  parts_.messages.end(MessageBar::Failure::Files);
+  parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Open material"));
+}
+
+void ImportCommands::openDropped(const QString& file) {
+  work_.request([file](const BackgroundWork::Run&) { return kindOfFile(file.toStdString()); },
+                [this, file](FileKind kind) {
+                  switch (kind) {
+                    case FileKind::Scene:
+                      return parts_.documents.openDropped(file);
+                    case FileKind::Material:
+                      return takeMaterial(file);
+                    case FileKind::Moduli:
+                      openModuli(file);
+                      return;
+                    case FileKind::Surface:
+                      openSurface(file);
+                      return;
+                  }
+                },
+                [this](const QString& reason) {
+                  parts_.messages.showFailure(MessageBar::Failure::Files, reason);
+                });
+}
+
+}  // namespace asperity

@@ -1,0 +1,64 @@
+// The commands that open what a person measured: a surface, a material. They show the page of the
+// file and make its result the next step of the document; and they take files that are dropped on
+// the window, of any kind. Owned by the main window; GUI thread. Failure: on the page, or in the
+// message bar.
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "core/scene/scene.h"
+#include "ui/window/import/file_kind.h"
+#include "ui/window/tasks/background_work.h"
+
+class QWidget;
+
+namespace asperity {
+
+class Appearance;
+class Commands;
+class DocumentCommands;
+class MaterialImport;
+class MessageBar;
+class ParameterPanel;
+class SceneDocument;
+class SurfaceImport;
+
+class ImportCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Parts {
+    QWidget& window;
+    SceneDocument& document;
+    DocumentCommands& documents;
+    ParameterPanel& panel;
+    Appearance& appearance;
+    MessageBar& messages;
+  };
+  explicit ImportCommands(const Parts& parts);
+
+  void addTo(Commands& commands);
+
+  /// Shows the page of a measured surface; replaces the page that is open.
+  SurfaceImport& openSurface(const QString& file);
+  /// Makes a material.json the material of the scene, or shows the page of measured moduli.
+  void openMaterial(const QString& file);
+  MaterialImport& openModuli(const QString& file);
+  /// Looks in the background at what the file is, and opens it as that.
+  void openDropped(const QString& file);
+
+ private:
+  SurfaceImport& showSurface(const Scene& scene, const QString& file);
+  void askSurface(const Scene& scene);
+  void askMaterial();
+  void takeSurface(Scene scene, const QString& file);
+  void takeMaterial(const QString& file);
+  void closePages();
+  QString folder() const;
+
+  Parts parts_;
+  BackgroundWork work_;  // last: its thread ends before other members are destroyed
+};
+
+}  // namespace asperity

@@ -1,0 +1,133 @@
+#include "ui/window/import/import_page.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScreen>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace asperity {
+
+namespace {
+
+constexpr QSize kUsual(1120, 720);  // pixels
+constexpr int kAround = 40;         // pixels of the screen that stay free
+
+}  // namespace
+
+ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* parent)
+    : QDialog(parent),
+      file_(file),
+      views_(new QVBoxLayout),
+      halves_(new QHBoxLayout),
+      complaint_(new QLabel),
+      progress_(new QProgressBar),
+      stop_(new QToolButton),
+      accept_(new QPushButton(accept)),
+      cancel_(new QPushButton(tr("&Cancel"))) {
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* name = new QLabel(QFileInfo(file).fileName());
+  name->setObjectName("importFile");
+  name->setToolTip(QDir::toNativeSeparators(file));
+  name->setTextFormat(Qt::PlainText);
+  name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  QFont bold = name->font();
+  bold.setBold(true);
+  name->setFont(bold);
+  views_->setSpacing(8);
+  views_->addWidget(name);
+  halves_->setSpacing(12);
+  halves_->addLayout(views_, 1);
+
+  complaint_->setObjectName("importComplaint");
+  complaint_->setWordWrap(true);
+  complaint_->setTextFormat(Qt::PlainText);
+  complaint_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  complaint_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  progress_->setObjectName("importProgress");
+  progress_->setTextVisible(false);
+  progress_->setRange(0, 1000);
+  progress_->setFixedSize(120, 6);
+  progress_->setAccessibleName(tr("progress of reading"));
+  stop_->setObjectName("importStop");
+  stop_->setAutoRaise(true);
+  connect(stop_, &QToolButton::clicked, this, &ImportPage::pressStop);
+  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_}) {
+    QSizePolicy keepsRoom = widget->sizePolicy();
+    keepsRoom.setRetainSizeWhenHidden(true);
+    widget->setSizePolicy(keepsRoom);
+  }
+  accept_->setObjectName("importAccept");
+  accept_->setDefault(true);
+  cancel_->setObjectName("importCancel");
+  cancel_->setAutoDefault(false);
+  connect(accept_, &QPushButton::clicked, this, &QDialog::accept);
+  connect(cancel_, &QPushButton::clicked, this, &QDialog::reject);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(complaint_, 1);
+  foot->addWidget(progress_);
+  foot->addWidget(stop_);
+  foot->addSpacing(8);
+  foot->addWidget(cancel_);
+  foot->addWidget(accept_);
+
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(14, 12, 14, 12);
+  all->addLayout(halves_, 1);
+  all->addLayout(foot);
+  const QSize room = (parent ? parent->screen() : screen())->availableSize();
+  resize(kUsual.boundedTo(room - QSize(kAround, 2 * kAround)));
+  connect(this, &QDialog::finished, this, [this] { cancelWork(); });
+}
+
+QString ImportPage::complaint() const {
+  return complaint_->text();
+}
+
+void ImportPage::restart() {
+  setState(State::Reading);
+  begin();
+}
+
+void ImportPage::showProgress(double part) {
+  progress_->setValue(static_cast<int>(1000 * part));
+}
+
+void ImportPage::finish(const QString& complaint) {
+  complaint_->setText(complaint);
+  setState(complaint.isEmpty() ? State::Shown : State::Wrong);
+}
+
+void ImportPage::setState(State state) {
+  state_ = state;
+  const bool isReading = state == State::Reading, isStopped = state == State::Stopped;
+  if (isReading) progress_->setValue(0);
+  progress_->setVisible(isReading);
+  stop_->setVisible(isReading || isStopped);
+  stop_->setText(isStopped ? QStringLiteral("↻") : QStringLiteral("✕"));
+  const QString tip = isStopped ? tr("Read the file again") : tr("Stop reading");
+  stop_->setToolTip(tip);
+  stop_->setAccessibleName(tip);
+  accept_->setEnabled(state == State::Shown);
+}
+
+void ImportPage::pressStop() {
+  if (state_ == State::Stopped) return restart();
+  cancelWork();
+  complaint_->setText(tr("Reading was stopped"));
+  setState(State::Stopped);
+}
+
+/// Return in an entry ends the entry, not the page.
+void ImportPage::keyPressEvent(QKeyEvent* event) {
+  const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (isEnter && !accept_->hasFocus()) return event->accept();
+  QDialog::keyPressEvent(event);
+}
+
+}  // namespace asperity

@@ -1,0 +1,65 @@
+// What the pages of the window that read a file of a person have in common: the name of the file,
+// progress that can be stopped, one line that says what is wrong, and the buttons that take or
+// leave the result. The work runs in the background; the newest choices win. GUI thread.
+#pragma once
+
+#include <QDialog>
+#include <QString>
+
+#include "ui/draw/theme.h"
+#include "ui/window/tasks/background_work.h"
+
+class QHBoxLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+class QVBoxLayout;
+
+namespace asperity {
+
+class ImportPage : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// Returns whether the result of the present choices is shown, or what is wrong with them.
+  bool isReady() const { return state_ == State::Shown; }
+  bool isReading() const { return state_ == State::Reading; }
+  /// Returns the line that says what is wrong; empty where nothing is.
+  QString complaint() const;
+
+ protected:
+  ImportPage(const QString& file, const QString& accept, QWidget* parent);
+
+  QVBoxLayout& views() { return *views_; }    // left
+  QHBoxLayout& halves() { return *halves_; }  // for what stands at the right
+  const QString& file() const { return file_; }
+  QPushButton& acceptButton() { return *accept_; }
+
+  /// Begins again with the present choices; begin() of the derived class follows.
+  void restart();
+  virtual void begin() = 0;
+  void showProgress(double part);
+  /// Ends the reading, with what is wrong; empty: it can be accepted.
+  void finish(const QString& complaint);
+  /// Cancels the work of the derived class.
+  virtual void cancelWork() = 0;
+
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  enum class State { Reading, Shown, Wrong, Stopped };
+  void setState(State state);
+  void pressStop();
+
+  QString file_;
+  State state_ = State::Reading;
+  QVBoxLayout* views_;
+  QHBoxLayout* halves_;
+  QLabel* complaint_;
+  QProgressBar* progress_;
+  QToolButton* stop_;
+  QPushButton *accept_, *cancel_;
+};
+
+}  // namespace asperity

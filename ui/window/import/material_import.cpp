@@ -1,0 +1,355 @@
+#include "ui/window/import/material_import.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSpinBox>
+#include <QTabBar>
+#include <QVBoxLayout>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/base/regular_file.h"
+#include "core/chart/material_sheets.h"
+#include "core/scene/columns.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/choice_box.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/figures/diagram_view.h"
+#include "ui/window/main/picture_files.h"
+
+namespace asperity {
+
+/// What is made of the file in the background.
+struct MaterialImport::Preview {
+  std::shared_ptr<const std::string> bytes{};
+  std::shared_ptr<const Material> material{};
+  std::optional<std::pair<std::string, Message>> fault{};  // option, which may be empty
+};
+
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{64} << 20;  // bytes of measurements
+
+/// An option of `asperity material` and its value, as the origin of the material keeps it.
+using Written = std::vector<std::pair<std::string, std::string>>;
+
+double kelvins(const QString& text, const char* option) {
+  const auto temperature = temperatureFrom(withPoint(text.trimmed()).toStdString());
+  if (!temperature || !(*temperature > 0 && *temperature <= 2000))
+    throw InputError(
+        "", option,
+        message("'{}' is not a temperature such as 20C, 293.15K or 68F", text.toStdString()));
+  return *temperature;
+}
+
+QString askForMaterial(QWidget* parent, const QString& proposed) {
+  return askSaveFile(parent, MaterialImport::tr("Save material"), proposed,
+                     MaterialImport::tr("Materials (*.json)"));
+}
+
+}  // namespace
+
+MaterialImport::MaterialImport(const QString& file, const Theme& theme, QWidget* parent)
+    : ImportPage(file, tr("&Save and use…"), parent),
+      chooser_(askForMaterial),
+      sheet_(new DiagramView),
+      sheets_(new QTabBar),
+      summary_(new QLabel) {
+  setObjectName("materialImport");
+  setWindowTitle(tr("Open material"));
+  buildViews(theme);
+  buildChoices();
+  restart();
+}
+
+void MaterialImport::buildViews(const Theme& theme) {
+  sheets_->setObjectName("dmaSheets");
+  sheets_->setDrawBase(false);
+  sheets_->setExpanding(false);
+  sheets_->setUsesScrollButtons(true);
+  connect(sheets_, &QTabBar::currentChanged, this, &MaterialImport::showSheet);
+  sheet_->setObjectName("dmaSheet");
+  sheet_->setTheme(theme);
+  sheet_->setAccessibleName(tr("the measured moduli and their fit"));
+  summary_->setObjectName("dmaSummary");
+  summary_->setWordWrap(true);
+  summary_->setTextFormat(Qt::PlainText);
+  summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(summary_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedHeight(7 * fontMetrics().lineSpacing());
+  views().addWidget(sheets_);
+  views().addWidget(sheet_, 1);
+  views().addWidget(scroll);
+}
+
+QLineEdit* MaterialImport::addEntry(QFormLayout& form, const char* name, const QString& label,
+                                    const QString& tip) {
+  auto* entry = new QLineEdit;
+  entry->setObjectName(name);
+  entry->setToolTip(tip);
+  entry->setAccessibleName(label);
+  connect(entry, &QLineEdit::editingFinished, this, [this, entry] {
+    if (!entry->isModified()) return;
+    entry->setModified(false);
+    restart();
+  });
+  form.addRow(label, entry);
+  return entry;
+}
+
+QComboBox* MaterialImport::addChoice(QFormLayout& form, const char* name, const QString& label,
+                                     const QString& tip, const QStringList& words) {
+  auto* box = new ChoiceBox;
+  box->setObjectName(name);
+  box->setToolTip(tip);
+  box->setAccessibleName(label);
+  box->addItem(tr("as found"), QString());
+  for (const QString& word : words) box->addItem(wordText(word.toStdString()), word);
+  connect(box, &QComboBox::activated, this, [this] { restart(); });
+  form.addRow(label, box);
+  return box;
+}
+
+void MaterialImport::buildChoices() {
+  auto* content = new QWidget;
+  auto* form = new QFormLayout(content);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setVerticalSpacing(5);
+  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  const auto heading = [&](const QString& text) {
+    auto* label = new QLabel("<b>" + text + "</b>");
+    form->addRow(label);
+  };
+  heading(tr("What the file is"));
+  frequencyUnit_ = addChoice(*form, "dmaFrequencyUnit", tr("frequency in"),
+                             tr("Unit of the frequencies"), {"Hz", "rad/s"});
+  temperatureUnit_ = addChoice(*form, "dmaTemperatureUnit", tr("temperature in"),
+                               tr("Unit of the temperatures"), {"C", "K", "F"});
+  modulusUnit_ = addChoice(*form, "dmaModulusUnit", tr("modulus in"), tr("Unit of the moduli"),
+                           {"Pa", "kPa", "MPa", "GPa"});
+  modulus_ =
+      addChoice(*form, "dmaModulus", tr("deformation"),
+                tr("Whether the moduli are of shear (G) or of tension (E)"), {"shear", "tension"});
+  poisson_ = addEntry(*form, "dmaPoisson", tr("Poisson's ratio"),
+                      tr("Turns moduli of tension into those of shear: G = E / (2 (1 + ν))"));
+  poisson_->setPlaceholderText(inLanguage(QStringLiteral("0.5")));
+  temperature_ = addEntry(*form, "dmaTemperature", tr("measured at"),
+                          tr("Temperature of a file that does not state one, such as 20 °C"));
+  temperature_->setPlaceholderText(tr("as found"));
+  instantaneous_ = addEntry(*form, "dmaInstantaneous", tr("instantaneous modulus"),
+                            tr("Shear modulus in Pa of a series that gives parts of it"));
+  instantaneous_->setPlaceholderText(tr("as found"));
+  heading(tr("Master curve"));
+  reference_ = addEntry(*form, "dmaReference", tr("reference"),
+                        tr("Temperature to which all isotherms are shifted, such as 20 °C"));
+  reference_->setPlaceholderText(tr("near 25 °C"));
+  vertical_ = new QCheckBox(tr("vertical shifts, too"));
+  vertical_->setObjectName("dmaVertical");
+  connect(vertical_, &QCheckBox::toggled, this, [this] { restart(); });
+  form->addRow(QString(), vertical_);
+  shift_ = addChoice(*form, "dmaShift", tr("shift"),
+                     tr("How the shifts stand in the material: as a formula, or as their table"),
+                     {"wlf", "arrhenius", "table"});
+  heading(tr("Prony series"));
+  terms_ = new QSpinBox;
+  terms_->setObjectName("dmaTerms");
+  terms_->setRange(0, kMostChosenTerms);
+  terms_->setSpecialValueText(tr("as few as do"));
+  terms_->setToolTip(tr("Relaxation times, evenly spaced in their logarithm"));
+  terms_->setAccessibleName(tr("terms"));
+  connect(terms_, &QSpinBox::valueChanged, this, [this] { restart(); });
+  form->addRow(tr("terms"), terms_);
+  heading(tr("In the file of the material"));
+  name_ = addEntry(*form, "dmaName", tr("name"), tr("Name of the material"));
+  name_->setPlaceholderText(QFileInfo(file()).completeBaseName());
+  source_ = addEntry(*form, "dmaSource", tr("source"),
+                     tr("Where the measurements come from, so that a reader can look it up"));
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedWidth(330);
+  scroll->setObjectName("dmaChoices");
+  content->setObjectName("parameterRows");
+  scroll->setStyleSheet(panelStyleSheet(palette()));
+  halves().addWidget(scroll);
+}
+
+/// The choices as they stand. Throws InputError (option) where an entry is no such value.
+MaterialChoices MaterialImport::choices() const {
+  MaterialChoices made;
+  Written& written = made.options;
+  const auto word = [&](const QComboBox& box, const char* option) {
+    const std::string chosen = box.currentData().toString().toStdString();
+    if (!chosen.empty()) written.emplace_back(option, chosen);
+    return chosen;
+  };
+  const auto text = [&](const QLineEdit& entry, const char* option) {
+    const QString typed = entry.text().trimmed();
+    if (!typed.isEmpty()) written.emplace_back(option, typed.toStdString());
+    return typed;
+  };
+  made.columns.frequencyUnit = word(*frequencyUnit_, "--frequency-unit");
+  made.columns.temperatureUnit = word(*temperatureUnit_, "--temperature-unit");
+  made.columns.modulusUnit = word(*modulusUnit_, "--modulus-unit");
+  const std::string modulus = word(*modulus_, "--modulus");
+  if (!modulus.empty())
+    made.columns.modulus = modulus == "shear" ? ModulusKind::Shear : ModulusKind::Tension;
+  if (const QString typed = text(*poisson_, "--poisson-ratio"); !typed.isEmpty()) {
+    bool isNumber = false;
+    made.columns.poissonRatio = withPoint(typed).toDouble(&isNumber);
+    if (!isNumber || !(made.columns.poissonRatio >= 0 && made.columns.poissonRatio <= 0.5))
+      throw InputError("", "--poisson-ratio",
+                       message("'{}' is not a number from 0 to 0.5", typed.toStdString()));
+  }
+  if (const QString typed = text(*temperature_, "--temperature"); !typed.isEmpty())
+    made.columns.temperature = kelvins(typed, "--temperature");
+  if (const QString typed = text(*instantaneous_, "--instantaneous-modulus"); !typed.isEmpty()) {
+    bool isNumber = false;
+    made.instantaneousModulus =
+        inPlainUnit(withPoint(typed), QStringLiteral("Pa")).toDouble(&isNumber);
+    if (!isNumber || !(made.instantaneousModulus > 0))
+      throw InputError("", "--instantaneous-modulus",
+                       message("'{}' is not a modulus such as 2.3MPa", typed.toStdString()));
+  }
+  if (const QString typed = text(*reference_, "--reference-temperature"); !typed.isEmpty())
+    made.referenceTemperature = kelvins(typed, "--reference-temperature");
+  made.isVertical = vertical_->isChecked();
+  if (made.isVertical) written.emplace_back("--vertical-shifts", "true");
+  const std::string shift = word(*shift_, "--shift");
+  if (!shift.empty())
+    made.shift = shift == "wlf"         ? ShiftKind::Wlf
+                 : shift == "arrhenius" ? ShiftKind::Arrhenius
+                                        : ShiftKind::Table;
+  made.series.terms = terms_->value();
+  if (terms_->value() > 0) written.emplace_back("--terms", std::to_string(terms_->value()));
+  made.name = text(*name_, "--name").toStdString();
+  made.source = text(*source_, "--source").toStdString();
+  return made;
+}
+
+/// What the control of an option is called on the page.
+QString MaterialImport::labelOf(const std::string& option) const {
+  const std::pair<const char*, const QWidget*> controls[] = {
+      {"--frequency-unit", frequencyUnit_},
+      {"--temperature-unit", temperatureUnit_},
+      {"--modulus-unit", modulusUnit_},
+      {"--modulus", modulus_},
+      {"--poisson-ratio", poisson_},
+      {"--temperature", temperature_},
+      {"--instantaneous-modulus", instantaneous_},
+      {"--reference-temperature", reference_},
+      {"--shift", shift_},
+      {"--terms", terms_}};
+  for (const auto& [name, control] : controls)
+    if (option == name) return control->accessibleName();
+  return QString::fromStdString(option);
+}
+
+void MaterialImport::begin() {
+  MaterialChoices wanted;
+  try {
+    wanted = choices();
+  } catch (const InputError& error) {
+    work_.cancel();
+    return take({bytes_, {}, {{error.key(), error.message()}}});
+  }
+  work_.request(
+      [file = file().toStdString(), bytes = bytes_, wanted](const BackgroundWork::Run&) {
+        Preview preview{bytes, {}, {}};
+        try {
+          if (!preview.bytes)
+            preview.bytes =
+                std::make_shared<const std::string>(readRegularFile(file, kLargestFile));
+          preview.material = std::make_shared<const Material>(makeMaterial(
+              *preview.bytes, std::filesystem::path(file).filename().string(), wanted));
+        } catch (const InputError& error) {
+          preview.fault = {error.key(), error.message()};
+        }
+        return preview;
+      },
+      [this](const Preview& preview) { take(preview); },
+      [this](const QString& reason) { finish(reason); });
+}
+
+void MaterialImport::take(const Preview& preview) {
+  bytes_ = preview.bytes;
+  material_ = preview.material;
+  if (preview.fault) {
+    const auto& [option, message] = *preview.fault;
+    const QString text = translatedText(message);
+    summary_->clear();
+    return finish(option.empty() ? text : labelOf(option) + ": " + text);
+  }
+  const std::vector<NamedSheet> sheets = materialSheets(*material_);
+  const QString before = sheets_->tabData(sheets_->currentIndex()).toString();
+  {
+    const QSignalBlocker quiet(sheets_);
+    while (sheets_->count() > 0) sheets_->removeTab(0);
+    for (const NamedSheet& sheet : sheets) {
+      const QString title = sheet.name == "isotherms"      ? tr("Isotherms")
+                            : sheet.name == "master_curve" ? tr("Master curve")
+                            : sheet.name == "loss_tangent" ? tr("Loss tangent")
+                                                           : tr("Shifts");
+      const int index = sheets_->addTab(title);
+      sheets_->setTabData(index, QString::fromStdString(sheet.name));
+      const bool isFirst = before.isEmpty() && sheet.name == "master_curve";
+      if (isFirst || before.toStdString() == sheet.name) sheets_->setCurrentIndex(index);
+    }
+  }
+  showSheet();
+  QStringList lines;
+  for (const Message& line : materialSummary(*material_)) lines += translatedText(line);
+  summary_->setText(lines.join('\n'));
+  if (material_->isMeasured())
+    reference_->setPlaceholderText(translatedText(celsius(material_->referenceTemperature)));
+  finish({});
+}
+
+void MaterialImport::showSheet() {
+  const std::string name = sheets_->tabData(sheets_->currentIndex()).toString().toStdString();
+  sheet_->show([material = material_, name]() -> DiagramSheet {
+    if (material)
+      for (NamedSheet& sheet : materialSheets(*material))
+        if (sheet.name == name) return std::move(sheet.sheet);
+    return {};
+  });
+}
+
+/// Writes the material first; where that fails or is called off, the page stays.
+void MaterialImport::accept() {
+  if (!material_ || !isReady()) return;
+  const QFileInfo read(file());
+  const QString proposed = read.dir().filePath(read.completeBaseName() + ".material.json");
+  QString written = chooser_(this, proposed);
+  if (written.isEmpty()) return;
+  try {
+    const std::filesystem::path path = std::filesystem::absolute(written.toStdString());
+    checkWritable(path);
+    writeFileAtomically(path, materialJson(*material_));
+    written = QString::fromStdString(path.string());
+  } catch (const std::exception& error) {
+    return finish(translatedError(error));
+  }
+  emit materialWritten(written);
+  QDialog::accept();
+}
+
+}  // namespace asperity

@@ -1,0 +1,83 @@
+// The page on which measured moduli become a material: isotherms, the master curve with its fit and
+// the shifts are drawn anew whenever reference temperature, terms or units are changed. A ready
+// Prony series is shown likewise. The material is written where the user says and becomes that of
+// the scene. Object names: those of ImportPage; "dmaReference", "dmaTerms", "dmaShift",
+// "dmaVertical", "dmaModulus", "dmaPoisson", "dmaFrequencyUnit", "dmaTemperatureUnit",
+// "dmaModulusUnit", "dmaTemperature", "dmaInstantaneous", "dmaName", "dmaSource", "dmaSheets",
+// "dmaSheet", "dmaSummary". GUI thread; deletes itself. Failure: one line on the page.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/material/material_model.h"
+#include "ui/window/import/import_page.h"
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+class QTabBar;
+
+namespace asperity {
+
+class DiagramView;
+
+/// Asks where the material goes, beginning with a name; empty where nowhere.
+using MaterialFileChooser = std::function<QString(QWidget* parent, const QString& proposed)>;
+
+class MaterialImport : public ImportPage {
+  Q_OBJECT
+
+ public:
+  MaterialImport(const QString& file, const Theme& theme, QWidget* parent = nullptr);
+
+  /// Returns what is shown; null before, or where the choices are wrong.
+  const Material* material() const { return material_.get(); }
+
+  /// Replaces the usual file dialog.
+  void setFileChooser(MaterialFileChooser chooser) { chooser_ = std::move(chooser); }
+
+  void accept() override;
+
+ signals:
+  /// Emitted with the file that the material was written into.
+  void materialWritten(const QString& file);
+
+ protected:
+  void begin() override;
+  void cancelWork() override { work_.cancel(); }
+
+ private:
+  struct Preview;
+  void buildViews(const Theme& theme);
+  void buildChoices();
+  QLineEdit* addEntry(QFormLayout& form, const char* name, const QString& label,
+                      const QString& tip);
+  QComboBox* addChoice(QFormLayout& form, const char* name, const QString& label,
+                       const QString& tip, const QStringList& words);
+  MaterialChoices choices() const;
+  QString labelOf(const std::string& option) const;
+  void take(const Preview& preview);
+  void showSheet();
+
+  MaterialFileChooser chooser_;
+  std::shared_ptr<const std::string> bytes_;  // of the file, once it is read
+  std::shared_ptr<const Material> material_;
+  DiagramView* sheet_;
+  QTabBar* sheets_;
+  QLabel* summary_;
+  QLineEdit *reference_ = nullptr, *temperature_ = nullptr, *poisson_ = nullptr,
+            *instantaneous_ = nullptr, *name_ = nullptr, *source_ = nullptr;
+  QComboBox *shift_ = nullptr, *modulus_ = nullptr, *frequencyUnit_ = nullptr,
+            *temperatureUnit_ = nullptr, *modulusUnit_ = nullptr;
+  QSpinBox* terms_ = nullptr;
+  QCheckBox* vertical_ = nullptr;
+  // Last: its thread ends before other members are destroyed.
+  BackgroundWork work_{Overtaking::StopsTheRunning};
+};
+
+}  // namespace asperity

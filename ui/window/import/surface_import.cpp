@@ -1,0 +1,195 @@
+#include "ui/window/import/surface_import.h"
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/friction/study.h"
+#include "core/run/measured_sheet.h"
+#include "core/scene/parameters.h"
+#include "core/surface/line_source.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/panels/parameter_row.h"
+#include "ui/panels/scene_files.h"
+#include "ui/window/figures/diagram_view.h"
+
+namespace asperity {
+
+/// What is made of a scene in the background.
+struct SurfaceImport::Preview {
+  std::optional<MeasuredSummary> summary{};
+  LineSize line{};
+  TopographyImage image{};
+  // What is wrong: the parameter, which may be empty, and core's message.
+  std::optional<std::pair<QString, Message>> fault{};
+};
+
+namespace {
+
+std::vector<ParameterGroup> groups() {
+  return {{[] { return SurfaceImport::tr("What the file is"); },
+           {"surface.format", "surface.position_unit", "surface.height_unit",
+            "surface.position_column", "surface.height_column", "surface.direction", "surface.row"},
+           false},
+          {[] { return SurfaceImport::tr("From heights to a profile"); },
+           {"surface.gaps", "surface.outliers", "surface.form", "surface.short_wave_cut",
+            "surface.long_wave_cut"},
+           false},
+          {[] { return SurfaceImport::tr("From the profile to the line"); },
+           {"surface.seam", "surface.blend_length", "surface.seed", "surface.line",
+            "surface.contact_side", "surface.length", "surface.elements", "ensemble.realizations"},
+           false}};
+}
+
+QString valueText(double value, const std::string& unit) {
+  if (!std::isfinite(value)) return QStringLiteral("–");
+  return inLanguage(QString::fromStdString(unit.empty() ? printedNumber(value, 4)
+                                                        : printedQuantity(value, unit, 4)))
+      .toHtmlEscaped();
+}
+
+/// A table of the values before and after.
+QString valuesTable(const MeasuredSummary& summary) {
+  const QString cell = QStringLiteral("<td align=right style='padding-left:14px'>%1</td>");
+  QString rows = "<tr><td></td>" + cell.arg(SurfaceImport::tr("raw")) +
+                 cell.arg("<b>" + SurfaceImport::tr("used") + "</b>") + "</tr>";
+  for (const NamedValue& value : valuesOf(summary))
+    rows += "<tr><td>" + QString::fromStdString(value.name).toHtmlEscaped() + "</td>" +
+            cell.arg(valueText(value.raw, value.unit)) +
+            cell.arg("<b>" + valueText(value.used, value.unit) + "</b>") + "</tr>";
+  return "<table cellspacing=0 cellpadding=1>" + rows + "</table>";
+}
+
+QLabel* addText(QVBoxLayout& column, const char* name) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column.addWidget(label);
+  return label;
+}
+
+}  // namespace
+
+SurfaceImport::SurfaceImport(const Scene& scene, const QString& file, const Theme& theme,
+                             QWidget* parent)
+    : ImportPage(file, tr("&Use this surface"), parent), scene_(scene) {
+  setObjectName("surfaceImport");
+  setWindowTitle(tr("Open surface"));
+  useSurface(scene_, file.toStdString());
+  panel_ = new ParameterPanel(scene_, groups());
+  connect(panel_, &ParameterPanel::sceneEdited, this, [this](const Scene& edited) {
+    scene_ = edited;
+    restart();
+  });
+  connect(this, &QDialog::accepted, this, [this] { emit sceneChosen(scene_); });
+  buildViews(theme);
+  halves().addWidget(panel_);
+  restart();
+}
+
+void SurfaceImport::buildViews(const Theme& theme) {
+  topography_ = new TopographyPicture;
+  topography_->hide();
+  auto* texts = new QWidget;
+  auto* column = new QVBoxLayout(texts);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  notes_ = addText(*column, "surfaceNotes");
+  notes_->setProperty("role", "warning");
+  facts_ = addText(*column, "surfaceFacts");
+  column->addStretch(1);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(texts);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  values_ = new QLabel;
+  values_->setObjectName("surfaceValues");
+  values_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(14);
+  head->addWidget(topography_);
+  head->addWidget(values_);
+  head->addWidget(scroll, 1);
+  sheet_ = new DiagramView;
+  sheet_->setObjectName("surfaceSheet");
+  sheet_->setTheme(theme);
+  sheet_->setAccessibleName(tr("the profile and its spectrum, raw and used"));
+  views().addLayout(head);
+  views().addWidget(sheet_, 1);
+}
+
+/// Reads and processes in the background. The file is read once, because core keeps the last one.
+void SurfaceImport::begin() {
+  work_.request(
+      [this, scene = scene_](const BackgroundWork::Run& run) {
+        Preview preview;
+        try {
+          const auto progress = [&](double part) {
+            run.tell([this, part] { showProgress(part); });
+          };
+          const auto file = readMeasuredSurface(scene, run.stop(), progress);
+          preview.image = topographyImage(
+              file->topography, scene.surface.reading.direction == ProfileDirection::AlongY);
+          const auto lines = MeasuredLines::of(scene, run.stop(), progress);
+          const LineSource source(scene, 1);
+          preview.line = {source.length(), source.elements()};
+          preview.summary = measuredSummary(scene, source);
+        } catch (const ReadingStopped&) {
+          throw StudyStopped{};
+        } catch (const InputError& error) {
+          preview.fault = {QString::fromStdString(error.key()), error.message()};
+        } catch (const std::bad_alloc&) {
+          preview.fault = {QString(), Message("there is not enough memory for this surface")};
+        }
+        return preview;
+      },
+      [this](const Preview& preview) { take(preview); },
+      [this](const QString& reason) { finish(reason); });
+}
+
+void SurfaceImport::take(const Preview& preview) {
+  panel_->clearErrors();
+  summary_ = preview.summary;
+  double row = -1;
+  if (summary_ && summary_->rowsUsed == 1)
+    row = (static_cast<double>(summary_->rowInFile) - 0.5) / static_cast<double>(summary_->rows);
+  topography_->show(preview.image, row);
+  if (preview.fault) {
+    const auto& [key, message] = *preview.fault;
+    const QString text = translatedText(message);
+    panel_->showError(key, text);
+    const Parameter* parameter = findParameter(key.toStdString());
+    for (QLabel* label : {facts_, values_, notes_}) label->clear();
+    return finish(parameter ? ParameterRow::labelOf(*parameter) + ": " + text : text);
+  }
+  panel_->showLine(preview.line);
+  showSummary(*summary_);
+  finish({});
+}
+
+void SurfaceImport::showSummary(const MeasuredSummary& summary) {
+  QStringList facts, notes;
+  for (const Message& fact : factsOf(summary)) facts += translatedText(fact);
+  for (const Note note : summary.notes.list())
+    notes += QStringLiteral("⚠ ") + translatedText(sentenceOf(note));
+  facts_->setText(facts.join('\n'));
+  notes_->setText(notes.join('\n'));
+  notes_->setVisible(!notes.isEmpty());
+  values_->setText(valuesTable(summary));
+  sheet_->show([summary] { return measuredSheet(summary, {}); });
+}
+
+}  // namespace asperity
