@@ -15,10 +15,10 @@
 namespace asperity {
 
 /// {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random),
-/// "oversampling_used", "files" (name and SHA-256 of each file that the scene names, by its key; only
-/// where it names one), "scene"}. The number used is that of a friction curve for the verbs that
-/// compute one, else that of a single line; null where a curve to a target accuracy chooses at each
-/// velocity.
+/// "oversampling_used", "files" (name and SHA-256 of each file that the scene names, by its key;
+/// only where it names one), "scene"}. The number used is that of a friction curve for the verbs
+/// that compute one, else that of a single line; null where a curve to a target accuracy chooses at
+/// each velocity.
 nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);
 
 /// Adds "curve_oversampling_used", if it is another number, to the provenance of a result with a
